@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral compare: how far two frames or views are apart.
+#include "integral/cli/command.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/values.h"
+#include "integral/io/image_file.h"
+#include "integral/lightfield/names.h"
+#include "integral/replay/compare.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace integral {
+namespace {
+
+options::options_description make_options()
+{
+    options::options_description all("Options");
+    const auto number = [](const char* name) {
+        return options::value<std::string>()->value_name(name);
+    };
+    all.add_options()
+        ("output,o", options::value<std::string>()->value_name("DIFFERENCE"),
+         "write the difference picture, |A - B| of each channel: .png, .exr or .tiff; - "
+         "writes a PNG to standard output and the figures to standard error")
+        ("gain", number("G")->default_value("1"), "multiply the difference picture by G")
+        ("max-rmse", number("R"), "fail (exit status 1) if the RMSE is greater than R")
+        ("min-psnr", number("P"), "fail if the PSNR is less than P dB")
+        ("min-ssim", number("S"), "fail if the SSIM is less than S")
+        ("sheet", options::value<std::string>()->value_name("FILE.json"),
+         "geometry for frames that carry none, or instead of their own")
+        ("json", "print the figures as JSON (a PSNR that is infinite is null)")
+        ("help", "print this");
+    return all;
+}
+
+struct Threshold {
+    const char* option;
+    const char* name;
+    bool is_most; ///< the figure must not exceed it; else it must not fall below it
+    double Comparison::*figure;
+};
+constexpr Threshold thresholds[] = {{"max-rmse", "RMSE", true, &Comparison::rmse},
+                                    {"min-psnr", "PSNR", false, &Comparison::psnr},
+                                    {"min-ssim", "SSIM", false, &Comparison::ssim}};
+
+/// The thresholds that the figures miss, in words. NaN misses each.
+std::vector<std::string> failures(const options::variables_map& arguments, const Comparison& c)
+{
+    std::vector<std::string> missed;
+    for (const auto& t : thresholds) {
+        if (!given(arguments, t.option))
+            continue;
+        const double limit = parse_number(t.option, text_of(arguments, t.option), "a number");
+        const double figure = c.*t.figure;
+        if (!(t.is_most ? figure <= limit : figure >= limit)) {
+            char text[120];
+            std::snprintf(text, sizeof text, "%s %.6g is %s than %.6g", t.name, figure,
+                          t.is_most ? "greater" : "less", limit);
+            missed.push_back(text);
+        }
+    }
+    return missed;
+}
+
+std::string as_text(const Comparison& c)
+{
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "RMSE                %.6f\n"
+                  "PSNR                %.3f dB\n"
+                  "SSIM                %.6f\n"
+                  "largest difference  %.6f\n"
+                  "within 2/255        %.4f%% of the pixels\n"
+                  "encoding            %s\n",
+                  c.rmse, c.psnr, c.ssim, c.largest_difference, 100 * c.within_two,
+                  name_of(c.encoding.kind));
+    std::string result = text;
+    if (c.worst) {
+        std::snprintf(text, sizeof text,
+                      "worst micro-image   lens %lld,%lld at %.3f,%.3f mm: RMSE %.6f\n",
+                      static_cast<long long>(c.worst->lens.i),
+                      static_cast<long long>(c.worst->lens.j), c.worst->pole.x, c.worst->pole.y,
+                      c.worst->rmse);
+        result += text;
+    }
+    return result;
+}
+
+std::string as_json(const Comparison& c, const std::vector<std::string>& missed)
+{
+    nlohmann::ordered_json json = {{"rmse", c.rmse},
+                                   {"psnr", c.psnr}, // infinity is written as null
+                                   {"ssim", c.ssim},
+                                   {"largest_difference", c.largest_difference},
+                                   {"within_two", c.within_two},
+                                   {"encoding", name_of(c.encoding.kind)},
+                                   {"passed", missed.empty()},
+                                   {"worst_micro_image", nullptr}};
+    if (c.worst)
+        json["worst_micro_image"] = {{"lens", {c.worst->lens.i, c.worst->lens.j}},
+                                     {"pole_mm", {c.worst->pole.x, c.worst->pole.y}},
+                                     {"rmse", c.worst->rmse}};
+    return json.dump(2) + "\n";
+}
+
+int run(const options::variables_map& arguments)
+{
+    failures(arguments, Comparison()); // the thresholds themselves, before any work
+    const double gain = parse_number("gain", text_of(arguments, "gain"), "a number");
+    const std::string output = text_of(arguments, "output");
+    if (!output.empty()) {
+        format_for(output);
+        check_writable(output);
+    }
+    const auto inputs = inputs_of(arguments);
+    const std::string sheet = text_of(arguments, "sheet");
+    const Frame a = read_frame(inputs[0], sheet), b = read_frame(inputs[1], sheet);
+    stop_if_interrupted();
+    Comparison comparison;
+    try {
+        comparison = compare(a, b);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(inputs[1] + ": " + error.what());
+    }
+    stop_if_interrupted();
+    if (!output.empty())
+        write_frame(output, Frame{difference_picture(a.image, b.image, gain), std::nullopt});
+
+    const auto missed = failures(arguments, comparison);
+    const std::string figures =
+        given(arguments, "json") ? as_json(comparison, missed) : as_text(comparison);
+    if (output == "-") // the picture has standard output
+        std::fputs(figures.c_str(), stderr);
+    else
+        write_file("-", figures);
+    for (const auto& what : missed)
+        std::fprintf(stderr, "integral compare: %s: %s\n", inputs[1].c_str(), what.c_str());
+    return missed.empty() ? exit_done : exit_check_failed;
+}
+
+} // namespace
+
+const Command compare_command = {
+    "compare",
+    "how far two frames or views are apart: RMSE, PSNR, SSIM, worst micro-image",
+    "A B [-o DIFFERENCE] [--max-rmse R] [--min-psnr P] [--min-ssim S]",
+    "Compares two pictures of one size in their output encoding, 0 to 1 at full scale (linear\n"
+    "pictures in the other's encoding). Colours are compared over black; alpha is a fourth\n"
+    "channel where both have it. RMSE and PSNR (0 dB is full scale; inf: equal) are over all\n"
+    "channels of all pixels; SSIM is of the lumas, over 11x11 Gaussian windows of sigma 1.5. With\n"
+    "a frame's geometry, the micro-image with the greatest RMSE is named: the lens's column and row\n"
+    "and its place on the sheet.\n",
+    2, 2, make_options, run};
+
+} // namespace integral

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of the integral program: one line per file, headers too.
+
+build_bin_integral_SOURCES += \
+  integral/cli/command.h \
+  integral/cli/compare_command.cpp \
+  integral/cli/main.cpp \
+  integral/cli/progress.cpp \
+  integral/cli/progress.h \
+  integral/cli/replay_command.cpp \
+  integral/cli/sheet_command.cpp \
+  integral/cli/sheet_report.cpp \
+  integral/cli/sheet_report.h \
+  integral/cli/values.cpp \
+  integral/cli/values.h

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The integral program: finds the command, reads its options, and turns errors into exit statuses.
+#include "integral/cli/command.h"
+#include "integral/cli/progress.h"
+#include "integral/io/file_bytes.h"
+
+#include <cstdio>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+#ifndef PACKAGE_VERSION
+#error "PACKAGE_VERSION must be defined, as configure does"
+#endif
+
+namespace integral {
+
+const std::vector<const Command*>& all_commands()
+{
+    static const std::vector<const Command*> commands = {&sheet_command, &replay_command,
+                                                         &compare_command};
+    return commands;
+}
+
+std::vector<std::string> inputs_of(const options::variables_map& arguments)
+{
+    return given(arguments, "input") ? arguments["input"].as<std::vector<std::string>>()
+                                     : std::vector<std::string>();
+}
+
+std::string text_of(const options::variables_map& arguments, const char* option)
+{
+    return given(arguments, option) ? arguments[option].as<std::string>() : "";
+}
+
+bool given(const options::variables_map& arguments, const char* option)
+{
+    return arguments.count(option) > 0;
+}
+
+void print_result(const options::variables_map& arguments, const std::string& text)
+{
+    const std::string output = text_of(arguments, "output");
+    write_file(output.empty() ? "-" : output, text);
+}
+
+namespace {
+
+const Command* find_command(const std::string& name)
+{
+    for (const Command* command : all_commands())
+        if (name == command->name)
+            return command;
+    std::string names;
+    for (const Command* command : all_commands())
+        names += std::string(names.empty() ? "" : ", ") + command->name;
+    throw UsageError("there is no command " + name + "; there are: " + names +
+                     " (integral help)");
+}
+
+std::string overview()
+{
+    std::ostringstream text;
+    text << "Usage: integral COMMAND [options] INPUT... -o OUTPUT\n\n"
+            "Takes the micro-image frames of povray-integral to print, panel and eye.\n\n"
+            "Commands:\n";
+    for (const Command* command : all_commands())
+        text << "  " << command->name << std::string(12 - std::string(command->name).size(), ' ')
+             << command->summary << "\n";
+    text << "\n`integral help COMMAND` explains one; `integral --version` prints the version.\n\n"
+            "Exit status: 0 done; 1 a comparison or check failed; 2 wrong usage; 3 unreadable or\n"
+            "malformed input; 4 the output could not be written; 130 interrupted.\n";
+    return text.str();
+}
+
+std::string help_for(const Command& command)
+{
+    std::ostringstream text;
+    text << "Usage: integral " << command.name << " " << command.usage << "\n\n"
+         << command.description << "\n"
+         << command.make_options();
+    return text.str();
+}
+
+/// Reads a command's options; throws options::error or UsageError.
+options::variables_map read_arguments(const Command& command, const std::vector<std::string>& words)
+{
+    options::options_description all = command.make_options();
+    all.add_options()("input", options::value<std::vector<std::string>>());
+    options::positional_options_description positional;
+    positional.add("input", -1);
+    namespace style = options::command_line_style;
+    options::variables_map arguments;
+    options::store(options::command_line_parser(words)
+                       .options(all)
+                       .positional(positional)
+                       .style(style::unix_style & ~style::allow_guessing)
+                       .run(),
+                   arguments);
+    options::notify(arguments);
+    return arguments;
+}
+
+int run_command(const Command& command, const std::vector<std::string>& words)
+{
+    options::variables_map arguments;
+    try {
+        arguments = read_arguments(command, words);
+    } catch (const options::error& error) {
+        throw UsageError(error.what());
+    }
+    if (given(arguments, "help")) {
+        std::cout << help_for(command);
+        return exit_done;
+    }
+    const int inputs = int(inputs_of(arguments).size());
+    if (inputs < command.least_inputs || inputs > command.most_inputs)
+        throw UsageError(std::string(inputs < command.least_inputs ? "an input is missing"
+                                                                   : "there are too many inputs") +
+                         "; usage: integral " + command.name + " " + command.usage);
+    return command.run(arguments);
+}
+
+/// Runs the program; `name` is how errors call it, and becomes that of the command.
+int run_program(const std::vector<std::string>& words, std::string& name)
+{
+    if (words.empty())
+        throw UsageError("a command is missing; integral help lists them");
+    if (words[0] == "--version") {
+        std::cout << "integral " PACKAGE_VERSION "\n"
+                     "License AGPL-3.0-or-later. There is no warranty.\n";
+        return exit_done;
+    }
+    if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") {
+        std::cout << (words.size() > 1 ? help_for(*find_command(words[1])) : overview());
+        return exit_done;
+    }
+    const Command& command = *find_command(words[0]);
+    name += std::string(" ") + command.name;
+    return run_command(command, {words.begin() + 1, words.end()});
+}
+
+int guarded(const std::vector<std::string>& words)
+{
+    std::string name = "integral";
+    const auto complain = [&](const std::string& what, int status) {
+        std::cerr << name << ": " << what << "\n";
+        return status;
+    };
+    try {
+        const int status = run_program(words, name);
+        if (!std::cout.flush())
+            throw OutputError("standard output: cannot be written");
+        return status;
+    } catch (const UsageError& error) {
+        const bool has_help = name != "integral" && std::string(error.what()).find(';') == std::string::npos;
+        return complain(error.what() + (has_help ? "; see integral help" + name.substr(8) : ""),
+                        exit_usage);
+    } catch (const InputError& error) {
+        return complain(error.what(), exit_input);
+    } catch (const OutputError& error) {
+        return complain(error.what(), exit_output);
+    } catch (const Interrupted& error) {
+        return complain(error.what(), exit_interrupted);
+    } catch (const std::bad_alloc&) {
+        return complain("there is not enough memory for this", exit_input);
+    } catch (const std::exception& error) {
+        return complain(std::string("internal error: ") + error.what(), exit_check_failed);
+    }
+}
+
+} // namespace
+} // namespace integral
+
+int main(int count, char** words)
+{
+    integral::catch_interrupts();
+    return integral::guarded({words + 1, words + count});
+}

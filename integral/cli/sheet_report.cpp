@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/sheet_report.h"
+
+#include "integral/lightfield/names.h"
+#include "integral/lightfield/sheet_figures.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace integral {
+namespace {
+
+/// One line of the report.
+struct Figure {
+    const char* group;
+    const char* key;   ///< in JSON
+    const char* label;
+    std::optional<double> value;
+    const char* unit;
+    const char* equation;
+};
+
+/// The direction in which the lenses are counted: across the axes of a lenticular sheet along its
+/// slit, along the rows of the others.
+struct Counted {
+    double period, pixel, aperture; ///< mm
+    int pixels;                     ///< of the film
+};
+
+Counted counted(const FrameMetadata& g)
+{
+    const Vec2 cell = cell_extent(g.sheet);
+    if (g.sheet.arrangement == Arrangement::lenticular && !slit_is_horizontal(g.sheet))
+        return {cell.y, g.film.pixel_pitch.y, g.aperture.height, g.film.height};
+    return {cell.x, g.film.pixel_pitch.x, g.aperture.width, g.film.width};
+}
+
+std::optional<double> times(double factor, std::optional<double> value)
+{
+    if (value)
+        *value *= factor;
+    return value;
+}
+
+std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
+{
+    const LensSheet& s = g.sheet;
+    const Counted c = counted(g);
+    const double d = g.aperture.distance;
+    const std::optional<double> none;
+    const auto width = c.pixels > 0 ? std::optional<double>(c.pixels * c.pixel) : none;
+    const bool limited = std::isfinite(c.aperture);
+    const double image = micro_image_width(s, d, c.aperture);
+    const double half = s.pitch / 2;
+    const auto filling = filling_width(s, d, c.period);
+    const auto angle = pixel_angle(s, c.pixel);
+    const char *sheet = "Sheet", *film = "Film", *view = "Viewer and aperture", *depth = "Depth";
+    return {
+        {sheet, "lenses_per_inch", "lenses per inch", mm_per_inch / s.pitch, "", ""},
+        {sheet, "surface_radius_mm", "radius of the lens surface", surface_radius(s), "mm", "t(n-1)/n"},
+        {sheet, "greatest_angle_degrees", "greatest angle to the axis", greatest_angle(s), "deg", "(2-1)"},
+        {sheet, "viewing_angle_degrees", "viewing angle", times(2, greatest_angle(s)), "deg", "2 x (2-1)"},
+        {film, "pixel_pitch_mm", "pixel pitch", c.pixel, "mm", "(4-3)"},
+        {film, "pixels_per_lens", "pixels per lens", c.period / c.pixel, "", ""},
+        {film, "film_width_mm", "width of the film", width, "mm", ""},
+        {film, "lenses_across", "lenses across it", times(1 / c.period, width), "", ""},
+        {film, "pixel_angle_degrees", "angle of a pixel", angle, "deg", "(4-4)"},
+        {view, "distance_mm", "viewing distance", d, "mm", ""},
+        {view, "aperture_width_mm", "capture aperture", limited ? std::optional<double>(c.aperture) : none, "mm", ""},
+        {view, "filling_aperture_mm", "aperture that fills a lens", filling, "mm", "(3-5), exact"},
+        {view, "filling_sine", "  its sine outside, n sin(atan(p/2t))",
+         s.ior * half / std::hypot(half, s.thickness), "", "optics.md 5"},
+        {view, "filling_distance_mm", "distance at which the aperture fills",
+         limited ? std::optional<double>(filling_distance(s, c.aperture)) : none, "mm", "(3-5)"},
+        {view, "micro_image_width_mm", "micro-image of the aperture",
+         std::isfinite(image) ? std::optional<double>(image) : none, "mm", "(3-9)"},
+        {view, "pinhole_spread_mm", "  by the simple pinhole",
+         limited ? std::optional<double>(pinhole_spread(s, d, c.aperture)) : none, "mm", "(3-8)"},
+        {view, "fill", "fill, micro-image / lens",
+         std::isfinite(image) ? std::optional<double>(image / c.period) : none, "", ""},
+        {view, "pixel_spread_mm", "a pixel's spread at the viewer",
+         angle ? std::optional<double>(pixel_spread(*angle, d)) : none, "mm", "(4-5)"},
+        {view, "pixels_seen", "pixels of a lens that an eye sees", pixels_seen(s, c.pixel, viewer.pupil, d), "", "(4-1)"},
+        {view, "visual_pitch_mm", "pitch of the eye's images on the film", visual_pitch(c.period, s, d), "mm", ""},
+        {view, "moire_pitch_mm", "moire pitch, lenses against pixels", moire_pitch(c.period, s, c.pixel, d), "mm", "5.3"},
+        {view, "discrete_view_distance_mm", "one pixel of all lenses is seen from",
+         width ? std::optional<double>(discrete_view_distance(s, c.pixel, *width)) : none, "mm", "(5-1)"},
+        {depth, "depth_budget_mm", "depth budget, either side of the sheet", depth_budget(s, c.pixel), "mm", "(4-6) = lenses"},
+        {depth, "lens_resolution_lpi", "resolution of the lenses themselves", observer_resolution(s.pitch, d, 0), "lpi", "(4-7) at 0"},
+    };
+}
+
+/// Resolution at one depth.
+struct DepthFigures {
+    double depth;
+    std::optional<double> resolution, spread, observer_front; ///< (4-6), (4-5), (4-7)
+    double observer_back;
+};
+
+std::vector<DepthFigures> depths_of(const FrameMetadata& g, const Viewer& viewer)
+{
+    const Counted c = counted(g);
+    const auto angle = pixel_angle(g.sheet, c.pixel);
+    const double d = g.aperture.distance;
+    std::vector<DepthFigures> rows;
+    for (const double depth : viewer.depths) {
+        DepthFigures row;
+        row.depth = depth;
+        row.resolution = depth_resolution(g.sheet, c.pixel, depth);
+        if (angle)
+            row.spread = pixel_spread(*angle, depth);
+        if (depth < d)
+            row.observer_front = observer_resolution(g.sheet.pitch, d, depth);
+        row.observer_back = observer_resolution(g.sheet.pitch, d, -depth);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::string shown(std::optional<double> value)
+{
+    if (!value)
+        return "-";
+    char text[40];
+    std::snprintf(text, sizeof text, "%.5g", *value);
+    return text;
+}
+
+std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+std::string line(const char* format, ...)
+{
+    char text[300];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
+nlohmann::ordered_json json_of(std::optional<double> value)
+{
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+} // namespace
+
+std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
+{
+    std::string text = line("%s sheet, pitch %g mm, thickness %g mm, ior %g",
+                            name_of(g.sheet.arrangement), g.sheet.pitch, g.sheet.thickness, g.sheet.ior);
+    if (g.sheet.slant != 0)
+        text += line(", slant %g degrees", g.sheet.slant);
+    text += line("; film %g x %g dpi", mm_per_inch / g.film.pixel_pitch.x,
+                 mm_per_inch / g.film.pixel_pitch.y);
+    if (g.film.width > 0)
+        text += line(", %d x %d pixels", g.film.width, g.film.height);
+    text += "\n";
+
+    const char* group = "";
+    for (const Figure& f : figures_of(g, viewer)) {
+        if (std::string(group) != f.group)
+            text += line("\n%s\n", group = f.group);
+        text += line("  %-40s%12s %-4s  %s", f.label, shown(f.value).c_str(),
+                     f.value ? f.unit : "", f.equation);
+        text.erase(text.find_last_not_of(' ') + 1); // no trailing blanks
+        text += "\n";
+    }
+
+    text += "\n  depth   resolution  pixel's spread   observer's resolution, lpi (4-7)\n"
+            "     mm    lpi (4-6)        mm (4-5)     before the sheet    behind it\n";
+    for (const DepthFigures& row : depths_of(g, viewer))
+        text += line("%7s %12s %15s %20s %12s\n", shown(row.depth).c_str(),
+                     shown(row.resolution).c_str(), shown(row.spread).c_str(),
+                     shown(row.observer_front).c_str(), shown(row.observer_back).c_str());
+    return text;
+}
+
+std::string sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
+{
+    auto json = nlohmann::ordered_json::parse(to_json(g));
+    for (const Figure& f : figures_of(g, viewer))
+        json["figures"][f.key] = json_of(f.value);
+    for (const DepthFigures& row : depths_of(g, viewer))
+        json["depths"].push_back({{"depth_mm", row.depth},
+                                  {"resolution_lpi", json_of(row.resolution)},
+                                  {"pixel_spread_mm", json_of(row.spread)},
+                                  {"observer_front_lpi", json_of(row.observer_front)},
+                                  {"observer_back_lpi", row.observer_back}});
+    return json.dump(2) + "\n";
+}
+
+} // namespace integral

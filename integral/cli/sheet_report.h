@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The report of `integral sheet`: figures with their units and equation numbers.
+#ifndef INTEGRAL_CLI_SHEET_REPORT_H
+#define INTEGRAL_CLI_SHEET_REPORT_H
+
+#include "integral/lightfield/frame_metadata.h"
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// Who looks, from the aperture's distance. mm.
+struct Viewer {
+    double pupil = 5;           ///< diameter; > 0
+    std::vector<double> depths; ///< at which to tabulate resolution; each > 0
+};
+
+/// A readable table. Figures that the geometry does not have are shown as "-".
+std::string sheet_report_text(const FrameMetadata& geometry, const Viewer& viewer);
+
+/// The geometry document (as to_json) with `figures` and `depths` added; absent figures are null.
+std::string sheet_report_json(const FrameMetadata& geometry, const Viewer& viewer);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/values.h"
+
+#include "integral/cli/command.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+[[noreturn]] void refuse(const char* option, const std::string& text, const std::string& form)
+{
+    throw UsageError(std::string("--") + option + " " + text + ": " + form + " is expected");
+}
+
+/// Whether the whole of [begin, end) is a finite number.
+bool read_number(const char* begin, const char* end, double& value)
+{
+    if (begin != end && *begin == '+')
+        ++begin;
+    const auto read = std::from_chars(begin, end, value);
+    return read.ec == std::errc() && read.ptr == end && std::isfinite(value);
+}
+
+} // namespace
+
+std::vector<double> parse_numbers(const char* option, const std::string& text, const char* form,
+                                  std::size_t least, std::size_t most)
+{
+    std::vector<double> numbers;
+    std::size_t begin = 0;
+    for (;;) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        double value;
+        if (!read_number(text.data() + begin, text.data() + comma, value))
+            refuse(option, text, form);
+        numbers.push_back(value);
+        if (comma == text.size())
+            break;
+        begin = comma + 1;
+    }
+    if (numbers.size() < least || numbers.size() > most)
+        refuse(option, text, form);
+    return numbers;
+}
+
+double parse_number(const char* option, const std::string& text, const char* form)
+{
+    return parse_numbers(option, text, form, 1, 1)[0];
+}
+
+Vec2 parse_one_or_two(const char* option, const std::string& text, const char* form)
+{
+    const auto numbers = parse_numbers(option, text, form, 1, 2);
+    return {numbers.front(), numbers.back()};
+}
+
+PixelSize parse_size(const char* option, const std::string& text, int most)
+{
+    PixelSize size;
+    const char *begin = text.data(), *end = begin + text.size();
+    const auto width = std::from_chars(begin, end, size.width);
+    bool good = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    if (good) {
+        const auto height = std::from_chars(width.ptr + 1, end, size.height);
+        good = height.ec == std::errc() && height.ptr == end;
+    }
+    if (!good || size.width < 1 || size.height < 1 || size.width > most || size.height > most)
+        refuse(option, text, "WxH, each from 1 to " + std::to_string(most) + ",");
+    return size;
+}
+
+} // namespace integral

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Values of options: read strictly, whatever the locale, and refused by name.
+#ifndef INTEGRAL_CLI_VALUES_H
+#define INTEGRAL_CLI_VALUES_H
+
+#include "integral/optics/vec.h"
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// Each throws UsageError naming the option, the text and `form`, as in "--eye 1,2: X,Y,DISTANCE
+/// is expected". Numbers are finite decimals.
+double parse_number(const char* option, const std::string& text, const char* form);
+
+/// Numbers separated by commas, from `least` to `most` of them.
+std::vector<double> parse_numbers(const char* option, const std::string& text, const char* form,
+                                  std::size_t least, std::size_t most);
+
+/// One number for both axes, or two separated by a comma.
+Vec2 parse_one_or_two(const char* option, const std::string& text, const char* form);
+
+struct PixelSize {
+    int width = 0, height = 0;
+};
+
+/// WxH, each from 1 to `most`.
+PixelSize parse_size(const char* option, const std::string& text, int most);
+
+} // namespace integral
+
+#endif

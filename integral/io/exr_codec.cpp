@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// OpenEXR: the document in a string attribute `integral`, the resolution in xDensity and
+// pixelAspectRatio; samples are linear and premultiplied by alpha.
+#include "integral/io/codecs.h"
+
+#include "integral/optics/film.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+
+#include <cstring>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+constexpr char attribute[] = "integral";
+constexpr double greatest_ratio = 10000; // a run of PIZ's or ZIP's codes
+constexpr int largest_side = 1000000;
+
+using Offset = decltype(std::declval<Imf::IStream&>().tellg()); // its name changed with OpenEXR 3
+
+class ByteSource : public Imf::IStream {
+public:
+    explicit ByteSource(const std::string& bytes) : Imf::IStream("image"), bytes_(bytes) {}
+    bool read(char data[], int count) override
+    {
+        if (count < 0 || position_ > bytes_.size() ||
+            std::size_t(count) > bytes_.size() - position_)
+            throw std::runtime_error("the file ends too early");
+        std::memcpy(data, bytes_.data() + position_, std::size_t(count));
+        position_ += std::size_t(count);
+        return position_ < bytes_.size();
+    }
+    Offset tellg() override { return position_; }
+    void seekg(Offset position) override { position_ = position; }
+
+private:
+    const std::string& bytes_;
+    std::size_t position_ = 0;
+};
+
+class ByteSink : public Imf::OStream {
+public:
+    explicit ByteSink(std::string& bytes) : Imf::OStream("image"), bytes_(bytes) {}
+    void write(const char data[], int count) override
+    {
+        const std::size_t end = position_ + std::size_t(count);
+        if (end > bytes_.size())
+            bytes_.resize(end);
+        std::memcpy(&bytes_[position_], data, std::size_t(count));
+        position_ = end;
+    }
+    Offset tellp() override { return position_; }
+    void seekp(Offset position) override { position_ = position; }
+
+private:
+    std::string& bytes_;
+    std::size_t position_ = 0;
+};
+
+/// Names of the file's channels that give R, G, B (a grey Y three times) and alpha.
+std::vector<const char*> channel_names(const Imf::ChannelList& channels)
+{
+    std::vector<const char*> names;
+    if (channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B"))
+        names = {"R", "G", "B"};
+    else if (channels.findChannel("Y") && !channels.findChannel("RY"))
+        names = {"Y", "Y", "Y"};
+    else
+        throw std::runtime_error("it has no channels R, G and B");
+    if (channels.findChannel("A"))
+        names.push_back("A");
+    for (const char* name : names) {
+        const auto* channel = channels.findChannel(name);
+        if (channel->xSampling != 1 || channel->ySampling != 1)
+            throw std::runtime_error("its channels are subsampled");
+    }
+    return names;
+}
+
+/// The slice of one interleaved channel.
+Imf::Slice slice(Image& image, int channel, const Imath::Box2i& window)
+{
+    auto& samples = std::get<std::vector<float>>(image.samples);
+    const std::size_t step = sizeof(float) * std::size_t(image.channels);
+    return Imf::Slice::Make(Imf::FLOAT, samples.data() + channel, window, step,
+                            step * std::size_t(image.width));
+}
+
+DecodedImage decode(const std::string& bytes)
+{
+    Imf::Header::setMaxImageSize(largest_side, largest_side);
+    ByteSource source(bytes);
+    Imf::InputFile file(source);
+    const Imf::Header& header = file.header();
+    const auto names = channel_names(header.channels());
+    const Imath::Box2i window = header.dataWindow();
+    const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+    const int channels = int(names.size());
+    check_plausible_size(double(width) * height * channels * 2, double(bytes.size()),
+                         greatest_ratio);
+
+    DecodedImage picture;
+    picture.image =
+        make_image<float>(width, height, channels, Encoding{Encoding::Kind::linear, 1});
+    picture.image.premultiplied = true;
+    Imf::FrameBuffer target;
+    for (int c = 0; c < channels; ++c)
+        target.insert(names[c], slice(picture.image, c, window));
+    file.setFrameBuffer(target);
+    file.readPixels(window.min.y, window.max.y);
+
+    if (std::strcmp(names[0], "Y") == 0) { // three slices of one name: only the last was filled
+        auto& samples = std::get<std::vector<float>>(picture.image.samples);
+        for (std::size_t i = 0; i < samples.size(); i += std::size_t(channels))
+            samples[i] = samples[i + 1] = samples[i + 2];
+    }
+    if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>(attribute))
+        picture.document = text->value();
+    if (Imf::hasXDensity(header) && Imf::xDensity(header) > 0 && header.pixelAspectRatio() > 0) {
+        const double pitch = mm_per_inch / Imf::xDensity(header);
+        picture.pixel_pitch = Vec2{pitch, pitch / header.pixelAspectRatio()};
+    }
+    return picture;
+}
+
+} // namespace
+
+DecodedImage decode_exr(const std::string& bytes)
+{
+    try {
+        return decode(bytes);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        // OpenEXR's messages begin with the stream's name and may hold line ends.
+        std::string text = error.what();
+        for (char& c : text)
+            if (c == '\n' || c == '\r')
+                c = ' ';
+        throw std::runtime_error(text);
+    }
+}
+
+std::string encode_exr(const DecodedImage& picture)
+{
+    const Image& image = picture.image;
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    static const char* const names[] = {"R", "G", "B", "A"};
+    Imf::FrameBuffer source;
+    for (int c = 0; c < image.channels; ++c) {
+        header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+        source.insert(names[c], slice(const_cast<Image&>(image), c, header.dataWindow()));
+    }
+    if (!picture.document.empty())
+        header.insert(attribute, Imf::StringAttribute(picture.document));
+    if (picture.pixel_pitch) {
+        Imf::addXDensity(header, float(mm_per_inch / picture.pixel_pitch->x));
+        header.pixelAspectRatio() = float(picture.pixel_pitch->x / picture.pixel_pitch->y);
+    }
+    std::string output;
+    {
+        ByteSink sink(output);
+        Imf::OutputFile file(sink, header);
+        file.setFrameBuffer(source);
+        file.writePixels(image.height);
+    } // the file's destructor completes it
+    return output;
+}
+
+} // namespace integral

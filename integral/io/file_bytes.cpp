@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/io/file_bytes.h"
+
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace integral {
+namespace {
+
+std::string reason(int error) { return std::strerror(error); }
+
+[[noreturn]] void fail_to_write(const std::string& path, int error)
+{
+    throw OutputError(display_name(path, "standard output") +
+                      ": cannot be written: " + reason(error));
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor()
+    {
+        if (fd_ > 2)
+            close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return fd_; }
+    int release()
+    {
+        const int fd = fd_;
+        fd_ = -1;
+        return fd;
+    }
+
+private:
+    int fd_;
+};
+
+/// Returns 0 or errno.
+int write_all(int fd, const std::string& bytes)
+{
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t n = write(fd, bytes.data() + done, bytes.size() - done);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            return errno;
+        done += std::size_t(n);
+    }
+    return 0;
+}
+
+/// The file that a path means, through any symbolic links: what is to be replaced.
+std::string target_of(const std::string& path)
+{
+    char resolved[PATH_MAX];
+    return realpath(path.c_str(), resolved) ? resolved : path;
+}
+
+std::string folder_of(const std::string& path)
+{
+    const auto slash = path.rfind('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+bool is_special(const std::string& path)
+{
+    struct stat status;
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
+           !S_ISDIR(status.st_mode);
+}
+
+/// Permissions of the new file: the old file's, or those a new file gets.
+mode_t mode_for(const std::string& target)
+{
+    struct stat status;
+    if (stat(target.c_str(), &status) == 0)
+        return status.st_mode & 0777;
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+void write_straight(const std::string& path, const std::string& bytes)
+{
+    Descriptor file(path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY));
+    if (file.get() < 0)
+        fail_to_write(path, errno);
+    if (const int error = write_all(file.get(), bytes))
+        fail_to_write(path, error);
+}
+
+} // namespace
+
+std::string display_name(const std::string& path, const char* standard_stream)
+{
+    return path == "-" ? standard_stream : path;
+}
+
+std::string read_file(const std::string& path)
+{
+    const std::string name = display_name(path, "standard input");
+    Descriptor file(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY));
+    if (file.get() < 0)
+        throw InputError(name + ": cannot be read: " + reason(errno));
+    std::string bytes;
+    struct stat status;
+    if (fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode))
+        bytes.reserve(std::size_t(status.st_size) + 1);
+    std::string buffer(1 << 20, '\0');
+    for (;;) {
+        const ssize_t n = read(file.get(), &buffer[0], buffer.size());
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            throw InputError(name + ": cannot be read: " + reason(errno));
+        if (n == 0)
+            return bytes;
+        bytes.append(buffer, 0, std::size_t(n));
+    }
+}
+
+void write_file(const std::string& path, const std::string& bytes)
+{
+    if (path == "-" || is_special(path))
+        return write_straight(path, bytes);
+    const std::string target = target_of(path);
+    std::string beside = folder_of(target) + "/.integral-XXXXXX";
+    Descriptor file(mkstemp(&beside[0]));
+    if (file.get() < 0)
+        fail_to_write(path, errno);
+
+    int error = write_all(file.get(), bytes);
+    if (!error && fchmod(file.get(), mode_for(target)) != 0)
+        error = errno;
+    if (!error && fsync(file.get()) != 0)
+        error = errno;
+    if (close(file.release()) != 0 && !error)
+        error = errno;
+    if (!error && rename(beside.c_str(), target.c_str()) != 0)
+        error = errno;
+    if (error) {
+        unlink(beside.c_str());
+        fail_to_write(path, error);
+    }
+    // The name is only safe once its folder is on disk; where that cannot be had, go without.
+    const Descriptor folder(open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY));
+    if (folder.get() >= 0 && fsync(folder.get()) != 0)
+        errno = 0;
+}
+
+void check_writable(const std::string& path)
+{
+    if (path == "-" || is_special(path))
+        return;
+    struct stat status;
+    if (path.empty() || path.back() == '/' ||
+        (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)))
+        fail_to_write(path, EISDIR);
+    if (access(folder_of(target_of(path)).c_str(), W_OK | X_OK) != 0)
+        fail_to_write(path, errno);
+}
+
+} // namespace integral

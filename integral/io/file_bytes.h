@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Whole files as bytes; writing that either succeeds whole or leaves things as they were.
+#ifndef INTEGRAL_IO_FILE_BYTES_H
+#define INTEGRAL_IO_FILE_BYTES_H
+
+#include <stdexcept>
+#include <string>
+
+namespace integral {
+
+/// An input that cannot be read or makes no sense. The message is one line, "FILE: what is
+/// wrong; what would help".
+struct InputError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// An output that could not be written. Same form.
+struct OutputError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The name by which messages call a path: "-" is standard input or output.
+std::string display_name(const std::string& path, const char* standard_stream);
+
+/// All bytes of a file; "-" reads standard input. Throws InputError.
+std::string read_file(const std::string& path);
+
+/// Writes a file: beside it under another name, synced, then renamed over it, so that a file
+/// that was there stays whole until the new one is. Devices, pipes and "-" (standard output) are
+/// written straight. Throws OutputError.
+void write_file(const std::string& path, const std::string& bytes);
+
+/// Throws OutputError if write_file(path, ...) must fail: its folder is missing or read-only.
+/// For use before long work.
+void check_writable(const std::string& path);
+
+} // namespace integral
+
+#endif

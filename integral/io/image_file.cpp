@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/io/image_file.h"
+
+#include "integral/io/codecs.h"
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <sstream>
+#include <unistd.h>
+
+namespace integral {
+namespace {
+
+bool begins_with(const std::string& bytes, const std::string& magic)
+{
+    return bytes.compare(0, magic.size(), magic) == 0;
+}
+
+DecodedImage decode_any(const std::string& bytes)
+{
+    using namespace std::string_literals;
+    if (begins_with(bytes, "\x89PNG"))
+        return decode_png(bytes);
+    if (begins_with(bytes, "\x76\x2f\x31\x01"))
+        return decode_exr(bytes);
+    if (begins_with(bytes, "II*\0"s) || begins_with(bytes, "MM\0*"s) ||
+        begins_with(bytes, "II+\0"s) || begins_with(bytes, "MM\0+"s))
+        return decode_tiff(bytes);
+    throw std::runtime_error(bytes.empty() ? "it is empty"
+                                           : "it is no PNG, OpenEXR or TIFF; convert it first");
+}
+
+/// A message that is one line, whatever a library or file put into it.
+std::string one_line(std::string text)
+{
+    for (char& c : text)
+        if (std::iscntrl(static_cast<unsigned char>(c)))
+            c = ' ';
+    return text;
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what)
+{
+    throw InputError(display_name(path, "standard input") + ": " + one_line(what));
+}
+
+DecodedImage read_image(const std::string& path)
+{
+    const std::string bytes = read_file(path);
+    try {
+        return decode_any(bytes);
+    } catch (const std::bad_alloc&) {
+        refuse(path, "it needs more memory than there is");
+    } catch (const std::exception& error) {
+        refuse(path, std::string("it cannot be read: ") + error.what());
+    }
+}
+
+FrameMetadata parse(const std::string& path, const std::string& document, const char* help)
+{
+    try {
+        return frame_metadata_from_json(document);
+    } catch (const std::invalid_argument& error) {
+        refuse(path, std::string("its geometry cannot be used: ") + error.what() + help);
+    }
+}
+
+/// The document that stands beside a picture whose format holds none; empty if none does.
+std::string document_beside(const std::string& path)
+{
+    const auto slash = path.rfind('/'), dot = path.rfind('.');
+    std::vector<std::string> candidates = {path + ".json"};
+    if (dot != std::string::npos && (slash == std::string::npos || dot > slash))
+        candidates.push_back(path.substr(0, dot) + ".json");
+    for (const auto& candidate : candidates)
+        if (path != "-" && access(candidate.c_str(), F_OK) == 0)
+            return candidate;
+    return "";
+}
+
+constexpr char give_sheet[] = "; give --sheet FILE.json";
+
+/// The geometry for a picture, as read_frame's comment has it.
+std::optional<FrameMetadata> geometry_for(const std::string& path, const std::string& sheet_file,
+                                          const std::string& document)
+{
+    if (!sheet_file.empty())
+        return read_metadata(sheet_file);
+    if (!document.empty())
+        return parse(path, document, give_sheet);
+    const std::string beside = document_beside(path);
+    if (!beside.empty())
+        return parse(beside, read_file(beside), give_sheet);
+    return std::nullopt;
+}
+
+Image in_form_of(ImageFormat format, Image image, bool has_metadata)
+{
+    const Encoding linear{Encoding::Kind::linear, 1}, srgb;
+    const bool is_linear = image.encoding.kind == Encoding::Kind::linear;
+    int bits = sample_bits(image);
+    Encoding encoding = image.encoding;
+    bool premultiplied = image.premultiplied;
+    if (format == ImageFormat::exr) {
+        bits = 32;
+        encoding = linear;
+        premultiplied = true;
+    } else if (format == ImageFormat::png) {
+        if (bits == 32) {
+            bits = 16;
+            encoding = is_linear ? srgb : encoding;
+        }
+        premultiplied = false;
+    } else if (!has_metadata) { // a TIFF without a document is taken for linear floats or sRGB
+        encoding = bits == 32 ? linear : srgb;
+    }
+    if (bits == sample_bits(image) && same_encoding(encoding, image.encoding) &&
+        (image.channels == 3 || premultiplied == image.premultiplied)) {
+        image.premultiplied = premultiplied;
+        return image;
+    }
+    return converted(image, bits, encoding, premultiplied);
+}
+
+} // namespace
+
+void check_plausible_size(double raw_bytes, double file_bytes, double ratio)
+{
+    std::ostringstream text;
+    text.precision(3);
+    if (raw_bytes > file_bytes * ratio)
+        text << "its header promises " << raw_bytes << " bytes of pixels, more than the file can hold";
+    const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+    if (memory > 0 && raw_bytes > memory)
+        text << "it needs " << raw_bytes / 1e9 << " GB, more memory than this machine has";
+    if (!text.str().empty())
+        throw std::runtime_error(text.str());
+}
+
+ImageFormat format_for(const std::string& path)
+{
+    if (path == "-")
+        return ImageFormat::png;
+    const auto dot = path.rfind('.'), slash = path.rfind('/');
+    std::string extension;
+    if (dot != std::string::npos && (slash == std::string::npos || dot > slash))
+        extension = path.substr(dot + 1);
+    for (char& c : extension)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == "png")
+        return ImageFormat::png;
+    if (extension == "exr")
+        return ImageFormat::exr;
+    if (extension == "tif" || extension == "tiff")
+        return ImageFormat::tiff;
+    throw OutputError(path + ": its name does not say a format that can be written; end it in " +
+                      ".png, .exr or .tiff");
+}
+
+Frame read_frame(const std::string& path, const std::string& sheet_file)
+{
+    DecodedImage picture = read_image(path);
+    Frame frame;
+    frame.image = std::move(picture.image);
+    const auto metadata = geometry_for(path, sheet_file, picture.document);
+    if (!metadata)
+        return frame;
+    if (sheet_file.empty()) // a document for other frames says nothing of this one's encoding
+        frame.image.encoding = metadata->encoding;
+    try {
+        set_metadata(frame, *metadata);
+    } catch (const std::invalid_argument& error) {
+        refuse(path, std::string(error.what()) +
+                         (sheet_file.empty() ? give_sheet
+                                             : "; leave film.width and film.height out of " +
+                                                   sheet_file));
+    }
+    return frame;
+}
+
+Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file)
+{
+    Frame frame = read_frame(path, sheet_file);
+    if (!frame.metadata)
+        refuse(path, std::string("it carries no `integral` metadata") + give_sheet +
+                         " (integral sheet --json writes one)");
+    return frame;
+}
+
+FrameMetadata read_metadata(const std::string& path)
+{
+    const std::string bytes = read_file(path);
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    if (first != std::string::npos && bytes[first] == '{')
+        return parse(path, bytes, "");
+    DecodedImage picture;
+    try {
+        picture = decode_any(bytes);
+    } catch (const std::exception& error) {
+        refuse(path, std::string("it is neither a JSON document nor a frame: ") + error.what());
+    }
+    const auto metadata = geometry_for(path, "", picture.document);
+    if (!metadata)
+        refuse(path, "it carries no `integral` metadata");
+    return *metadata;
+}
+
+void write_frame(const std::string& path, Frame frame)
+{
+    const ImageFormat format = format_for(path);
+    std::string bytes;
+    try {
+        DecodedImage picture;
+        picture.image = in_form_of(format, std::move(frame.image), frame.metadata.has_value());
+        if (frame.metadata) {
+            FrameMetadata metadata = *frame.metadata;
+            metadata.encoding = picture.image.encoding;
+            picture.document = to_json(metadata);
+            picture.pixel_pitch = metadata.film.pixel_pitch;
+        }
+        bytes = format == ImageFormat::png   ? encode_png(picture)
+                : format == ImageFormat::exr ? encode_exr(picture)
+                                             : encode_tiff(picture);
+    } catch (const std::bad_alloc&) {
+        throw OutputError(path + ": it needs more memory than there is");
+    } catch (const std::exception& error) {
+        throw OutputError(path + ": " + one_line(error.what()));
+    }
+    write_file(path, bytes);
+}
+
+} // namespace integral

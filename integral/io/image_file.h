@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Frames and pictures as files: PNG (8 or 16 bit), OpenEXR and TIFF, with their metadata.
+#ifndef INTEGRAL_IO_IMAGE_FILE_H
+#define INTEGRAL_IO_IMAGE_FILE_H
+
+#include "integral/io/file_bytes.h"
+#include "integral/lightfield/frame.h"
+
+#include <string>
+
+namespace integral {
+
+enum class ImageFormat { png, exr, tiff };
+
+/// Format by a file name's extension (png, exr, tif, tiff; any case); "-" is PNG.
+/// Throws OutputError naming the legal ones.
+ImageFormat format_for(const std::string& path);
+
+/// Reads a picture, its format told by its first bytes; "-" is standard input. Geometry:
+/// `sheet_file` if it is not empty (a JSON document in a file), else the picture's own, else the
+/// document beside it (FRAME.json or FRAME.EXTENSION.json for FRAME.EXTENSION), else none.
+/// The encoding is the document's, else what the format says of it, else sRGB.
+/// Throws InputError.
+Frame read_frame(const std::string& path, const std::string& sheet_file = "");
+
+/// The same, of a picture that must have geometry.
+Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
+
+/// Reads a geometry document: a JSON file, or a picture's own. Throws InputError.
+FrameMetadata read_metadata(const std::string& path);
+
+/// Writes a frame or picture, its format by its name, with the document and the physical
+/// resolution if it has metadata. Converts to what the format holds: EXR linear light, premultiplied;
+/// PNG 16 bits and sRGB for floats. Throws OutputError; what was at `path` is then unharmed.
+void write_frame(const std::string& path, Frame frame);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/io: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/io/codecs.h \
+  integral/io/exr_codec.cpp \
+  integral/io/file_bytes.cpp \
+  integral/io/file_bytes.h \
+  integral/io/image_file.cpp \
+  integral/io/image_file.h \
+  integral/io/png_codec.cpp \
+  integral/io/tiff_codec.cpp

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/image.h"
+
+#include <cmath>
+#include <limits>
+
+namespace integral {
+namespace {
+
+template <class Sample> constexpr float full_scale()
+{
+    return std::is_integral<Sample>::value ? float(std::numeric_limits<Sample>::max()) : 1.0f;
+}
+
+template <class Sample> Sample sample_from(float value)
+{
+    if constexpr (std::is_integral<Sample>::value) {
+        if (!(value > 0)) // NaN too
+            return 0;
+        const float scaled = value * full_scale<Sample>() + 0.5f;
+        return scaled >= full_scale<Sample>() ? std::numeric_limits<Sample>::max()
+                                              : static_cast<Sample>(scaled);
+    } else {
+        return value;
+    }
+}
+
+std::size_t first_sample(const Image& image, int x, int y)
+{
+    return (std::size_t(y) * image.width + x) * image.channels;
+}
+
+double srgb_from_linear(double v)
+{
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+}
+
+double linear_from_srgb(double v)
+{
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+Color encoded(Color linear, Encoding encoding)
+{
+    const auto e = [&](float v) { return float(encode(encoding, v)); };
+    return {e(linear.r), e(linear.g), e(linear.b), linear.a};
+}
+
+} // namespace
+
+int sample_bits(const Image& image)
+{
+    return image.samples.index() == 0 ? 8 : image.samples.index() == 1 ? 16 : 32;
+}
+
+double decode(Encoding encoding, double value)
+{
+    const double magnitude = std::fabs(value);
+    switch (encoding.kind) {
+    case Encoding::Kind::linear: return value;
+    case Encoding::Kind::srgb: return std::copysign(linear_from_srgb(magnitude), value);
+    case Encoding::Kind::power: return std::copysign(std::pow(magnitude, encoding.gamma), value);
+    }
+    return value;
+}
+
+double encode(Encoding encoding, double linear)
+{
+    const double magnitude = std::fabs(linear);
+    switch (encoding.kind) {
+    case Encoding::Kind::linear: return linear;
+    case Encoding::Kind::srgb: return std::copysign(srgb_from_linear(magnitude), linear);
+    case Encoding::Kind::power:
+        return std::copysign(std::pow(magnitude, 1 / encoding.gamma), linear);
+    }
+    return linear;
+}
+
+bool same_encoding(Encoding a, Encoding b)
+{
+    return a.kind == b.kind && (a.kind != Encoding::Kind::power || a.gamma == b.gamma);
+}
+
+Color stored_pixel(const Image& image, int x, int y)
+{
+    return std::visit(
+        [&](const auto& samples) {
+            using Sample = typename std::decay_t<decltype(samples)>::value_type;
+            const Sample* s = samples.data() + first_sample(image, x, y);
+            const float scale = full_scale<Sample>();
+            return Color{s[0] / scale, s[1] / scale, s[2] / scale,
+                         image.channels == 4 ? s[3] / scale : 1};
+        },
+        image.samples);
+}
+
+void store_pixel(Image& image, int x, int y, Color color)
+{
+    std::visit(
+        [&](auto& samples) {
+            using Sample = typename std::decay_t<decltype(samples)>::value_type;
+            Sample* s = samples.data() + first_sample(image, x, y);
+            s[0] = sample_from<Sample>(color.r);
+            s[1] = sample_from<Sample>(color.g);
+            s[2] = sample_from<Sample>(color.b);
+            if (image.channels == 4)
+                s[3] = sample_from<Sample>(color.a);
+        },
+        image.samples);
+}
+
+LinearReader::LinearReader(const Image& image) : image_(image)
+{
+    const int bits = sample_bits(image);
+    if (bits > 16)
+        return;
+    const int last = (1 << bits) - 1;
+    for (int v = 0; v <= last; ++v)
+        table_.push_back(float(decode(image.encoding, double(v) / last)));
+}
+
+Color LinearReader::operator()(int x, int y) const
+{
+    Color color = std::visit(
+        [&](const auto& samples) {
+            using Sample = typename std::decay_t<decltype(samples)>::value_type;
+            const Sample* s = samples.data() + first_sample(image_, x, y);
+            const float alpha = image_.channels == 4 ? s[3] / full_scale<Sample>() : 1.0f;
+            if constexpr (std::is_integral<Sample>::value)
+                return Color{table_[s[0]], table_[s[1]], table_[s[2]], alpha};
+            else if (image_.encoding.kind == Encoding::Kind::linear)
+                return Color{s[0], s[1], s[2], alpha};
+            else {
+                const auto d = [&](float v) { return float(decode(image_.encoding, v)); };
+                return Color{d(s[0]), d(s[1]), d(s[2]), alpha};
+            }
+        },
+        image_.samples);
+    if (image_.channels == 4 && !image_.premultiplied) {
+        color.r *= color.a;
+        color.g *= color.a;
+        color.b *= color.a;
+    }
+    return color;
+}
+
+void store_linear(Image& image, int x, int y, Color linear)
+{
+    if (image.channels == 4 && !image.premultiplied && linear.a > 0) {
+        linear.r /= linear.a;
+        linear.g /= linear.a;
+        linear.b /= linear.a;
+    }
+    store_pixel(image, x, y, encoded(linear, image.encoding));
+}
+
+Image converted(const Image& image, int bits, Encoding encoding, bool premultiplied)
+{
+    Image result =
+        bits == 8    ? make_image<std::uint8_t>(image.width, image.height, image.channels, encoding)
+        : bits == 16 ? make_image<std::uint16_t>(image.width, image.height, image.channels, encoding)
+                     : make_image<float>(image.width, image.height, image.channels, encoding);
+    result.premultiplied = premultiplied;
+    const bool same_form = same_encoding(image.encoding, encoding) &&
+                           (image.channels == 3 || image.premultiplied == premultiplied);
+    const LinearReader linear(image);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (same_form)
+                store_pixel(result, x, y, stored_pixel(image, x, y));
+            else
+                store_linear(result, x, y, linear(x, y));
+    return result;
+}
+
+} // namespace integral

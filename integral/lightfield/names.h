@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The words that users and files use for the kinds of sheet, mapping, aperture and encoding.
+#ifndef INTEGRAL_LIGHTFIELD_NAMES_H
+#define INTEGRAL_LIGHTFIELD_NAMES_H
+
+#include "integral/lightfield/frame_metadata.h"
+
+#include <optional>
+#include <string>
+
+namespace integral {
+
+/// The word for a value, as scene files and the JSON document spell it.
+const char* name_of(Arrangement);
+const char* name_of(LensMapping);
+const char* name_of(ApertureShape);
+const char* name_of(Encoding::Kind);
+
+/// Inverse; nothing for any other word. Instances: the four types above.
+template <class Kind> std::optional<Kind> kind_named(const std::string& word);
+
+/// The legal words of a type, as in "lenticular, square or hexagonal".
+template <class Kind> std::string legal_names();
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace integral {
+
+bool for_each_row(int rows, int threads, const std::function<void(int row)>& work,
+                  const Progress& progress)
+{
+    std::atomic<int> next{0};
+    std::atomic<bool> stop{false};
+    std::mutex mutex;
+    int done = 0;
+    std::exception_ptr failure;
+
+    const auto run = [&] {
+        try {
+            for (int row; !stop && (row = next++) < rows;) {
+                work(row);
+                const std::lock_guard<std::mutex> lock(mutex);
+                if (progress && !progress(++done, rows))
+                    stop = true;
+            }
+        } catch (...) {
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (!failure)
+                failure = std::current_exception();
+            stop = true;
+        }
+    };
+
+    if (threads <= 0)
+        threads = int(std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<std::thread> team;
+    for (int i = 1; i < std::min(threads, rows); ++i) {
+        try {
+            team.emplace_back(run);
+        } catch (const std::system_error&) {
+            break; // the machine gives no more threads: those there are do the work
+        }
+    }
+    run();
+    for (auto& thread : team)
+        thread.join();
+    if (failure)
+        std::rethrow_exception(failure);
+    return !stop;
+}
+
+} // namespace integral

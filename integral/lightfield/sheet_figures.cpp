@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/sheet_figures.h"
+
+#include "integral/optics/film.h"
+
+#include <cmath>
+
+namespace integral {
+namespace {
+
+constexpr double degrees = 180 / 3.14159265358979323846;
+constexpr double half_inch = mm_per_inch / 2; // a line pair is two pixels, or two lenses
+
+/// Angle outside the medium of a ray inside it at slope `lateral` over t.
+std::optional<double> refracted_angle(const LensSheet& sheet, double lateral)
+{
+    const double s = sheet.ior * std::sin(std::atan(lateral / sheet.thickness));
+    if (s > 1)
+        return std::nullopt;
+    return std::asin(s) * degrees;
+}
+
+} // namespace
+
+std::optional<double> greatest_angle(const LensSheet& sheet)
+{
+    return refracted_angle(sheet, sheet.pitch / 2);
+}
+
+double pinhole_spread(const LensSheet& sheet, double distance, double width)
+{
+    return sheet.thickness * width / distance;
+}
+
+double filling_distance(const LensSheet& sheet, double width)
+{
+    return width * sheet.thickness / (sheet.ior * sheet.pitch);
+}
+
+double pixels_seen(const LensSheet& sheet, double pixel, double pupil, double distance)
+{
+    return sheet.thickness / pixel * pupil / distance;
+}
+
+std::optional<double> pixel_angle(const LensSheet& sheet, double pixel)
+{
+    return refracted_angle(sheet, pixel);
+}
+
+double pixel_spread(double angle, double distance)
+{
+    return 2 * distance * std::tan(angle / degrees / 2);
+}
+
+std::optional<double> depth_resolution(const LensSheet& sheet, double pixel, double depth)
+{
+    const double t = sheet.thickness, p = sheet.pitch, n = sheet.ior;
+    const double square = 4 * t * t + p * p - n * n * p * p;
+    if (!(square >= 0))
+        return std::nullopt;
+    return half_inch / pixel / n * std::sqrt(square) / (2 * depth);
+}
+
+std::optional<double> depth_budget(const LensSheet& sheet, double pixel)
+{
+    const auto at_unit_depth = depth_resolution(sheet, pixel, 1);
+    if (!at_unit_depth)
+        return std::nullopt;
+    return *at_unit_depth * sheet.pitch / half_inch;
+}
+
+double observer_resolution(double pitch, double viewing, double object)
+{
+    return half_inch / ((viewing - object) * (pitch / viewing));
+}
+
+double discrete_view_distance(const LensSheet& sheet, double pixel, double width)
+{
+    return width * sheet.thickness / pixel;
+}
+
+double visual_pitch(double pitch, const LensSheet& sheet, double distance)
+{
+    return pitch * (1 + sheet.thickness / (sheet.ior * distance));
+}
+
+std::optional<double> moire_pitch(double pitch, const LensSheet& sheet, double pixel,
+                                  double distance)
+{
+    const double pixels = visual_pitch(pitch, sheet, distance) / pixel;
+    const double odd = std::fabs(pixels - std::round(pixels));
+    if (odd < 1e-9 * pixels)
+        return std::nullopt;
+    return pitch / odd;
+}
+
+} // namespace integral

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What a sheet, a film and a viewer give, before anything is rendered: the thesis's formulas,
+// each with its equation number. Lengths in mm, angles in degrees, resolutions in line pairs
+// per inch (lpi), as the thesis has them.
+#ifndef INTEGRAL_LIGHTFIELD_SHEET_FIGURES_H
+#define INTEGRAL_LIGHTFIELD_SHEET_FIGURES_H
+
+#include "integral/optics/aperture.h"
+
+#include <optional>
+
+namespace integral {
+
+/// (2-1): the angle between the axis and the ray to a lens's edge, arcsin(n sin(atan(p/2t)));
+/// twice this is the viewing angle. Nothing: totally reflected, the view is limited by that.
+std::optional<double> greatest_angle(const LensSheet& sheet);
+
+/// (3-8): micro-image width by the simple pinhole, t w / d.
+double pinhole_spread(const LensSheet& sheet, double distance, double width);
+
+/// (3-5), paraxially: the distance at which an aperture of the given width fills a lens, W t/(n p).
+double filling_distance(const LensSheet& sheet, double width);
+
+/// (4-1): pixels of each lens that an eye's pupil sees at a distance, in a film of pixels `pixel` wide.
+double pixels_seen(const LensSheet& sheet, double pixel, double pupil, double distance);
+
+/// (4-4): the angle that a pixel covers, arcsin(n sin(atan(pixel/t))). Nothing: totally reflected.
+std::optional<double> pixel_angle(const LensSheet& sheet, double pixel);
+
+/// (4-5): what a pixel of that angle, centred on its lens's axis, covers at a distance:
+/// 2 distance tan(angle/2).
+double pixel_spread(double angle, double distance);
+
+/// (4-6): resolution of the pixelated image of an object at a depth (distance from the sheet, > 0).
+/// Nothing where the formula has none: n^2 p^2 > 4t^2 + p^2.
+std::optional<double> depth_resolution(const LensSheet& sheet, double pixel, double depth);
+
+/// The depth up to which (4-6) is at least the sheet's own resolution, 12.7/p: its depth budget
+/// on either side of the sheet.
+std::optional<double> depth_budget(const LensSheet& sheet, double pixel);
+
+/// (4-7): resolution by the lenses alone, for an observer at `viewing` and an object `object`
+/// in front of the sheet (negative: behind); object < viewing.
+double observer_resolution(double pitch, double viewing, double object);
+
+/// (5-1): the distance from which on a sheet's whole width shows the same pixel of every lens,
+/// width t / pixel.
+double discrete_view_distance(const LensSheet& sheet, double pixel, double width);
+
+/// The pitch at which the lenses image an eye at `distance` on the film, on the axis:
+/// p (1 + t/(n d)), a little more than the lenses' own.
+double visual_pitch(double pitch, const LensSheet& sheet, double distance);
+
+/// The period on the sheet of the pattern in which an eye sees the lenses change from one pixel
+/// to the next (thesis 5.3): p / |N - round(N)| for N pixels per visual pitch.
+/// Nothing: N is whole, and the whole sheet changes at once.
+std::optional<double> moire_pitch(double pitch, const LensSheet& sheet, double pixel,
+                                  double distance);
+
+} // namespace integral
+
+#endif

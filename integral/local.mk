@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# libintegral (what POV-Ray's hooks and the integral program share) and the program itself.
+
+noinst_LIBRARIES += build/lib/libintegral.a
+build_lib_libintegral_a_SOURCES =
+
+bin_PROGRAMS += build/bin/integral
+build_bin_integral_SOURCES =
+build_bin_integral_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+
+include $(srcdir)/integral/optics/local.mk
+include $(srcdir)/integral/lightfield/local.mk
+include $(srcdir)/integral/replay/local.mk
+include $(srcdir)/integral/output/local.mk
+include $(srcdir)/integral/io/local.mk
+include $(srcdir)/integral/cli/local.mk
+
+# The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized layer.
+SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined
+
+EXTRA_LIBRARIES += build/sanitized/libintegral.a
+build_sanitized_libintegral_a_SOURCES = $(build_lib_libintegral_a_SOURCES)
+build_sanitized_libintegral_a_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
+
+EXTRA_PROGRAMS += build/sanitized/integral
+build_sanitized_integral_SOURCES = $(build_bin_integral_SOURCES)
+build_sanitized_integral_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
+build_sanitized_integral_LDADD = build/sanitized/libintegral.a $(FRAME_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/optics/aperture.h"
+
+namespace integral {
+
+namespace {
+
+constexpr double inclusive = 1 + 1e-9; // the edge belongs to the aperture
+
+} // namespace
+
+bool contains(const Aperture& aperture, Vec2 point)
+{
+    const double half_width = 0.5 * aperture.width * inclusive;
+    const double half_height = 0.5 * aperture.height * inclusive;
+    if (!(std::fabs(point.x) <= half_width && std::fabs(point.y) <= half_height))
+        return false;
+    if (aperture.shape == ApertureShape::rectangle)
+        return true;
+    const auto part = [](double coordinate, double half) {
+        return std::isinf(half) || coordinate == 0 ? 0.0 : coordinate / half;
+    };
+    const double u = part(point.x, half_width), v = part(point.y, half_height);
+    return u * u + v * v <= 1;
+}
+
+bool slit_is_horizontal(const LensSheet& sheet)
+{
+    return std::fabs(sheet.slant) <= 45;
+}
+
+double micro_image_width(const LensSheet& sheet, double distance, double width)
+{
+    if (!(width > 0))
+        return 0;
+    const double m = (sheet.ior - 1) * (sheet.ior + 1);
+    return 2 * sheet.thickness / std::hypot(2 * sheet.ior * (distance / width), std::sqrt(m));
+}
+
+std::optional<double> filling_width(const LensSheet& sheet, double distance, double cell)
+{
+    // 2 d s / sqrt(1 - s^2) with s^2 = n^2 h^2/(h^2 + t^2) is 2 d n h / sqrt(t^2 - m h^2).
+    const double half = 0.5 * cell;
+    const double root = std::sqrt((sheet.ior - 1) * (sheet.ior + 1)) * half;
+    const double clear = (sheet.thickness - root) * (sheet.thickness + root);
+    if (!(clear > 0))
+        return std::nullopt;
+    return 2 * distance * sheet.ior * half / std::sqrt(clear);
+}
+
+Vec2 cell_extent(const LensSheet& sheet)
+{
+    const Lattice lattice(sheet);
+    switch (sheet.arrangement) {
+    case Arrangement::lenticular:
+        if (slit_is_horizontal(sheet))
+            return {sheet.pitch / std::fabs(lattice.across().x), 0};
+        return {0, sheet.pitch / std::fabs(lattice.across().y)};
+    case Arrangement::square:
+        return {sheet.pitch, sheet.pitch};
+    case Arrangement::hexagonal:
+        break;
+    }
+    return {sheet.pitch, sheet.pitch * (2 / std::sqrt(3.0))};
+}
+
+std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance)
+{
+    const Vec2 cell = cell_extent(sheet);
+    const auto width = filling_width(sheet, distance, cell.x);
+    const auto height = filling_width(sheet, distance, cell.y);
+    if (!width || !height)
+        return std::nullopt;
+    return Aperture{distance, *width, *height, ApertureShape::rectangle};
+}
+
+} // namespace integral

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The capture aperture: where the viewer's eyes may be, and which rays are recorded.
+#ifndef INTEGRAL_OPTICS_APERTURE_H
+#define INTEGRAL_OPTICS_APERTURE_H
+
+#include "integral/optics/lens_sheet.h"
+
+#include <optional>
+
+namespace integral {
+
+enum class ApertureShape { rectangle, ellipse };
+
+/// Centred on the axis at z = -distance. Millimetres. It does not turn with the lens slant.
+/// A lenticular sheet's aperture is a slit without height: only its extent along the slit counts.
+struct Aperture {
+    double distance = 0;        ///< d, in front of the sheet; > 0
+    double width = 0, height = 0; ///< full extents along x and y; >= 0, infinity = no limit
+    ApertureShape shape = ApertureShape::rectangle;
+};
+
+/// Whether a point of the aperture plane is inside; the edge is, to 1e-9 of the extent.
+bool contains(const Aperture& aperture, Vec2 point);
+
+/// Whether a lenticular sheet's slit lies along x (|slant| <= 45 degrees) or along y.
+bool slit_is_horizontal(const LensSheet& sheet);
+
+/// Width of the micro-image behind the lens on the axis, of an aperture `width` wide at
+/// `distance`: thesis (3-9), 2t / sqrt(4 n^2 (d/w)^2 + n^2 - 1). May be infinite where n = 1.
+double micro_image_width(const LensSheet& sheet, double distance, double width);
+
+/// Inverse: the aperture width whose micro-image is `cell` mm wide, 2 d s / sqrt(1 - s^2) with
+/// s = n (cell/2) / sqrt((cell/2)^2 + t^2). Nothing if s >= 1: no finite aperture fills it.
+std::optional<double> filling_width(const LensSheet& sheet, double distance, double cell);
+
+/// Extents of the smallest rectangle that holds a lens's cell (x, y): for a lenticular sheet
+/// the cell's extent along the slit, and 0 across it.
+Vec2 cell_extent(const LensSheet& sheet);
+
+/// The aperture that fills the lens on the axis, axis by axis (optics.md section 5).
+/// Nothing if no finite aperture does.
+std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The integral camera: a sheet, its film and its aperture, placed in a scene.
+#ifndef INTEGRAL_OPTICS_CAMERA_H
+#define INTEGRAL_OPTICS_CAMERA_H
+
+#include "integral/optics/lens_mapping.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// Film geometry as written in a scene: the frame's size in pixels comes with the render.
+struct FilmParameters {
+    Vec2 pixel_pitch{mm_per_inch / 300, mm_per_inch / 300}; ///< mm; 25.4 / dpi
+    std::optional<double> units_per_mm; ///< scene units per mm on the sheet, if given
+};
+
+/// Everything that `camera { integral ... }` can say, as written; units in the comments.
+struct CameraParameters {
+    LensSheet sheet;
+    FilmParameters film;
+    std::optional<double> sheet_distance;  ///< scene units from the aperture's centre
+    std::optional<Vec2> capture_aperture;  ///< mm; default: filling_aperture
+    ApertureShape aperture_shape = ApertureShape::rectangle;
+    LensMapping mapping = LensMapping::automatic;
+    std::optional<Vec2> depth_range;       ///< mm seen in front of and behind the sheet; >= 0
+};
+
+/// The perspective camera that an integral camera starts from, in scene units.
+struct ViewFrame {
+    Vec3 location, direction, right, up; ///< as POV-Ray has them after look_at and transforms
+    double sheet_distance_ratio = 1;     ///< sheet distance / |direction|; survives transforms
+};
+
+/// Sheet frame (mm) -> scene: an affine map whose columns are one mm along x, y, z.
+struct Placement {
+    Vec3 origin, x, y, z;
+    double units_per_mm = 1; ///< k
+};
+
+inline Vec3 scene_from_sheet(const Placement& p, Vec3 v)
+{
+    return p.origin + v.x * p.x + v.y * p.y + v.z * p.z;
+}
+
+/// One integral camera, ready to render W x H pixels: immutable.
+struct IntegralCamera {
+    SheetOptics optics;
+    Film film;
+    Placement placement;
+    LensMapping mapping = LensMapping::automatic;
+    std::optional<Vec2> depth_range;
+};
+
+/// Says which single values are out of range, a sentence each that names the value and what is
+/// legal; empty if none.
+std::vector<std::string> find_value_errors(const CameraParameters& parameters);
+
+/// The same, and what is wrong with the values taken together, whatever the frame's size and
+/// the viewpoint.
+std::vector<std::string> find_errors(const CameraParameters& parameters);
+
+/// Builds the camera for a frame of width x height pixels.
+/// Throws std::invalid_argument with a sentence for the user where the parameters cannot work.
+IntegralCamera make_camera(const CameraParameters& parameters, const ViewFrame& view,
+                           int width, int height);
+
+/// A line of sight, in the scene: from `origin`, where the viewer's side of it starts, into the
+/// scene; `length` is how far it is seen (0 = without end).
+struct SightLine {
+    Vec3 origin, direction; ///< direction is a unit vector of the scene
+    double length = 0;
+};
+
+/// Step 6 of optics.md section 3: the one ray, from the aperture (or depth_range's front) through
+/// the pole to infinity (or depth_range's back), that returns what the viewer would see.
+SightLine sight_line(const IntegralCamera& camera, const LensRay& ray);
+
+/// What a camera makes of its film, from an even sample of at most `samples` pixels.
+struct Coverage {
+    double imaged = 0;           ///< fractions of the film's pixels; these three add up to 1
+    double outside_aperture = 0;
+    double total_reflection = 0;
+    double searched = 0;         ///< imaged, but only by the accurate search
+};
+Coverage coverage(const IntegralCamera& camera, int samples);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/optics/lens_mapping.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace integral {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
+{
+    Slit slit;
+    slit.axis = lattice.along();
+    slit.across = lattice.across();
+    slit.normal = slit_is_horizontal(sheet) ? Vec2{0, 1} : Vec2{1, 0};
+    if (dot(slit.normal, slit.axis) < 0)
+        slit.normal = -1 * slit.normal;
+    slit.distance = distance;
+    return slit;
+}
+
+} // namespace
+
+struct SheetOptics::Candidate {
+    LensIndex lens;
+    Vec2 pole, offset;   // offset: q = pole - film point
+    double clear;        // t^2 - m |q|^2
+    Vec2 aperture_point;
+};
+
+SheetOptics::SheetOptics(const LensSheet& sheet, const Aperture& aperture)
+    : sheet_(sheet),
+      aperture_(aperture),
+      lattice_(sheet),
+      medium_(sheet.thickness, sheet.ior),
+      slit_(slit_of(sheet, lattice_, aperture.distance)),
+      lenticular_(sheet.arrangement == Arrangement::lenticular),
+      slit_horizontal_(slit_is_horizontal(sheet))
+{
+}
+
+std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, LensIndex lens) const
+{
+    Candidate c;
+    c.lens = lens;
+    c.pole = lattice_.pole(lens);
+    c.offset = c.pole - film_point;
+    const double nd = medium_.n * aperture_.distance;
+    if (lenticular_) {
+        // The light leaves at the point of the axis from which it reaches the slit.
+        const double h = dot(slit_.across, c.offset);
+        const Vec2 foot = film_point + h * slit_.across;
+        const auto tau = solve_slit(slit_, medium_, foot, h);
+        if (!tau)
+            return std::nullopt;
+        c.offset = h * slit_.across + *tau * slit_.axis;
+        c.pole = foot + *tau * slit_.axis;
+        c.clear = clearance(medium_, c.offset);
+        if (!(c.clear > 0))
+            return std::nullopt;
+        const double stretch = nd / std::sqrt(c.clear);
+        if (stretch < 1) {
+            // Here foot + tau a cancels; its component across the slit is known without.
+            const double across_slit = -stretch * dot(slit_.normal, c.offset);
+            const double g = dot(slit_.normal, slit_.axis);
+            c.pole = c.pole + ((across_slit - dot(slit_.normal, c.pole)) / g) * slit_.axis;
+        }
+        c.aperture_point = c.pole + stretch * c.offset;
+        (slit_horizontal_ ? c.aperture_point.y : c.aperture_point.x) = 0;
+        return c;
+    }
+    c.clear = clearance(medium_, c.offset);
+    if (!(c.clear > 0))
+        return std::nullopt;
+    c.aperture_point = c.pole + (nd / std::sqrt(c.clear)) * c.offset;
+    return c;
+}
+
+LensRay SheetOptics::complete(const Candidate& c) const
+{
+    const double inverse_length = 1 / std::sqrt(dot(c.offset, c.offset) + medium_.t * medium_.t);
+    const double lateral = medium_.n * inverse_length;
+    return {c.lens, c.pole,
+            {lateral * c.offset.x, lateral * c.offset.y, -std::sqrt(c.clear) * inverse_length},
+            c.aperture_point};
+}
+
+bool SheetOptics::passes(Vec2 aperture_point) const
+{
+    if (!lenticular_)
+        return contains(aperture_, aperture_point);
+    Aperture along_slit = aperture_;
+    (slit_horizontal_ ? along_slit.height : along_slit.width) = infinity;
+    return contains(along_slit, aperture_point);
+}
+
+double SheetOptics::aperture_circumradius() const
+{
+    if (lenticular_)
+        return 0.5 * (slit_horizontal_ ? aperture_.width : aperture_.height);
+    return 0.5 * std::hypot(aperture_.width, aperture_.height);
+}
+
+std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens) const
+{
+    const auto c = candidate(film_point, lens);
+    if (!c)
+        return std::nullopt;
+    return complete(*c);
+}
+
+MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
+{
+    switch (mapping) {
+    case LensMapping::closest:
+        return map_closest(film_point);
+    case LensMapping::accurate:
+        return map_accurate(film_point);
+    case LensMapping::exhaustive:
+        return map_exhaustive(film_point);
+    case LensMapping::automatic:
+        break;
+    }
+    MappedPoint mapped = map_closest(film_point);
+    if (mapped.ray)
+        return mapped;
+    const MappedPoint searched = map_accurate(film_point);
+    mapped.searched = true;
+    if (searched.ray) {
+        mapped.ray = searched.ray;
+        mapped.empty = Empty::none;
+    }
+    return mapped;
+}
+
+MappedPoint SheetOptics::map_closest(Vec2 film_point) const
+{
+    MappedPoint mapped;
+    const auto c = candidate(film_point, lattice_.nearest(film_point));
+    if (!c)
+        mapped.empty = Empty::total_reflection;
+    else if (!passes(c->aperture_point))
+        mapped.empty = Empty::outside_aperture;
+    else
+        mapped.ray = complete(*c);
+    return mapped;
+}
+
+namespace {
+
+/// Keeps the candidate whose aperture point is nearest to the centre, with the lattice's rule
+/// for ties. The first pass finds the least distance; the second chooses among the tied.
+template <class Candidate> struct Nearest {
+    const Lattice& lattice;
+    double least;
+    std::optional<Candidate> best;
+
+    void measure(double distance) { least = std::min(least, distance); }
+    void choose(const Candidate& c, double distance)
+    {
+        if (distance <= least + lattice.tie_tolerance() && (!best || lattice.preferred(c.lens, best->lens)))
+            best = c;
+    }
+};
+
+} // namespace
+
+double SheetOptics::distance_to_centre(Vec2 aperture_point) const
+{
+    return lenticular_ ? std::fabs(slit_horizontal_ ? aperture_point.x : aperture_point.y)
+                       : length(aperture_point);
+}
+
+/// The point P of the sheet plane through which the film point sees the aperture's centre. As a
+/// point's image lies P t/sqrt(n^2 d^2 + m P^2) beyond it, |film point| = P + that; the right
+/// side rises and is concave in P, so Newton's method from below converges from below.
+Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point) const
+{
+    const double radius = length(film_point);
+    if (radius == 0)
+        return film_point;
+    const double nd = medium_.n * aperture_.distance;
+    double p = radius * (nd / (nd + medium_.t));
+    for (int step = 0; step < 60; ++step) {
+        const double root = std::sqrt(nd * nd + medium_.m * p * p);
+        const double slope = 1 + (medium_.t / root) * (nd / root) * (nd / root);
+        const double change = (radius - p - p * (medium_.t / root)) / slope;
+        p += change;
+        if (std::fabs(change) <= 1e-9 * p)
+            break;
+    }
+    return (p / radius) * film_point;
+}
+
+/// The map q -> A of lens offsets to aperture points, A = film point + q g(|q|) with
+/// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by g at least. So a lens whose A is
+/// within `reach` of the centre has its pole within reach/g of the point that sees the centre:
+/// nothing beyond that is looked at, and nothing within is left out.
+MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
+{
+    const double nd = medium_.n * aperture_.distance;
+    const Vec2 ideal = pole_seeing_centre(film_point);
+    double reach = aperture_circumradius() * (1 + 1e-8);
+    const auto guess = candidate(film_point, lattice_.nearest(ideal));
+    if (guess && passes(guess->aperture_point))
+        reach = std::min(reach, distance_to_centre(guess->aperture_point));
+    reach += 2 * lattice_.tie_tolerance();
+
+    // A lower bound of g over the offsets that lead to within `reach` of the centre.
+    const auto stretch_at = [&](double r) {
+        const double clear = clearance(medium_, {r, 0});
+        return clear > 0 ? 1 + nd / std::sqrt(clear) : infinity;
+    };
+    double stretch = 1 + nd / medium_.t;
+    const double at_ideal = stretch_at(length(ideal - film_point));
+    const double shortest = (length(film_point) - reach) / at_ideal;
+    if (std::isfinite(at_ideal) && shortest > 0)
+        stretch = std::max(stretch, stretch_at(shortest * (1 - 1e-9)));
+    double radius = reach / stretch + 1e-7 * lattice_.pitch() + 1e-8 * length(ideal);
+    if (medium_.m > 0)
+        radius = std::min(radius, length(ideal - film_point) + medium_.t / medium_.root_m);
+
+    MappedPoint mapped;
+    mapped.searched = true;
+    bool alone = guess && passes(guess->aperture_point);
+    lattice_.for_each_within(ideal, radius, [&](LensIndex lens) { alone = alone && lens == guess->lens; });
+    if (alone) {
+        mapped.ray = complete(*guess);
+        return mapped;
+    }
+
+    Nearest<Candidate> nearest{lattice_, infinity, std::nullopt};
+    const auto each = [&](auto use) {
+        lattice_.for_each_within(ideal, radius, [&](LensIndex lens) {
+            const auto c = candidate(film_point, lens);
+            if (c && passes(c->aperture_point))
+                use(*c, distance_to_centre(c->aperture_point));
+        });
+    };
+    each([&](const Candidate&, double distance) { nearest.measure(distance); });
+    each([&](const Candidate& c, double distance) { nearest.choose(c, distance); });
+
+    if (nearest.best)
+        mapped.ray = complete(*nearest.best);
+    else
+        mapped.empty = guess ? Empty::outside_aperture : Empty::total_reflection;
+    return mapped;
+}
+
+MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
+{
+    // No lens farther from the film point than this can send it through the aperture.
+    const double stretch = 1 + medium_.n * aperture_.distance / medium_.t;
+    double radius = (aperture_circumradius() * (1 + 1e-8) + length(film_point)) / stretch;
+    if (medium_.m > 0)
+        radius = std::min(radius, medium_.t / medium_.root_m);
+    radius += 1e-7 * lattice_.pitch();
+
+    Nearest<Candidate> nearest{lattice_, infinity, std::nullopt};
+    bool any = false;
+    const auto each = [&](auto use) {
+        lattice_.for_each_within(film_point, radius, [&](LensIndex lens) {
+            const auto c = candidate(film_point, lens);
+            any = any || c;
+            if (c && passes(c->aperture_point))
+                use(*c, distance_to_centre(c->aperture_point));
+        });
+    };
+    each([&](const Candidate&, double distance) { nearest.measure(distance); });
+    each([&](const Candidate& c, double distance) { nearest.choose(c, distance); });
+
+    MappedPoint mapped;
+    mapped.searched = true;
+    if (nearest.best)
+        mapped.ray = complete(*nearest.best);
+    else
+        mapped.empty = any ? Empty::outside_aperture : Empty::total_reflection;
+    return mapped;
+}
+
+Vec2 SheetOptics::film_point_seen(Vec2 point, Vec3 direction, LensIndex* lens) const
+{
+    const LensIndex index = lattice_.nearest(point);
+    if (lens)
+        *lens = index;
+    Vec2 base = lattice_.pole(index);
+    if (lenticular_)
+        base = point + dot(slit_.across, base - point) * slit_.across;
+    return base - offset_from_direction(medium_, direction);
+}
+
+} // namespace integral

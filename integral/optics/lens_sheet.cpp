@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/optics/lens_sheet.h"
+
+namespace integral {
+
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+constexpr double hexagonal_row_spacing = 0.86602540378443864676; // sqrt(3)/2 pitches
+
+std::int64_t round_to_index(double value) { return static_cast<std::int64_t>(std::nearbyint(value)); }
+
+} // namespace
+
+double surface_radius(const LensSheet& sheet)
+{
+    return sheet.thickness * (sheet.ior - 1) / sheet.ior;
+}
+
+Lattice::Lattice(const LensSheet& sheet)
+    : arrangement_(sheet.arrangement),
+      pitch_(sheet.pitch),
+      row_spacing_(sheet.arrangement == Arrangement::hexagonal ? hexagonal_row_spacing * sheet.pitch
+                                                               : sheet.pitch),
+      across_{std::cos(sheet.slant * radians_per_degree), std::sin(sheet.slant * radians_per_degree)},
+      along_{-across_.y, across_.x},
+      offset_(sheet.offset)
+{
+}
+
+Vec2 Lattice::lattice_from_sheet(Vec2 point) const
+{
+    const Vec2 from_offset = point - offset_;
+    return {dot(across_, from_offset), dot(along_, from_offset)};
+}
+
+Vec2 Lattice::pole(LensIndex lens) const
+{
+    double columns = static_cast<double>(lens.i);
+    if (arrangement_ == Arrangement::lenticular)
+        return offset_ + (columns * pitch_) * across_;
+    if (arrangement_ == Arrangement::hexagonal && (lens.j & 1))
+        columns += 0.5;
+    return offset_ + (columns * pitch_) * across_
+                   + (static_cast<double>(lens.j) * row_spacing_) * along_;
+}
+
+double Lattice::distance(Vec2 point, LensIndex lens) const
+{
+    const Vec2 to_pole = pole(lens) - point;
+    return arrangement_ == Arrangement::lenticular ? std::fabs(dot(across_, to_pole)) : length(to_pole);
+}
+
+bool Lattice::preferred(LensIndex a, LensIndex b) const
+{
+    const double nearer = distance({0, 0}, a) - distance({0, 0}, b);
+    if (std::fabs(nearer) > tie_tolerance())
+        return nearer < 0;
+    const Vec2 difference = pole(a) - pole(b);
+    if (std::fabs(difference.x) > tie_tolerance())
+        return difference.x < 0;
+    return difference.y < 0;
+}
+
+LensIndex Lattice::settle_tie(Vec2 point, LensIndex guess) const
+{
+    double least = distance(point, guess);
+    const double reach = least + tie_tolerance();
+    for_each_within(point, reach, [&](LensIndex lens) {
+        least = std::fmin(least, distance(point, lens));
+    });
+    LensIndex best = guess;
+    bool found = distance(point, guess) <= least + tie_tolerance();
+    for_each_within(point, reach, [&](LensIndex lens) {
+        if (distance(point, lens) <= least + tie_tolerance() && (!found || preferred(lens, best))) {
+            best = lens;
+            found = true;
+        }
+    });
+    return best;
+}
+
+LensIndex Lattice::nearest(Vec2 point) const
+{
+    const Vec2 p = lattice_from_sheet(point);
+    constexpr double margin = 1e-8; // pitches from a border within which a tie is looked for
+    const auto near_border = [](double u) { return std::fabs(u - std::nearbyint(u)) > 0.5 - margin; };
+
+    if (arrangement_ != Arrangement::hexagonal) {
+        const double u = p.x / pitch_, v = p.y / pitch_;
+        const bool rows = arrangement_ == Arrangement::square;
+        const LensIndex guess{round_to_index(u), rows ? round_to_index(v) : 0};
+        return near_border(u) || (rows && near_border(v)) ? settle_tie(point, guess) : guess;
+    }
+
+    // The nearest pole is in one of the two rows that enclose the point.
+    const auto lower = static_cast<std::int64_t>(std::floor(p.y / row_spacing_));
+    LensIndex guess[2];
+    double distance_squared[2];
+    bool tie = false;
+    for (int k = 0; k < 2; ++k) {
+        const std::int64_t j = lower + k;
+        const double shift = j & 1 ? 0.5 : 0.0, u = p.x / pitch_ - shift;
+        guess[k] = {round_to_index(u), j};
+        const Vec2 away{p.x - (static_cast<double>(guess[k].i) + shift) * pitch_,
+                        p.y - static_cast<double>(j) * row_spacing_};
+        distance_squared[k] = dot(away, away);
+        tie = tie || near_border(u);
+    }
+    const double difference = distance_squared[0] - distance_squared[1];
+    const LensIndex nearer = guess[difference <= 0 ? 0 : 1];
+    return tie || std::fabs(difference) < margin * pitch_ * pitch_ ? settle_tie(point, nearer) : nearer;
+}
+
+} // namespace integral

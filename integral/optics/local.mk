@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/optics: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/optics/aperture.cpp \
+  integral/optics/aperture.h \
+  integral/optics/camera.cpp \
+  integral/optics/camera.h \
+  integral/optics/film.h \
+  integral/optics/lens_mapping.cpp \
+  integral/optics/lens_mapping.h \
+  integral/optics/lens_sheet.cpp \
+  integral/optics/lens_sheet.h \
+  integral/optics/refraction.h \
+  integral/optics/slit.cpp \
+  integral/optics/slit.h \
+  integral/optics/vec.h

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/output: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES +=

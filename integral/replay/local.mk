@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/replay: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/replay/compare.cpp \
+  integral/replay/compare.h \
+  integral/replay/replay.cpp \
+  integral/replay/replay.h

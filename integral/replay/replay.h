@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What an eye sees of a frame through its lens sheet.
+#ifndef INTEGRAL_REPLAY_REPLAY_H
+#define INTEGRAL_REPLAY_REPLAY_H
+
+#include "integral/lightfield/frame.h"
+#include "integral/lightfield/parallel.h"
+
+namespace integral {
+
+/// An eye: a point in front of the sheet, mm from the sheet's centre. It may be anywhere, in the
+/// viewing zone or beyond it, where it sees side lobes.
+struct Eye {
+    double x = 0, y = 0;
+    double distance = 0; ///< in front of the sheet, > 0
+};
+
+/// One view. Its pixels divide the sheet's rectangle (the film's) evenly: the picture that a
+/// perspective camera at the eye takes with its window laid on the sheet.
+struct View {
+    Eye eye;
+    int width = 0, height = 0; ///< pixels, > 0
+    int samples = 3;           ///< across a pixel and down it, averaged in linear light; > 0
+};
+
+/// The eye from which the frame shows the scene's own perspective picture: the aperture's centre.
+Eye centre_eye(const FrameMetadata& metadata);
+
+/// Size of a view of the film's shape whose longer side has `longer` pixels.
+void set_view_size(View& view, const Film& film, int longer);
+
+/// The view of a frame that has metadata, 8, 16 or 32 bits and encoded like the frame, with alpha if
+/// the frame has it. Where the eye looks past the film's edge it sees black (transparent).
+/// The frame's pixels are boxes: what a view sample sees is one pixel's colour.
+/// `threads` 0 is one per core; the result does not depend on it. Empty: `progress` stopped it.
+std::optional<Image> replay(const Frame& frame, const View& view, int threads = 0,
+                            const Progress& progress = {});
+
+} // namespace integral
+
+#endif

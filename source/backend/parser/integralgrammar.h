@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The words of the integral camera. They mean something only inside `camera { integral ... }` (and
+// in Integral_Camera=), whatever the scene has declared them as; nothing is reserved.
+#ifndef POVRAY_BACKEND_INTEGRALGRAMMAR_H
+#define POVRAY_BACKEND_INTEGRALGRAMMAR_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "integral/optics/vec.h"
+
+namespace pov
+{
+
+class Camera;
+class Parser;
+struct IntegralBlock;
+
+class IntegralGrammar
+{
+    public:
+        /// The grammar of a parser, made at the first call.
+        static IntegralGrammar& Of(Parser& parser);
+
+        /// Reads the words of the INI option Integral_Camera=, if there are any. To be called
+        /// once the tokenizer stands before the scene's first token.
+        void Parse_Option();
+
+        /// `integral` among the camera types: takes it on if it is next.
+        void Parse_Type(Camera& camera);
+
+        /// One word of an integral camera: parses it and returns true if it is next.
+        bool Parse_Modifier(Camera& camera);
+
+        /// To be called while camera.Look_At still tells whether look_at was given (HUGE_VAL in
+        /// its x: it was not), and where it was.
+        void Note_Look_At(Camera& camera);
+
+        /// To be called with the camera's vectors settled, before its transforms are applied.
+        void Settle(Camera& camera);
+
+        /// To be called at the end of a camera statement: refuses what cannot work.
+        void Check(Camera& camera);
+
+        /// To be called once the scene is parsed, with the camera that is to be rendered: applies
+        /// Integral_Camera= to a scene without a camera, and says what the user should know.
+        void Finish(Camera& camera);
+
+    private:
+        explicit IntegralGrammar(Parser& parser) : parser(parser) {}
+
+        std::string Next_Word();
+        bool Accept(const char* word);
+        IntegralBlock& Edit(Camera& camera);
+        void Begin(Camera& camera);
+        bool Parse_Word(IntegralBlock& block);
+        void Parse_Lens_Sheet(IntegralBlock& block);
+        void Parse_Film(IntegralBlock& block);
+        void Give(IntegralBlock& block, const std::string& word);
+        void Check_Value(const IntegralBlock& block);
+        std::string Parse_Choice(const char* word, const std::vector<std::string>& legal);
+        double Parse_Number();
+        integral::Vec2 Parse_Pair(bool promote);
+        void Apply_Option(IntegralBlock& block);
+        bool Frame_Size(int& width, int& height);
+        void Warn(const Camera& camera);
+
+        Parser& parser;
+        std::shared_ptr<IntegralBlock> option; ///< the words of Integral_Camera=, or nothing
+        int option_level = 0;                  ///< depth of its text among the include files, while it is read
+};
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// One thread's share of an integral camera: makes its camera rays and counts them.
+#ifndef POVRAY_BACKEND_INTEGRALTRACER_H
+#define POVRAY_BACKEND_INTEGRALTRACER_H
+
+#include <memory>
+
+namespace pov
+{
+
+class Camera;
+class Ray;
+struct IntegralBlock;
+struct IntegralTally;
+
+class IntegralTracer
+{
+    public:
+        /// Takes on a camera; one that is not integral leaves Active() false.
+        void Setup(const Camera& camera);
+
+        bool Active() const { return active; }
+
+        /// The camera ray of film point (px, py), in pixels from the frame's top-left corner, and
+        /// how far along it the camera sees (scene units; 0 = without end).
+        /// `counted`: whether the statistics are to know of it.
+        /// False where the film point images nothing: no ray is to be traced.
+        bool Create_Ray(Ray& ray, double px, double py, bool counted, double& length);
+
+    private:
+        std::shared_ptr<const IntegralBlock> block;
+        IntegralTally* tally = nullptr; ///< in the block's counts
+        bool active = false;
+};
+
+}
+
+#endif

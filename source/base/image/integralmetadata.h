@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Writes a micro-image frame's geometry into its picture file, or beside it.
+#ifndef POVRAY_BASE_INTEGRALMETADATA_H
+#define POVRAY_BASE_INTEGRALMETADATA_H
+
+#include "base/image/image.h"
+
+#ifndef OPENEXR_MISSING
+#include <ImfForward.h>
+#endif
+
+struct png_struct_def;
+struct png_info_def;
+
+namespace pov_base
+{
+
+/// PNG: the document as iTXt chunk `integral`, the resolution as pHYs. Before png_write_info.
+void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::WriteOptions& options);
+
+/// OpenEXR: the document as string attribute `integral`, the resolution as xDensity and pixel
+/// aspect ratio.
+#ifndef OPENEXR_MISSING
+void Set_Integral_EXR(Imf::Header& header);
+#endif
+
+/// Every other format, once the picture has been written: the document as FILE.json.
+void Write_Integral_Companion(const UCS2String& file, int file_type, const Image::WriteOptions& options);
+
+}
+
+#endif

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// configbase.h must be the first POV-Ray file included within base
+#include "configbase.h"
+#include "base/integralframe.h"
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov_base
+{
+
+namespace
+{
+
+typedef std::chrono::steady_clock Clock;
+
+struct State
+{
+    std::mutex mutex;
+    std::string scene;
+    std::string fingerprint;
+    std::optional<integral::FrameMetadata> metadata;
+    Clock::time_point begun;
+};
+
+State& The_State()
+{
+    static State state;
+    return state;
+}
+
+integral::FrameMetadata Metadata_Of(const integral::IntegralCamera& camera)
+{
+    integral::FrameMetadata metadata;
+    metadata.sheet = camera.optics.sheet();
+    metadata.film = camera.film;
+    metadata.aperture = camera.optics.aperture();
+    metadata.placement = camera.placement;
+    return metadata;
+}
+
+/// FNV-1a, 64 bits.
+std::string Hash(const std::string& text)
+{
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (unsigned char byte : text)
+        hash = (hash ^ byte) * 0x100000001b3u;
+    char digits[17];
+    std::snprintf(digits, sizeof(digits), "%016llx", (unsigned long long)hash);
+    return digits;
+}
+
+}
+
+void IntegralFrame::Set_Scene(const std::string& file)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.scene = file.substr(file.find_last_of("/\\") + 1);
+}
+
+void IntegralFrame::Expect(const integral::IntegralCamera* camera)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.fingerprint.clear();
+    if (camera)
+    {
+        std::string text = integral::to_json(Metadata_Of(*camera));
+        text += std::to_string(int(camera->mapping));
+        if (camera->depth_range)
+            text += std::to_string(camera->depth_range->x) + ' ' + std::to_string(camera->depth_range->y);
+        state.fingerprint = Hash(text);
+    }
+}
+
+void IntegralFrame::Begin(const integral::IntegralCamera& camera)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.metadata = Metadata_Of(camera);
+    state.metadata->render = integral::RenderRecord();
+    state.metadata->render->program = "povray-integral 3.7.0.10";
+    state.metadata->render->scene = state.scene;
+    state.metadata->render->mapping = camera.mapping;
+    state.begun = Clock::now();
+}
+
+void IntegralFrame::Forget()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.metadata.reset();
+}
+
+bool IntegralFrame::Current()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return state.metadata.has_value();
+}
+
+integral::Vec2 IntegralFrame::Pixel_Pitch()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return state.metadata->film.pixel_pitch;
+}
+
+std::string IntegralFrame::Document(const integral::Encoding& encoding)
+{
+    const double seconds = Seconds();
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.metadata->encoding = encoding;
+    state.metadata->render->seconds = seconds;
+    return integral::to_json(*state.metadata);
+}
+
+double IntegralFrame::Seconds()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return state.metadata ? std::chrono::duration<double>(Clock::now() - state.begun).count() : 0;
+}
+
+std::string IntegralFrame::Fingerprint()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return state.fingerprint;
+}
+
+}

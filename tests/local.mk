@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# The tests: tests/unit is one Boost.Test program; the other layers are scripts that tests/run finds by itself.
+
+check_PROGRAMS += build/tests/unit
+build_tests_unit_SOURCES = $(unit_sources)
+build_tests_unit_CPPFLAGS = $(AM_CPPFLAGS) -DBOOST_TEST_DYN_LINK
+build_tests_unit_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_TEST_LIBS)
+
+EXTRA_PROGRAMS += build/sanitized/unit
+build_sanitized_unit_SOURCES = $(unit_sources)
+build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
+build_sanitized_unit_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
+build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FRAME_LIBS) $(BOOST_TEST_LIBS)
+
+# One line per file.
+unit_sources = \
+  tests/unit/main.cpp
+
+test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
+test_programs = build/tests/unit build/sanitized/unit build/sanitized/integral
+
+.PHONY: check-long
+check-local: $(test_programs) pristine
+	@$(test_environment) $(abs_top_srcdir)/tests/run $(LAYERS)
+
+# The same tests at full size (see tests/README): hours.
+check-long: all $(test_programs) pristine
+	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
+
+EXTRA_DIST += tests
