@@ -14,7 +14,20 @@ build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FRAME_LIBS) $(BOOST
 
 # One line per file.
 unit_sources = \
-  tests/unit/main.cpp
+  tests/unit/io_image_files.cpp \
+  tests/unit/lightfield_image.cpp \
+  tests/unit/lightfield_metadata.cpp \
+  tests/unit/lightfield_sheet_figures.cpp \
+  tests/unit/replay_compare.cpp \
+  tests/unit/replay_parallax.cpp \
+  tests/unit/replay_views.cpp \
+  tests/unit/main.cpp \
+  tests/unit/optics_fill.cpp \
+  tests/unit/optics_lattice.cpp \
+  tests/unit/optics_mapping.cpp \
+  tests/unit/optics_oracle.h \
+  tests/unit/optics_rays.cpp \
+  tests/unit/optics_sheets.h
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
 test_programs = build/tests/unit build/sanitized/unit build/sanitized/integral

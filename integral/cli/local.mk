@@ -2,6 +2,7 @@
 # Sources of the integral program: one line per file, headers too.
 
 build_bin_integral_SOURCES += \
+  integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
   integral/cli/main.cpp \

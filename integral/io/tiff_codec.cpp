@@ -29,6 +29,15 @@ void on_error(const char*, const char* format, va_list arguments)
         std::vsnprintf(last_error, sizeof last_error, format, arguments);
 }
 
+/// libtiff drops a tag that it cannot read with a warning; if it is the document's, the file is broken.
+void on_warning(const char*, const char* format, va_list arguments)
+{
+    char text[sizeof last_error];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    if (std::strstr(text, "ImageDescription"))
+        std::memcpy(last_error, text, sizeof text);
+}
+
 [[noreturn]] void fail(const char* otherwise)
 {
     throw std::runtime_error(last_error[0] ? last_error : otherwise);
@@ -88,10 +97,10 @@ TiffHandle open_tiff(Memory& memory, const char* mode)
 {
     last_error[0] = '\0';
     TIFFSetErrorHandler(on_error);
-    TIFFSetWarningHandler(nullptr);
+    TIFFSetWarningHandler(on_warning);
     TiffHandle tiff(TIFFClientOpen("image", mode, &memory, on_read, on_write, on_seek, on_close,
                                    on_size, nullptr, nullptr));
-    if (!tiff)
+    if (!tiff || last_error[0])
         fail("it cannot be opened as a TIFF");
     return tiff;
 }

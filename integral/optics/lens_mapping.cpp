@@ -51,6 +51,7 @@ std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, Le
     const double nd = medium_.n * aperture_.distance;
     if (lenticular_) {
         // The light leaves at the point of the axis from which it reaches the slit.
+        const Vec2 on_axis = c.pole;
         const double h = dot(slit_.across, c.offset);
         const Vec2 foot = film_point + h * slit_.across;
         const auto tau = solve_slit(slit_, medium_, foot, h);
@@ -63,10 +64,10 @@ std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, Le
             return std::nullopt;
         const double stretch = nd / std::sqrt(c.clear);
         if (stretch < 1) {
-            // Here foot + tau a cancels; its component across the slit is known without.
+            // Here foot + tau a cancels; the point's component across the slit is known without.
             const double across_slit = -stretch * dot(slit_.normal, c.offset);
-            const double g = dot(slit_.normal, slit_.axis);
-            c.pole = c.pole + ((across_slit - dot(slit_.normal, c.pole)) / g) * slit_.axis;
+            const double along_axis = (across_slit - dot(slit_.normal, on_axis)) / dot(slit_.normal, slit_.axis);
+            c.pole = on_axis + along_axis * slit_.axis;
         }
         c.aperture_point = c.pole + stretch * c.offset;
         (slit_horizontal_ ? c.aperture_point.y : c.aperture_point.x) = 0;
@@ -174,23 +175,25 @@ double SheetOptics::distance_to_centre(Vec2 aperture_point) const
                        : length(aperture_point);
 }
 
-/// The point P of the sheet plane through which the film point sees the aperture's centre. As a
-/// point's image lies P t/sqrt(n^2 d^2 + m P^2) beyond it, |film point| = P + that; the right
-/// side rises and is concave in P, so Newton's method from below converges from below.
-Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point) const
+/// The point P of the sheet plane through which the film point sees the aperture's centre, to
+/// within `error` (mm). As a point's image lies P t/sqrt(n^2 d^2 + m P^2) beyond it,
+/// |film point| = P + that. The right side's slope in P is at least 1, so what is missing bounds the
+/// error; it is concave, so Newton's method from below stays below.
+Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
 {
     const double radius = length(film_point);
+    const double nd = medium_.n * aperture_.distance;
+    error = 0;
     if (radius == 0)
         return film_point;
-    const double nd = medium_.n * aperture_.distance;
     double p = radius * (nd / (nd + medium_.t));
     for (int step = 0; step < 60; ++step) {
-        const double root = std::sqrt(nd * nd + medium_.m * p * p);
-        const double slope = 1 + (medium_.t / root) * (nd / root) * (nd / root);
-        const double change = (radius - p - p * (medium_.t / root)) / slope;
-        p += change;
-        if (std::fabs(change) <= 1e-9 * p)
+        const double root = std::sqrt(nd * nd + medium_.m * p * p), ratio = nd / root;
+        const double missing = radius - p - p * (medium_.t / root);
+        error = std::fabs(missing);
+        if (error <= 0.02 * lattice_.pitch())
             break;
+        p += missing / (1 + (medium_.t / root) * ratio * ratio);
     }
     return (p / radius) * film_point;
 }
@@ -201,31 +204,39 @@ Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point) const
 /// nothing beyond that is looked at, and nothing within is left out.
 MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
 {
+    MappedPoint mapped;
+    mapped.searched = true;
     const double nd = medium_.n * aperture_.distance;
-    const Vec2 ideal = pole_seeing_centre(film_point);
+    double slack; // of the ideal pole and of rounding, mm
+    const Vec2 ideal = pole_seeing_centre(film_point, slack);
+    slack += 1e-7 * lattice_.pitch() + 1e-8 * length(ideal);
     double reach = aperture_circumradius() * (1 + 1e-8);
     const auto guess = candidate(film_point, lattice_.nearest(ideal));
-    if (guess && passes(guess->aperture_point))
+    const bool guessed = guess && passes(guess->aperture_point);
+    if (guessed)
         reach = std::min(reach, distance_to_centre(guess->aperture_point));
     reach += 2 * lattice_.tie_tolerance();
 
-    // A lower bound of g over the offsets that lead to within `reach` of the centre.
+    // No lens but the nearest is within half a pitch of any point.
+    double stretch = 1 + nd / medium_.t;
+    if (guessed && reach / stretch + slack < 0.5 * lattice_.pitch()) {
+        mapped.ray = complete(*guess);
+        return mapped;
+    }
+
+    // A better lower bound of g, over the offsets that lead to within `reach` of the centre.
     const auto stretch_at = [&](double r) {
         const double clear = clearance(medium_, {r, 0});
         return clear > 0 ? 1 + nd / std::sqrt(clear) : infinity;
     };
-    double stretch = 1 + nd / medium_.t;
-    const double at_ideal = stretch_at(length(ideal - film_point));
+    const double at_ideal = stretch_at(length(ideal - film_point) + slack);
     const double shortest = (length(film_point) - reach) / at_ideal;
     if (std::isfinite(at_ideal) && shortest > 0)
         stretch = std::max(stretch, stretch_at(shortest * (1 - 1e-9)));
-    double radius = reach / stretch + 1e-7 * lattice_.pitch() + 1e-8 * length(ideal);
+    double radius = reach / stretch + slack;
     if (medium_.m > 0)
         radius = std::min(radius, length(ideal - film_point) + medium_.t / medium_.root_m);
-
-    MappedPoint mapped;
-    mapped.searched = true;
-    bool alone = guess && passes(guess->aperture_point);
+    bool alone = guessed;
     lattice_.for_each_within(ideal, radius, [&](LensIndex lens) { alone = alone && lens == guess->lens; });
     if (alone) {
         mapped.ray = complete(*guess);

@@ -67,7 +67,7 @@ private:
     MappedPoint map_closest(Vec2 film_point) const;
     MappedPoint map_accurate(Vec2 film_point) const;
     MappedPoint map_exhaustive(Vec2 film_point) const;
-    Vec2 pole_seeing_centre(Vec2 film_point) const;
+    Vec2 pole_seeing_centre(Vec2 film_point, double& error) const;
     bool passes(Vec2 aperture_point) const;
     double distance_to_centre(Vec2 aperture_point) const;
     double aperture_circumradius() const;

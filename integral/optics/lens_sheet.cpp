@@ -8,7 +8,15 @@ namespace {
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 constexpr double hexagonal_row_spacing = 0.86602540378443864676; // sqrt(3)/2 pitches
 
-std::int64_t round_to_index(double value) { return static_cast<std::int64_t>(std::nearbyint(value)); }
+/// The nearest integer, halves to even, for |value| < 2^51: adding 1.5 * 2^52 leaves no bits for a
+/// fraction. (std::nearbyint is a call into the mathematics library, and this is the hot path.)
+double nearest_integer(double value)
+{
+    constexpr double no_fraction = 6755399441055744.0;
+    return (value + no_fraction) - no_fraction;
+}
+
+std::int64_t round_to_index(double value) { return static_cast<std::int64_t>(nearest_integer(value)); }
 
 } // namespace
 
@@ -84,7 +92,7 @@ LensIndex Lattice::nearest(Vec2 point) const
 {
     const Vec2 p = lattice_from_sheet(point);
     constexpr double margin = 1e-8; // pitches from a border within which a tie is looked for
-    const auto near_border = [](double u) { return std::fabs(u - std::nearbyint(u)) > 0.5 - margin; };
+    const auto near_border = [](double u) { return std::fabs(u - nearest_integer(u)) > 0.5 - margin; };
 
     if (arrangement_ != Arrangement::hexagonal) {
         const double u = p.x / pitch_, v = p.y / pitch_;
@@ -94,7 +102,8 @@ LensIndex Lattice::nearest(Vec2 point) const
     }
 
     // The nearest pole is in one of the two rows that enclose the point.
-    const auto lower = static_cast<std::int64_t>(std::floor(p.y / row_spacing_));
+    const double row = p.y / row_spacing_;
+    const std::int64_t near = round_to_index(row), lower = near - (static_cast<double>(near) > row);
     LensIndex guess[2];
     double distance_squared[2];
     bool tie = false;

@@ -39,18 +39,18 @@ std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 fo
             continue;
         }
         const double s = std::sqrt(s2);
-        const double value = alpha + g * tau + nd * (g * tau + beta) / s;
+        const double value = (alpha + g * tau) * s + nd * (g * tau + beta);             // H S
         if (value == 0)
             break;
         (value < 0 ? low : high) = tau;
-        const double slope = g + nd * (g * e + beta * medium.m * tau) / (s2 * s);
-        double next = tau - value / slope;
-        if (!(next > low && next < high))
-            next = 0.5 * (low + high);
-        const double change = std::fabs(next - tau);
-        tau = next;
-        if (change <= 1e-10 * std::fabs(tau) || !(low < tau && tau < high))
-            break;                                      // the next step would be below rounding
+        const double slope = g * s2 * s + nd * (g * e + beta * medium.m * tau);         // H' S^3
+        const double before = tau, change = value * s2 / slope;
+        tau -= change;
+        // Newton's error after a step is about change^2/(distance to the end of the interval).
+        if (tau == before || change * change <= 1e-17 * std::fabs(tau) * (limit - std::fabs(tau)))
+            break;
+        if (!(tau > low && tau < high))
+            tau = 0.5 * (low + high);
     }
     return std::clamp(tau, -limit, limit);
 }

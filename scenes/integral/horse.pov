@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// horse.pov -- a full parallax picture under square lenses
+//
+// A carousel: the jumper's head and raised legs come out of the paper, its quarters lie behind, two more horses and the
+// carousel's drum stand farther back, and the platform's edge runs along the front. Look over and under, left and right.
+//
+//   povray-integral +Ihorse.pov +W2400 +H1800 +Ohorse.png            (or: povray-integral horse.ini)
+//   integral replay horse.png --eye 80,60,450 -o view.png
+//
+// Frame      2400 x 1800 pixels at 300 dpi = 203.2 x 152.4 mm, 181 x 136 lenses
+// Sheet      square, pitch 1.124 mm (13.28 pixels), thickness 3.23 mm, index 1.675, seen from 450 mm
+// Scale      1 unit = 10 mm; the sheet is upright but for 2.5 degrees, near the plane z = 0
+// Depth      nose -31 mm, platform's edge -30 mm | tail +47 mm, other horses +20 to +55 mm, drum +60 mm
+// Time       about 10 microseconds a pixel
+//
 #version 3.7;
 global_settings { assumed_gamma 1.0  max_trace_level 6 }
 
 #declare Eye    = <0, 2.0, -45>;
 #declare Sheet  = <0, 0, 0>;
-#declare Window = 20.32;
+#declare Window = 20.32;                                 // width at the sheet, units
 
 camera {
   integral
@@ -165,13 +180,13 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
     intersection { Over_Trunk(.215) Oval(<-.1, .55, 0>, 1.95, 1.75) texture { Gilt } }
     intersection { Over_Trunk(.200) Oval(<-.1, .60, 0>, 1.72, 1.55) texture { Cloth } }
     intersection { Over_Trunk(.185) Oval(<.05, .95, 0>, 1.30, 1.15) texture { Trim } }
-    intersection { Over_Trunk(.205) Band(<.1, 0, 0>, y, .16) texture { Trim } }
-    intersection { Over_Trunk(.205) union { Band(<3.0, .0, 0>, <1.9, -1.15, 0>, .17) } box { <1, -9, -9>, <9, 9, 9> } texture { Trim } }
-    intersection { Over_Trunk(.205) Band(<-3.0, .1, 0>, <2, .55, 0>, .15) box { <-9, -9, -9>, <-1.4, 9, 9> } texture { Trim } }
+    intersection { Over_Trunk(.205) Band(<.1, 0, 0>, y, .2) texture { Trim } }
+    intersection { Over_Trunk(.205) Band(<3.0, .0, 0>, <1.9, -1.15, 0>, .21) box { <1, -9, -9>, <9, 9, 9> } texture { Trim } }
+    intersection { Over_Trunk(.205) Band(<-3.0, .1, 0>, <2, .55, 0>, .19) box { <-9, -9, -9>, <-1.4, 9, 9> } texture { Trim } }
     #for (S, -1, 1, 2)
       #for (I, 0, 2) sphere { 0, 1 scale <.2, .2, .12> translate <2.2 + .45*I, .55 - .28*I, S*(1.42 - .16*I)> texture { Gilt } } #end
       sphere { 0, 1 scale <.22, .22, .12> translate <-2.9, .12, S*1.66> texture { Gilt } }
-      sphere_sweep { b_spline 6 <5.6, 3.2, .5*S>, .06 <5.45, 2.95, .46*S>, .06 <4.2, 2.3, .9*S>, .06 <3.0, 2.1, .95*S>, .06 <1.6, 1.9, .4*S>, .06 <1.2, 1.9, .2*S>, .06 texture { Trim } }
+      sphere_sweep { b_spline 6 <5.6, 3.2, .5*S>, .085 <5.45, 2.95, .46*S>, .085 <4.2, 2.3, .9*S>, .085 <3.0, 2.1, .95*S>, .085 <1.6, 1.9, .4*S>, .085 <1.2, 1.9, .2*S>, .085 texture { Trim } }
       sphere { <4.93, 4.32, .46*S>, .14 texture { pigment { srgb <.06, .04, .03> } finish { Enamel } } }
       sphere { <6.22, 2.62, .27*S>, .085 texture { pigment { srgb <.35, .12, .12> } finish { Satin } } }
       torus { .17, .05 rotate 90*x translate <5.42, 2.92, .43*S> texture { Gilt } }
@@ -181,9 +196,9 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
       sphere { 0, 1.414, 1 scale <.22, .55, .72> rotate 18*z translate <-1.12, 1.72, 0> }
       sphere { 0, 1.414, 1 scale <.18, .42, .36> rotate -16*z translate <1.02, 1.85, 0> }
       texture { Trim } }
-    intersection { Over_Head(.20) Band(<5.50, 3.12, 0>, <.78, .62, 0>, .12) box { <4.9, -9, -9>, 9 } texture { Trim } }
-    intersection { Over_Head(.20) Band(<4.52, 4.28, 0>, <.62, .78, 0>, .12) Band(<4.6, 4.37, 0>, <.78, -.62, 0>, .95) texture { Trim } }
-    intersection { Over_Head(.20) Band(<5.05, 3.62, 0>, <.62, -.78, 0>, .10) Band(<5.0, 3.7, 0>, <.72, .69, 0>, .72) texture { Trim } }
+    intersection { Over_Head(.20) Band(<5.50, 3.12, 0>, <.78, .62, 0>, .15) box { <4.9, -9, -9>, 9 } texture { Trim } }
+    intersection { Over_Head(.20) Band(<4.52, 4.28, 0>, <.62, .78, 0>, .15) Band(<4.6, 4.37, 0>, <.78, -.62, 0>, .95) texture { Trim } }
+    intersection { Over_Head(.20) Band(<5.05, 3.62, 0>, <.62, -.78, 0>, .13) Band(<5.0, 3.7, 0>, <.72, .69, 0>, .72) texture { Trim } }
   }
 #end
 
@@ -238,8 +253,8 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
 #end
 
 object { Rider(Paint(Ivory), Gilt, Paint(Teal), Paint(Red), .0) translate <-.3, .1, .6> }
-object { Rider(Paint(srgb <.36, .17, .08>), Paint(srgb <.96, .90, .78>), Paint(Red), Paint(srgb <.90, .72, .3>), .0) scale .85 translate <-9.4, .9, 5.8> }
-object { Rider(Paint(srgb <.20, .20, .23>), Paint(srgb <.93, .92, .95>), Paint(srgb <.30, .12, .40>), Paint(srgb <.85, .82, .75>), .0) scale .85 translate <9.8, -.6, 6.4> }
+object { Rider(Paint(srgb <.36, .17, .08>), Paint(srgb <.96, .90, .78>), Paint(Red), Paint(srgb <.90, .72, .3>), .0) scale <.82, .82, .46> translate <-9.0, .8, 3.4> }
+object { Rider(Paint(srgb <.20, .20, .23>), Paint(srgb <.93, .92, .95>), Paint(srgb <.30, .12, .40>), Paint(srgb <.85, .82, .75>), .0) scale <.82, .82, .46> translate <9.3, -.6, 3.9> }
 
 // Platform: planks that run round the carousel's hub; its front edge stands before the sheet.
 #declare Hub = <0, 0, 26>;
@@ -250,14 +265,18 @@ union {
   torus { 29, .24 translate -5.75*y texture { Gilt } }
   cylinder { <0, -12, 0>, <0, -6, 0>, 28.8 open Paint(Red) }
   #for (I, -8, 8) sphere { <0, -6.9, -28.8>, .36 rotate 3.2*I*y texture { Gilt } } #end
-  // the drum in the middle: framed ovals between gilt columns, bulbs above
-  cylinder { -6*y, 9*y, 15.6 open texture { pigment { srgb <.05, .40, .45> } finish { ambient 0 diffuse .7 } } }
+  translate Hub
+}
+
+// The drum in the middle, flattened so that its front is 60 mm behind the sheet: framed ovals between gilt columns, bulbs above.
+union {
+  cylinder { -6*y, 9*y, 15.6 open texture { pigment { srgb <.05, .38, .44> } finish { ambient 0 diffuse .32 emission .42 } } }
   torus { 15.7, .5 translate -5.6*y texture { Gilt } }
   #for (I, -4, 4)
     union {
       cylinder { <0, -6, -15.7>, <0, 9, -15.7>, .38 texture { Gilt } }
       union {
-        disc { 0, z, 1 pigment { gradient y color_map { [0 srgb <.90, .60, .48>] [.5 srgb <.98, .88, .72>] [1 srgb <.55, .72, .80>] } scale 2.01 translate -1*y } finish { Satin emission .25 } }
+        disc { 0, z, 1 pigment { gradient y color_map { [0 srgb <.90, .60, .48>] [.5 srgb <.98, .88, .72>] [1 srgb <.55, .72, .80>] } scale 2.01 translate -1*y } finish { ambient 0 diffuse .3 emission .5 } }
         torus { 1, .10 rotate 90*x texture { Gilt } }
         scale <1.9, 3.1, 1> translate <0, .6, -15.7> rotate 11*y
       }
@@ -266,6 +285,6 @@ union {
     }
   #end
   disc { 8.6*y, y, 29 pigment { radial frequency 32 color_map { [.5 Red] [.5 Ivory] } } finish { Satin emission .15 } no_shadow }
-  translate Hub
+  scale <.94, .98, .55>  translate <0, -.1, 14.7>
 }
 sky_sphere { pigment { function { max(0, y) } color_map { [0 srgb <.55, .38, .42>] [.5 srgb <.12, .16, .36>] } } }

@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)
         {R"("distance_mm": 300)", R"("distance_mm": 0)", "aperture.distance_mm"},
         {R"("distance_mm": 300)", R"("distance_mm": 1e10)", "aperture.distance_mm"},
         {R"("distance_mm": 300, )", "", "aperture.distance_mm is missing"},
-        {"40", "-1", "aperture.height_mm"},
+        {R"("height_mm": 40)", R"("height_mm": -1)", "aperture.height_mm"},
         {"\"ellipse\"", "\"star\"", "aperture.shape must be rectangle or ellipse"},
         {"[1, 2, 3]", "[1, 2]", "camera.origin"},
         {"[1, 2, 3]", "[1, 2, \"3\"]", "camera.origin[2]"},

@@ -372,6 +372,12 @@ void IntegralGrammar::Check(Camera& camera)
         parser.Error("An integral camera starts from the perspective camera; no other type goes with it.");
     if (camera.Tnormal != NULL)
         parser.Error("A camera normal does not go with an integral camera: it would bend the light of all lenses alike.");
+    if (option && camera.Aperture != 0 && camera.Blur_Samples > 0)
+    {
+        parser.Warning(0, "Integral_Camera: the scene's focal blur (aperture, blur_samples) is left out: depth is focused by\n"
+                          "the eye that looks at the print.");
+        camera.Blur_Samples = 0;
+    }
     if (camera.Aperture != 0 && camera.Blur_Samples > 0)
         parser.Error("Focal blur (aperture, blur_samples) does not go with an integral camera: its depth is focused by "
                      "the eye that looks at the print.");

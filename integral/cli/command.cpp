@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/command.h"
+
+#include "integral/io/file_bytes.h"
+
+namespace integral {
+
+std::vector<std::string> inputs_of(const options::variables_map& arguments)
+{
+    return given(arguments, "input") ? arguments["input"].as<std::vector<std::string>>()
+                                     : std::vector<std::string>();
+}
+
+std::string text_of(const options::variables_map& arguments, const char* option)
+{
+    return given(arguments, option) ? arguments[option].as<std::string>() : "";
+}
+
+bool given(const options::variables_map& arguments, const char* option)
+{
+    return arguments.count(option) > 0;
+}
+
+void print_result(const options::variables_map& arguments, const std::string& text)
+{
+    const std::string output = text_of(arguments, "output");
+    write_file(output.empty() ? "-" : output, text);
+}
+
+} // namespace integral

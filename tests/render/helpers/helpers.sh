@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# For the tests of this layer (sourced): tap.sh, the helper programs, and rendering with few words.
+. "$(dirname "${BASH_SOURCE[0]}")/../../tap.sh"
+scenes=$TOP/tests/render/scenes
+oracle=$BUILD/tests/oracle frames=$BUILD/tests/frames
+[ -x "$oracle" ] && [ -x "$frames" ] || make -s -C "$BUILD/.." build/tests/oracle build/tests/frames
+jobs=$(nproc 2>/dev/null || echo 2)
+export scenes oracle frames scratch
+
+# render PROGRAM OUTPUT WIDTHxHEIGHT OPTION...: a frame without display; says what went wrong if it fails.
+render() {
+    local program=$1 output=$2 size=$3 status=0
+    shift 3
+    "$program" -D -GA +WT1 "+L$scenes" "$@" "+O$output" "+W${size%x*}" "+H${size#*x}" > "$output.said" 2>&1 < /dev/null || status=$?
+    [ $status = 0 ] || { echo "$program $* fails ($status):"; grep -v '^$' "$output.said" | tail -5; return 1; }
+    [ -s "$output" ] || { echo "$program $* writes no $output"; return 1; }
+}
+
+# oracle_frame OUTPUT MESH-CAMERA WIDTHxHEIGHT OPTION...: the unmodified program's frame of those rays (one row higher: see frames.cpp).
+# The scene includes camera.inc, which is taken from the folder that is made here.
+oracle_frame() {
+    local output=$1 camera=$2 size=$3
+    shift 3
+    rm -rf "$output.camera"
+    mkdir "$output.camera"
+    ln "$camera" "$output.camera/camera.inc"
+    render "$PRISTINE" "$output" "${size%x*}x$((${size#*x} + 1))" "+L$output.camera" "$@"
+}
+
+# compare_with_oracle NAME SCENE WIDTHxHEIGHT "KEY=VALUE..." OPTION...: renders SCENE, which includes camera.inc, by our program and by
+# the oracle, and compares all pixels. The pixels which differ have to lie at an edge of what is seen. Leaves NAME.png.
+compare_with_oracle() {
+    local name=$1 scene=$2 size=$3 keys=$4 status=0
+    shift 4
+    mkdir -p "$name.ours"
+    "$oracle" camera size=$size $keys > "$name.ours/camera.inc" || return 1
+    render "$POVRAY" "$name.png" $size "+L$name.ours" "+I$scene" "$@" || { cat "$name.ours/camera.inc"; return 1; }
+    "$oracle" mesh "$name" size=$size $keys || return 1
+    oracle_frame "$name-oracle.png" "$name.inc" $size "+I$scene" "$@" || return 1
+    "$frames" oracle "$name.png" "$name-oracle.png" "$name.mask" "$name.far" || status=1
+    if [ -s "$name.far" ]; then
+        "$oracle" around "$name-around" "$name.far" size=$size $keys || return 1
+        oracle_frame "$name-around.png" "$name-around.inc" 25x$(wc -l < "$name.far") "+I$scene" "$@" || return 1
+        "$frames" edges "$name.png" "$name-around.png" "$name.far" || status=1
+    fi
+    return $status
+}
+
+# later NAME COMMAND...: runs the check in the background, $jobs at a time; results prints them in order.
+later_names=()
+later() {
+    local name=$1 number=${#later_names[@]}
+    shift
+    while [ "$(jobs -rp | wc -l)" -ge "$jobs" ]; do wait -n || true; done
+    later_names+=("$name")
+    { status=0; "$@" > "$scratch/later$number" 2>&1 || status=$?; echo $status > "$scratch/later$number.status"; } &
+}
+
+# results: a line of TAP for each; what a check said last stands behind its name.
+results() {
+    local number
+    wait
+    for number in "${!later_names[@]}"; do
+        verdict "$(cat "$scratch/later$number.status")" "${later_names[number]}: $(tail -1 "$scratch/later$number" | tr '#' ' ')" "$scratch/later$number"
+    done
+    later_names=()
+}

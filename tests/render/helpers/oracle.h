@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The tests' own integral camera, computed from optics.md alone, in long double and by brute force: it searches every
+// lens within reach, finds the slit's root by bisection, and shares no line with integral/optics.
+#ifndef TESTS_RENDER_HELPERS_ORACLE_H
+#define TESTS_RENDER_HELPERS_ORACLE_H
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace oracle {
+
+using Real = long double;
+using Point2 = std::array<Real, 2>;
+using Point3 = std::array<Real, 3>;
+
+/// A camera as the test's command line gives it. Lengths of sheet and aperture in mm, of the scene in scene units.
+struct Description {
+    std::string arrangement = "lenticular", mapping = "auto", shape = "rectangle";
+    Real pitch = 1.27L, thickness = 3.08L, ior = 1.6L, slant = 0; ///< slant in degrees
+    Point2 offset{0, 0}, dpi{300, 300};
+    std::optional<Point2> pixel_pitch;      ///< mm; instead of dpi
+    int width = 160, height = 120;          ///< pixels
+    std::optional<Point2> aperture;         ///< mm; default: fills a lens
+    std::optional<Real> sheet_distance, units_per_mm, angle;
+    std::optional<Point3> look_at;
+    Point3 location{0, 0, 0}, direction{0, 0, 1}, right{4 / 3.0L, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
+    struct Transform { std::string kind; Point3 value; };
+    std::vector<Transform> transforms;      ///< rotate, scale, translate in order
+};
+
+/// Reads "key=value" words; throws std::invalid_argument at one that it does not know.
+Description read_description(const std::vector<std::string>& words);
+
+/// The same camera in the scene language, for the renderer under test.
+std::string camera_text(const Description& description);
+/// An ordinary perspective camera with the same view.
+std::string perspective_text(const Description& description);
+
+/// The sheet in the scene: where its frame's millimetres are.
+struct Placed {
+    Point3 location;          ///< the aperture's centre
+    Point3 x, y, z;           ///< one mm along the sheet frame's axes, in scene units
+    Real distance;            ///< the aperture's, mm
+};
+Placed place(const Description& description);
+
+/// A lens by its lattice indices; a lenticular sheet uses the first alone.
+struct Lens { long first = 0, second = 0; };
+
+/// The ray of one film point through one lens, before any aperture: A on the aperture plane and the direction from A
+/// into the scene, both in the sheet frame (mm; A's z is -d).
+struct SheetRay { Lens lens; Point2 aperture_point; Point3 direction; };
+
+/// Section 3, steps 1 to 4; nothing if it is totally reflected.
+std::optional<SheetRay> ray_through(const Description&, Real distance, Point2 film_point, Lens lens);
+
+/// Sections 3 and 4: the ray that the film point gets; nothing if it images nothing. `margin` becomes the least relative
+/// distance of any decision taken (tie, aperture's edge) from the other outcome, where that is less than it was.
+std::optional<SheetRay> film_ray(const Description&, Real distance, Point2 film_point, Real& margin);
+
+/// Continuous pixel coordinates -> mm on the film.
+Point2 film_from_pixel(const Description&, Real px, Real py);
+
+/// Section 5: the aperture given or, by default, the one that fills a lens; its full width and height, mm.
+Point2 aperture_size(const Description&, Real distance);
+
+} // namespace oracle
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Fill of a lens by the aperture: the thesis's figures and the closed forms of optics.md section 5.
+#include "integral/optics/camera.h"
+#include "tests/unit/optics_sheets.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace integral;
+
+BOOST_AUTO_TEST_SUITE(optics_fill)
+
+BOOST_AUTO_TEST_CASE(equation_3_8_pinhole_spread)
+{
+    BOOST_TEST(micro_image_width({Arrangement::lenticular, 1.27, 3.08, 1.0, 0, {0, 0}}, 300, 195) == 2.002, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(equation_3_9_extended_pinhole_spread)
+{
+    const double width = micro_image_width({Arrangement::lenticular, 1.27, 3.08, 1.6, 0, {0, 0}}, 300, 195);
+    BOOST_TEST(std::fabs(width - 1.213) < 0.0005);
+    BOOST_TEST(width == 2 * 3.08 * 195 / std::sqrt(4 * 1.6 * 1.6 * 300 * 300 + 1.6 * 1.6 * 195 * 195 - 195 * 195), boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(equation_3_9_is_where_rays_from_the_aperture_meet_the_film)
+{
+    const LensSheet sheet{Arrangement::square, 2, 3.08, 1.6, 0, {0, 0}};
+    const SheetOptics optics(sheet, Aperture{300, 195, 195});
+    const double half = micro_image_width(sheet, 300, 195) / 2;
+    const auto edge = optics.ray_through({half, 0}, {0, 0});
+    BOOST_REQUIRE(edge);
+    BOOST_TEST(edge->aperture_point.x == -97.5, boost::test_tools::tolerance(1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(filling_width_is_the_inverse_of_micro_image_width)
+{
+    random_sheets::Generator random(8);
+    for (int k = 0; k < 5000; ++k) {
+        const LensSheet sheet = random.sheet();
+        const double distance = random.log_between(1, 1e5), cell = sheet.pitch * random.log_between(1e-3, 10);
+        const auto width = filling_width(sheet, distance, cell);
+        if (width)
+            BOOST_TEST(micro_image_width(sheet, distance, *width) == cell, boost::test_tools::tolerance(1e-9));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(no_aperture_fills_a_lens_that_reflects_totally)
+{
+    const LensSheet sheet{Arrangement::lenticular, 3, 1, 1.6, 0, {0, 0}}; // n (p/2)/sqrt((p/2)^2 + t^2) = 1.33
+    BOOST_TEST(!filling_aperture(sheet, 300));
+    CameraParameters parameters;
+    parameters.sheet = sheet;
+    BOOST_TEST(find_errors(parameters).size() == 1u);
+    parameters.capture_aperture = Vec2{100, 0};
+    BOOST_TEST(find_errors(parameters).empty());
+}
+
+BOOST_AUTO_TEST_CASE(paraxially_equation_3_5)
+{
+    const LensSheet sheet{Arrangement::square, 0.01, 3.08, 1.6, 0, {0, 0}};
+    BOOST_TEST(*filling_width(sheet, 300, sheet.pitch) == 300 * 1.6 * 0.01 / 3.08, boost::test_tools::tolerance(1e-5));
+}
+
+BOOST_AUTO_TEST_CASE(default_apertures_hold_the_cell)
+{
+    const auto slit = filling_aperture({Arrangement::lenticular, 1, 3, 1.5, 60, {0, 0}}, 400);
+    BOOST_TEST(slit->width == 0);
+    BOOST_TEST(slit->height == *filling_width({Arrangement::lenticular, 1, 3, 1.5, 0, {0, 0}}, 400, 1 / std::sin(60 * 3.14159265358979323846 / 180)),
+               boost::test_tools::tolerance(1e-12));
+    const auto hexagon = filling_aperture({Arrangement::hexagonal, 1, 3, 1.5, 0, {0, 0}}, 400);
+    BOOST_TEST(hexagon->height == *filling_width({Arrangement::hexagonal, 1, 3, 1.5, 0, {0, 0}}, 400, 2 / std::sqrt(3.0)),
+               boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(gap_off_the_axis)
+{
+    // optics.md section 5: about t/(nd) of the pitch stays dark, 0.6% at 300 mm
+    CameraParameters parameters;
+    parameters.film.pixel_pitch = {0.01, 0.01};
+    const double width = 4001, distance = 300;
+    ViewFrame view{{0, 0, 0}, {0, 0, distance}, {width * 0.01, 0, 0}, {0, 1, 0}, 1};
+    const Coverage part = coverage(make_camera(parameters, view, int(width), 1), 100000);
+    BOOST_TEST(1 - part.imaged > 0.005);
+    BOOST_TEST(1 - part.imaged < 0.010);
+}
+
+BOOST_AUTO_TEST_CASE(the_edge_of_the_aperture_belongs_to_it)
+{
+    const Aperture rectangle{1, 2, 4};
+    BOOST_TEST(contains(rectangle, {1, -2}));
+    BOOST_TEST(contains(rectangle, {1 + 0.5e-9, 0}));
+    BOOST_TEST(!contains(rectangle, {1 + 1e-8, 0}));
+    const Aperture ellipse{1, 2, 4, ApertureShape::ellipse};
+    BOOST_TEST(contains(ellipse, {0, 2}));
+    BOOST_TEST(!contains(ellipse, {0.8, 1.6}));
+    BOOST_TEST(contains(ellipse, {0.6, 1.6}));
+    BOOST_TEST(!contains(rectangle, {NAN, 0}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
