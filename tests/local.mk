@@ -6,6 +6,10 @@ build_tests_unit_SOURCES = $(unit_sources)
 build_tests_unit_CPPFLAGS = $(AM_CPPFLAGS) -DBOOST_TEST_DYN_LINK
 build_tests_unit_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_TEST_LIBS)
 
+check_PROGRAMS += build/tests/centroid
+build_tests_centroid_SOURCES = tests/replay/centroid.cpp
+build_tests_centroid_LDADD = -lpng
+
 EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
@@ -30,7 +34,7 @@ unit_sources = \
   tests/unit/optics_sheets.h
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-test_programs = build/tests/unit build/sanitized/unit build/sanitized/integral
+test_programs = build/tests/unit build/tests/centroid build/sanitized/unit build/sanitized/integral
 
 .PHONY: check-long
 check-local: $(test_programs) pristine

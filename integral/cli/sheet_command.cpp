@@ -102,8 +102,7 @@ void check(const FrameMetadata& geometry)
     CameraParameters parameters;
     parameters.sheet = geometry.sheet;
     parameters.film.pixel_pitch = geometry.film.pixel_pitch;
-    parameters.capture_aperture = Vec2{};
-    const auto errors = find_errors(parameters);
+    const auto errors = find_value_errors(parameters);
     if (!errors.empty())
         throw UsageError(errors.front());
 }

@@ -125,14 +125,13 @@ int side_at(const Object& object, const char* field)
     return static_cast<int>(number_at(object, field, 1, largest_side));
 }
 
-/// The ranges of sheet and film are the scene language's: one list of them, in find_errors.
+/// The ranges of sheet and film are the scene language's: one list of them, in find_value_errors.
 void check_ranges(const LensSheet& sheet, const Film& film)
 {
     CameraParameters parameters;
     parameters.sheet = sheet;
     parameters.film.pixel_pitch = film.pixel_pitch;
-    parameters.capture_aperture = Vec2{}; // the aperture is checked by aperture_from
-    const auto errors = find_errors(parameters);
+    const auto errors = find_value_errors(parameters);
     if (!errors.empty())
         throw std::invalid_argument(errors.front());
 }

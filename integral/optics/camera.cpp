@@ -67,6 +67,21 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     if (errors.empty() && !p.capture_aperture && !filling_aperture(p.sheet, 1))
         errors.push_back("no aperture, however wide, fills these lenses (they are too wide for their thickness "
                          "and ior): give capture_aperture <width, height> in mm");
+    if (errors.empty() && p.capture_aperture) {
+        const Vec2 extent = *p.capture_aperture;
+        if (p.sheet.arrangement != Arrangement::lenticular) {
+            if (!(extent.x > 0 && extent.y > 0))
+                errors.push_back("capture_aperture needs a width and a height greater than 0: nothing would be imaged");
+        } else {
+            const bool horizontal = slit_is_horizontal(p.sheet);
+            const double along = horizontal ? extent.x : extent.y, across = horizontal ? extent.y : extent.x;
+            if (!(along > 0) || across != 0)
+                errors.push_back(horizontal
+                    ? "the capture aperture of a lenticular sheet is a slit without height: capture_aperture <width, 0>, width greater than 0"
+                    : "the capture aperture of a lenticular sheet slanted by more than 45 degrees is a slit without width: "
+                      "capture_aperture <0, height>, height greater than 0");
+        }
+    }
     return errors;
 }
 

@@ -217,7 +217,7 @@ Comparison compare(const Frame& a, const Frame& b)
     const double pixels = double(width) * height;
     result.rmse = std::sqrt(squares / (pixels * channels));
     result.psnr = result.rmse == 0 ? std::numeric_limits<double>::infinity()
-                                   : -20 * std::log10(result.rmse);
+                                   : 20 * std::log10(1 / result.rmse);
     result.ssim = structural_similarity(luma_a, luma_b, width, height);
     result.within_two = double(close) / pixels;
     if (micro_images)

@@ -2,13 +2,13 @@
 //
 // biplane.pov -- a lenticular print with depth before, across and behind the sheet
 //
-// A stunt biplane over a sea of clouds: the near wing tip and the propeller come out of the paper, tail and far wing lie
-// behind it, and clouds and peaks stand farther back. Only side to side parallax, as under every lenticular sheet.
+// A stunt biplane over a sea of clouds: the near wing tip and the propeller come out of the paper, tail and far wing
+// lie behind it, and clouds and peaks stand farther back. Parallax from side to side, as under every lenticular sheet.
 //
-//   povray-integral +Ibiplane.pov +W2400 +H1600 +Obiplane.png        (or: povray-integral biplane.ini)
+//   povray-integral +Ibiplane.pov +W2400 +H1600 +Obiplane.png      (or: povray-integral biplane.ini)
 //   integral replay biplane.png --eye 100,0,480 -o view.png
 //
-// Frame      2400 x 1600 pixels at 300 dpi = 203.2 x 135.5 mm, 160 lenses; 1200 x 800 gives the same picture half as large
+// Frame      2400 x 1600 pixels at 300 dpi = 203.2 x 135.5 mm, 160 lenses; 1200 x 800 is the same, half as large
 // Sheet      lenticular, pitch 1.27 mm (15 pixels), thickness 3.08 mm, index 1.6, seen from 480 mm
 // Scale      1 unit = 13.33 mm; the sheet is the plane z = 0
 // Depth      wing tip -43 mm, wisp -35 mm, propeller -26 mm | far wing +25 mm, tail +38 mm, clouds +10 to +150 mm,
@@ -91,7 +91,8 @@ light_source { <-70, 5, -30>*10 srgb <.70, .78, .98>*.5 shadowless }
     #for (J, 0, M-1)
       #local A = 2*pi*J/M;
       #local T = (1 - cos(A))/2;                    // 0 leading edge .. 1 trailing edge
-      #local Y = Thick*C*(1.5*sqrt(T)*(1 - T) + .03)*sin(A)/max(.25, abs(sin(A)))*(sin(A) > 0 ? 1 : .45) + .10*C*T*(1 - T);
+      #local Side = sin(A)/max(.25, abs(sin(A)))*(sin(A) > 0 ? 1 : .45);     // upper face thicker than the lower
+      #local Y = Thick*C*(1.5*sqrt(T)*(1 - T) + .03)*Side + .10*C*T*(1 - T);
       #local P[I][J] = <S*Span/2, Y + abs(S)*Span/2*Dihedral, (T - .42)*C>;
     #end
   #end
@@ -148,13 +149,11 @@ light_source { <-70, 5, -30>*10 srgb <.70, .78, .98>*.5 shadowless }
 }
 
 #declare Engine = union {
-  difference {                                           // cowling ring
-    lathe { bezier_spline 12
-      <.80,-2.75> <.90,-2.95> <1.06,-2.90> <1.10,-2.70>
-      <1.10,-2.70> <1.16,-2.40> <1.14,-2.00> <1.04,-1.72>
-      <1.04,-1.72> <.95,-2.0> <.86,-2.4> <.80,-2.75>
-      rotate 90*x scale <1, 1, 1> }
-    plane { z, -10 }
+  lathe { bezier_spline 12                               // cowling ring
+    <.80, -2.75> <.90, -2.95> <1.06, -2.90> <1.10, -2.70>
+    <1.10, -2.70> <1.16, -2.40> <1.14, -2.00> <1.04, -1.72>
+    <1.04, -1.72> <.95, -2.0> <.86, -2.4> <.80, -2.75>
+    rotate 90*x
     texture { Paint_Cream }
   }
   cylinder { <0, 0, -2.0>, <0, 0, -1.9>, .95 texture { Dark } }
@@ -186,32 +185,41 @@ light_source { <-70, 5, -30>*10 srgb <.70, .78, .98>*.5 shadowless }
 #declare Propeller = union {
   #for (I, 0, 1)
     object { Blade
-      texture { pigment { gradient y color_map { [.86 srgb <.70, .40, .20>] [.86 srgb <1, .82, .25>] } scale 1.999 } finish { Gloss diffuse 1 emission .06 } }
+      texture {
+        pigment { gradient y color_map { [.86 srgb <.70, .40, .20>] [.86 srgb <1, .82, .25>] } scale 1.999 }
+        finish { Gloss diffuse 1 emission .06 }
+      }
       rotate 180*I*z }
   #end
-  lathe { cubic_spline 7 <0,-1> <0,-.62> <.16,-.45> <.27,-.18> <.30,.1> <.30,.2> <.3,.4> rotate 90*x texture { Steel } }
+  lathe { cubic_spline 7 <0, -1> <0, -.62> <.16, -.45> <.27, -.18> <.30, .1> <.30, .2> <.3, .4>     // spinner
+    rotate 90*x texture { Steel } }
 }
 
 #declare Pilot = union {
   sphere { 0, 1 scale <.26, .30, .29> texture { Leather } }
-  sphere { 0, 1 scale <.20, .25, .2> translate <0, -.06, -.12> texture { pigment { srgb <.90, .66, .52> } finish { Satin } } }
+  sphere { 0, 1 scale <.20, .25, .2> translate <0, -.06, -.12>
+    pigment { srgb <.90, .66, .52> } finish { Satin } }
   #for (S, -1, 1, 2)
     cylinder { <.1*S, .03, -.30>, <.1*S, .03, -.2>, .085 texture { Steel } }
   #end
   cylinder { <0, -.8, .05>, <0, -.2, 0>, .36 texture { Leather } }
   torus { .23, .1 translate -.30*y texture { Paint_Cream } }
-  sphere_sweep { b_spline 8 <.1,-.3,0>,.1 <.15,-.26,.2>,.1 <.22,-.16,.5>,.1 <.18,-.12,.9>,.11 <.30,-.02,1.3>,.11 <.22,.02,1.7>,.1 <.3,.1,2.0>,.08 <.3,.1,2.3>,.05
-    scale <1, 1, 1> texture { Paint_Cream } }
+  sphere_sweep { b_spline 8                              // scarf
+    <.1, -.3, 0>, .1  <.15, -.26, .2>, .1  <.22, -.16, .5>, .1  <.18, -.12, .9>, .11
+    <.30, -.02, 1.3>, .11  <.22, .02, 1.7>, .1  <.3, .1, 2.0>, .08  <.3, .1, 2.3>, .05
+    texture { Paint_Cream } }
 }
 
 #declare Biplane = union {
-  object { Body clipped_by { cylinder { <0, .3, 2>, <0, 1.6, 2>, .44 inverse } } texture { Body_Paint } }
+  object { Body                                           // with a hole for the cockpit
+    clipped_by { cylinder { <0, .3, 2>, <0, 1.6, 2>, .44 inverse } } texture { Body_Paint } }
   cylinder { <0, .0, 2>, <0, .78, 2>, .45 open texture { Leather } }
   disc { <0, .25, 2>, y, .45 texture { Dark } }
-  torus { .46, .07 scale <1, 1, 1> translate <0, .8, 2> texture { Leather } }
+  torus { .46, .07 translate <0, .8, 2> texture { Leather } }
   intersection {                                          // wind screen
     sphere { 0, .62 } sphere { 0, .59 inverse } plane { z, -.18 } plane { -y, 0 }
-    translate <0, .74, 1.85> pigment { rgbf <.9, .97, 1, .85> } finish { specular .8 roughness .01 reflection .12 }
+    translate <0, .74, 1.85>
+    pigment { rgbf <.9, .97, 1, .85> } finish { specular .8 roughness .01 reflection .12 }
   }
   object { Pilot translate <0, 1.2, 2.05> }
   object { Engine }
@@ -238,7 +246,7 @@ light_source { <-70, 5, -30>*10 srgb <.70, .78, .98>*.5 shadowless }
     object { Wing(3.6, 1.5, .07, 0) rotate 90*z }
     box { <-1, -.05, -3>, <1, 3, 3> }
     matrix <1, 0, 0, 0, 1, .22, 0, 0, 1, 0, 0, 0> translate <0, .1, 5.45>
-    texture { pigment { gradient y color_map { [.0 Red] [.42 Red] [.42 Cream] [.62 Cream] [.62 Red] } scale 2 } finish { Gloss } }
+    pigment { gradient y color_map { [.42 Red] [.42 Cream] [.62 Cream] [.62 Red] } scale 2 } finish { Gloss }
   }
 }
 
@@ -249,13 +257,14 @@ object { Biplane
 }
 
 // ---------------------------------------------------------------- sea of clouds
-// The landscape is painted, not lit: its colour follows the angle to the sun, and no aeroplane casts a shadow on it.
+// The landscape is painted, not lit: its colour follows the angle to the sun, and nothing casts a shadow on it.
 #declare Sun = vnormalize(<-.75, .62, -.45>);
 #declare Painted = finish { ambient 0 diffuse 0 emission 1 }
 #declare Haze = srgb <.98, .83, .72>;
 #declare Puff = function(x, y, z) { abs(2*f_noise3d(x, y, z) - 1) }
 #declare Billow = function(x, z) {                        // rounded heaps with creases between them
-  pow(min(1, 1.25*Puff(x, 1.7, z)), .75) + .42*pow(Puff(2.3*x+7, 0, 2.3*z+3), .8) + .2*Puff(5*x+1, 4, 5*z+5) + .09*Puff(10*x, 3, 10*z)
+  pow(min(1, 1.25*Puff(x, 1.7, z)), .75) + .42*pow(Puff(2.3*x+7, 0, 2.3*z+3), .8)
+  + .2*Puff(5*x+1, 4, 5*z+5) + .09*Puff(10*x, 3, 10*z)
 }
 #declare Sea_W = 48; #declare Sea_L = 10.5; #declare Sea_H = 3.2;
 height_field {
@@ -264,7 +273,9 @@ height_field {
   translate <-.5, -.5, 0> scale <Sea_W, Sea_H, Sea_L>
   matrix <1, 0, 0, 0, 1, 0, 0, .50, 1, 0, -5.6, .5>
   pigment { gradient z scale 11.2 pigment_map {
-    [.25 slope { Sun } color_map { [.35 srgb <.30, .40, .68>] [.55 srgb <.56, .60, .80>] [.72 srgb <.90, .80, .82>] [.88 srgb <1, .93, .84>] [1 srgb <1, .98, .94>] }]
+    [.25 slope { Sun } color_map {
+      [.35 srgb <.30, .40, .68>] [.55 srgb <.56, .60, .80>] [.72 srgb <.90, .80, .82>]
+      [.88 srgb <1, .93, .84>] [1 srgb <1, .98, .94>] }]
     [.8 slope { Sun } color_map { [.35 srgb <.66, .62, .80>] [.62 srgb <.92, .78, .78>] [.9 srgb <1, .88, .76>] }]
     [1 Haze] } }
   finish { Painted }
@@ -275,7 +286,8 @@ height_field {
 #declare Rocks = function(x, z) { .42 + .42*Ridge(x, z) + .30*Ridge(x, z)*Ridge(2.3*x+4, 2.3*z) }
 #declare Cone = function(x, z, a, b, r, h) { h*max(0, 1 - sqrt((x-a)*(x-a) + (z-b)*(z-b)*.5)/r) }
 #declare Peaks = function(x, z) {
-  max(Cone(x, z, .76, .45, .25, 1), max(Cone(x, z, .62, .62, .18, .62), max(Cone(x, z, .20, .5, .2, .75), Cone(x, z, .40, .7, .15, .45))))
+  max(max(Cone(x, z, .76, .45, .25, 1), Cone(x, z, .62, .62, .18, .62)),
+      max(Cone(x, z, .20, .5, .2, .75), Cone(x, z, .40, .7, .15, .45)))
 }
 height_field {
   function 600, 200 { min(.99, .95*Peaks(x, y)*Rocks(x*13, y*4)) }
@@ -284,14 +296,17 @@ height_field {
   pigment { function { min(1, max(0, (y + 2.9)/7.4)) } pigment_map {
     [.02 Haze]
     [.34 slope { Sun } color_map {
-      [.40 srgb <.22, .34, .60>] [.52 srgb <.34, .44, .68>] [.62 srgb <.62, .62, .78>] [.72 srgb <1, .86, .74>] [.92 srgb <1, .97, .92>] }] } }
+      [.40 srgb <.22, .34, .60>] [.52 srgb <.34, .44, .68>] [.62 srgb <.62, .62, .78>]
+      [.72 srgb <1, .86, .74>] [.92 srgb <1, .97, .92>] }] } }
   finish { Painted }
 }
 
 // ---------------------------------------------------------------- wisps: soft cards, one of them before the sheet
 #macro Wisp(Width, Height, Seed, Colour)
+  #local Across = 1.5*Width/Height;
   disc { 0, z, 1
-    pigment { function { max(0, min(1, (1 - x*x - y*y)*(2*f_noise3d(1.5*x*Width/Height + Seed, 1.5*y, Seed) - .32 + .18*f_noise3d(4*x*Width/Height, 4*y, Seed)))) }
+    pigment { function { max(0, min(1, (1 - x*x - y*y)
+        *(2*f_noise3d(Across*x + Seed, 1.5*y, Seed) - .32 + .18*f_noise3d(2.7*Across*x, 4*y, Seed)))) }
       color_map { [.05 srgbt <1, 1, 1, 1>] [.9 Colour transmit .12] } }
     finish { Painted } no_shadow
     scale <Width, Height, 1> }
@@ -308,4 +323,5 @@ disc { 0, z, 1                                          // mist where the clouds
 }
 
 sky_sphere { pigment { function { max(0, y + .02) } color_map {
-  [.00 Haze] [.05 srgb <.95, .85, .78>] [.12 srgb <.60, .77, .88>] [.24 srgb <.20, .47, .76>] [1 srgb <.05, .18, .5>] } } }
+  [0 Haze] [.05 srgb <.95, .85, .78>] [.12 srgb <.60, .77, .88>]
+  [.24 srgb <.20, .47, .76>] [1 srgb <.05, .18, .5>] } } }

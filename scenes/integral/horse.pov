@@ -2,8 +2,8 @@
 //
 // horse.pov -- a full parallax picture under square lenses
 //
-// A carousel: the jumper's head and raised legs come out of the paper, its quarters lie behind, two more horses and the
-// carousel's drum stand farther back, and the platform's edge runs along the front. Look over and under, left and right.
+// A carousel: the jumper's head and raised legs come out of the paper, its quarters lie behind, two more horses and
+// the drum stand farther back, and the platform's edge runs along the front. Look over and under, left and right.
 //
 //   povray-integral +Ihorse.pov +W2400 +H1800 +Ohorse.png            (or: povray-integral horse.ini)
 //   integral replay horse.png --eye 80,60,450 -o view.png
@@ -34,7 +34,9 @@ light_source { <-34, 21, -60>*4 srgb <1, .94, .84>*1.1 }
 light_source { <60, 14, -40>*4 srgb <.75, .80, 1>*.4 shadowless }
 light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fade_power 2 }
 
-#declare Enamel = finish { ambient 0 diffuse .8 specular .5 roughness .02 reflection { .02, .25 fresnel on } conserve_energy }
+#declare Enamel = finish {
+  ambient 0 diffuse .8 specular .5 roughness .02 reflection { .02, .25 fresnel on } conserve_energy
+}
 #declare Satin = finish { ambient 0 diffuse .8 specular .2 roughness .05 }
 #declare Gilt = texture {
   pigment { srgb <.95, .72, .28> }
@@ -153,24 +155,29 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
 #end
 
 #declare Mane = union {
-  #declare Roots = spline { natural_spline 0, <4.35, 5.0, 0>, .3, <3.45, 4.55, 0>, .65, <2.45, 3.1, 0>, 1, <1.45, 1.75, 0> }
+  #declare Roots = spline { natural_spline
+    0, <4.35, 5.0, 0>, .3, <3.45, 4.55, 0>, .65, <2.45, 3.1, 0>, 1, <1.45, 1.75, 0> }
   #for (I, 0, 10)
     #local T = I/10;
     #local A = Roots(T);
     #local Z = -(.50 + .12*T);
-    Lock(A + <.05, -.1, 0>, A + <-.15, -.05, Z>, A + <-.25, -.75, 1.25*Z>, A + <-.85, -1.15 - .3*mod(I, 2), 1.3*Z>, .32, z)
+    Lock(A + <.05, -.1, 0>, A + <-.15, -.05, Z>, A + <-.25, -.75, 1.25*Z>,
+      A + <-.85, -1.15 - .3*mod(I, 2), 1.3*Z>, .32, z)
     Lock(A + <.05, -.1, 0>, A + <-.2, 0, -Z>, A + <-.4, -.6, -1.25*Z>, A + <-.95, -1.0, -1.3*Z>, .30, z)
   #end
   Lock(<4.1, 5.0, 0>, <4.7, 5.0, -.1>, <5.05, 4.5, -.12>, <5.2, 3.9, -.1>, .24, z)
 }
 #declare Tail = union {
   #for (I, -3, 3)
-    Lock(<-3.6, .75, .05*I>, <-4.7 - .1*abs(I), 1.2 - .08*I, .14*I>, <-5.7, -.6 + .12*I, .22*I>, <-6.0 - .25*mod(I + 4, 3), -3.0 + .35*abs(I), .30*I>, .34, z)
+    Lock(<-3.6, .75, .05*I>, <-4.7 - .1*abs(I), 1.2 - .08*I, .14*I>, <-5.7, -.6 + .12*I, .22*I>,
+      <-6.0 - .25*mod(I + 4, 3), -3.0 + .35*abs(I), .30*I>, .34, z)
   #end
 }
 
 // Tack follows the body: a slightly fatter copy of its blob, cut to the shape of the strap or cloth.
-#macro Band(A, Along, Half) object { box { <-1e2, -Half, -9>, <1e2, Half, 9> } rotate degrees(atan2(Along.y, Along.x))*z translate A } #end
+#macro Band(A, Along, Half)
+  box { <-1e2, -Half, -9>, <1e2, Half, 9> rotate degrees(atan2(Along.y, Along.x))*z translate A }
+#end
 #macro Over_Trunk(T) blob { threshold T Trunk() Neck() } #end
 #macro Over_Head(T) blob { threshold T Neck() Head() } #end
 #macro Oval(A, Rx, Ry) cylinder { -9*z, 9*z, 1 scale <Rx, Ry, 1> translate A } #end
@@ -181,12 +188,17 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
     intersection { Over_Trunk(.200) Oval(<-.1, .60, 0>, 1.72, 1.55) texture { Cloth } }
     intersection { Over_Trunk(.185) Oval(<.05, .95, 0>, 1.30, 1.15) texture { Trim } }
     intersection { Over_Trunk(.205) Band(<.1, 0, 0>, y, .2) texture { Trim } }
-    intersection { Over_Trunk(.205) Band(<3.0, .0, 0>, <1.9, -1.15, 0>, .21) box { <1, -9, -9>, <9, 9, 9> } texture { Trim } }
-    intersection { Over_Trunk(.205) Band(<-3.0, .1, 0>, <2, .55, 0>, .19) box { <-9, -9, -9>, <-1.4, 9, 9> } texture { Trim } }
+    intersection { Over_Trunk(.205) Band(<3.0, .0, 0>, <1.9, -1.15, 0>, .21) box { <1, -9, -9>, 9 } texture { Trim } }
+    intersection { Over_Trunk(.205) Band(<-3.0, .1, 0>, <2, .55, 0>, .19) box { -9, <-1.4, 9, 9> } texture { Trim } }
     #for (S, -1, 1, 2)
-      #for (I, 0, 2) sphere { 0, 1 scale <.2, .2, .12> translate <2.2 + .45*I, .55 - .28*I, S*(1.42 - .16*I)> texture { Gilt } } #end
+      #for (I, 0, 2)
+        sphere { 0, 1 scale <.2, .2, .12> translate <2.2 + .45*I, .55 - .28*I, S*(1.42 - .16*I)> texture { Gilt } }
+      #end
       sphere { 0, 1 scale <.22, .22, .12> translate <-2.9, .12, S*1.66> texture { Gilt } }
-      sphere_sweep { b_spline 6 <5.6, 3.2, .5*S>, .085 <5.45, 2.95, .46*S>, .085 <4.2, 2.3, .9*S>, .085 <3.0, 2.1, .95*S>, .085 <1.6, 1.9, .4*S>, .085 <1.2, 1.9, .2*S>, .085 texture { Trim } }
+      sphere_sweep { b_spline 6                              // rein
+        <5.6, 3.2, .5*S>, .085  <5.45, 2.95, .46*S>, .085  <4.2, 2.3, .9*S>, .085
+        <3.0, 2.1, .95*S>, .085  <1.6, 1.9, .4*S>, .085  <1.2, 1.9, .2*S>, .085
+        texture { Trim } }
       sphere { <4.93, 4.32, .46*S>, .14 texture { pigment { srgb <.06, .04, .03> } finish { Enamel } } }
       sphere { <6.22, 2.62, .27*S>, .085 texture { pigment { srgb <.35, .12, .12> } finish { Satin } } }
       torus { .17, .05 rotate 90*x translate <5.42, 2.92, .43*S> texture { Gilt } }
@@ -197,8 +209,10 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
       sphere { 0, 1.414, 1 scale <.18, .42, .36> rotate -16*z translate <1.02, 1.85, 0> }
       texture { Trim } }
     intersection { Over_Head(.20) Band(<5.50, 3.12, 0>, <.78, .62, 0>, .15) box { <4.9, -9, -9>, 9 } texture { Trim } }
-    intersection { Over_Head(.20) Band(<4.52, 4.28, 0>, <.62, .78, 0>, .15) Band(<4.6, 4.37, 0>, <.78, -.62, 0>, .95) texture { Trim } }
-    intersection { Over_Head(.20) Band(<5.05, 3.62, 0>, <.62, -.78, 0>, .13) Band(<5.0, 3.7, 0>, <.72, .69, 0>, .72) texture { Trim } }
+    intersection { Over_Head(.20)
+      Band(<4.52, 4.28, 0>, <.62, .78, 0>, .15) Band(<4.6, 4.37, 0>, <.78, -.62, 0>, .95) texture { Trim } }
+    intersection { Over_Head(.20)
+      Band(<5.05, 3.62, 0>, <.62, -.78, 0>, .13) Band(<5.0, 3.7, 0>, <.72, .69, 0>, .72) texture { Trim } }
   }
 #end
 
@@ -212,7 +226,8 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
     #for (S, -1, 1, 2)
       difference {                                           // ears
         sphere { 0, 1 scale <.20, .50, .18> }
-        sphere { 0, 1 scale <.20, .44, .11> translate <.16, -.02, 0> texture { pigment { srgb <.75, .50, .46> } finish { Satin } } }
+        sphere { 0, 1 scale <.20, .44, .11> translate <.16, -.02, 0>
+          texture { pigment { srgb <.75, .50, .46> } finish { Satin } } }
         rotate <8*S, -35*S, -14> translate <4.22, 5.18, .30*S> texture { Coat }
       }
     #end
@@ -244,23 +259,27 @@ light_source { <4, 7.4, 4> srgb <1, .80, .52>*1.3 shadowless fade_distance 8 fad
   cone { <0, -2.4, 0>, .2, <0, -1.6, 0>, .4 }
   texture { Gilt }
 }
-#macro Rider(Coat, Hair, Cloth, Trim, Lift)
+#macro Rider(Coat, Hair, Cloth, Trim)
   union {
-    object { Horse(Coat, Hair, Cloth, Trim) translate <-.35, Lift, 0> }
-    object { Pole translate <.2, Lift*.0, 0> }
+    object { Horse(Coat, Hair, Cloth, Trim) translate -.35*x }
+    object { Pole translate .2*x }
     rotate 40*y
   }
 #end
 
-object { Rider(Paint(Ivory), Gilt, Paint(Teal), Paint(Red), .0) translate <-.3, .1, .6> }
-object { Rider(Paint(srgb <.36, .17, .08>), Paint(srgb <.96, .90, .78>), Paint(Red), Paint(srgb <.90, .72, .3>), .0) scale <.82, .82, .46> translate <-9.0, .8, 3.4> }
-object { Rider(Paint(srgb <.20, .20, .23>), Paint(srgb <.93, .92, .95>), Paint(srgb <.30, .12, .40>), Paint(srgb <.85, .82, .75>), .0) scale <.82, .82, .46> translate <9.3, -.6, 3.9> }
+object { Rider(Paint(Ivory), Gilt, Paint(Teal), Paint(Red)) translate <-.3, .1, .6> }
+object { Rider(Paint(srgb <.36, .17, .08>), Paint(srgb <.96, .90, .78>), Paint(Red), Paint(srgb <.90, .72, .3>))
+  scale <.82, .82, .46> translate <-9.0, .8, 3.4> }
+object { Rider(Paint(srgb <.20, .20, .23>), Paint(srgb <.93, .92, .95>), 
+    Paint(srgb <.30, .12, .40>), Paint(srgb <.85, .82, .75>))
+  scale <.82, .82, .46> translate <9.3, -.6, 3.9> }
 
 // Platform: planks that run round the carousel's hub; its front edge stands before the sheet.
 #declare Hub = <0, 0, 26>;
 union {
   cylinder { <0, -6.2, 0>, <0, -5.6, 0>, 29
-    pigment { radial frequency 80 color_map { [0 srgb <.30, .16, .08>] [.06 srgb <.62, .38, .21>] [.9 srgb <.70, .45, .26>] [1 srgb <.3, .16, .08>] } }
+    pigment { radial frequency 80 color_map {
+      [0 srgb <.30, .16, .08>] [.06 srgb <.62, .38, .21>] [.9 srgb <.70, .45, .26>] [1 srgb <.3, .16, .08>] } }
     finish { Satin reflection .06 } }
   torus { 29, .24 translate -5.75*y texture { Gilt } }
   cylinder { <0, -12, 0>, <0, -6, 0>, 28.8 open Paint(Red) }
@@ -268,23 +287,32 @@ union {
   translate Hub
 }
 
-// The drum in the middle, flattened so that its front is 60 mm behind the sheet: framed ovals between gilt columns, bulbs above.
+// The drum in the middle, flattened so that its front is 60 mm behind the sheet: framed ovals between gilt columns,
+// bulbs above.
 union {
-  cylinder { -6*y, 9*y, 15.6 open texture { pigment { srgb <.05, .38, .44> } finish { ambient 0 diffuse .32 emission .42 } } }
+  cylinder { -6*y, 9*y, 15.6 open
+    pigment { srgb <.05, .38, .44> } finish { ambient 0 diffuse .32 emission .42 } }
   torus { 15.7, .5 translate -5.6*y texture { Gilt } }
   #for (I, -4, 4)
     union {
       cylinder { <0, -6, -15.7>, <0, 9, -15.7>, .38 texture { Gilt } }
       union {
-        disc { 0, z, 1 pigment { gradient y color_map { [0 srgb <.90, .60, .48>] [.5 srgb <.98, .88, .72>] [1 srgb <.55, .72, .80>] } scale 2.01 translate -1*y } finish { ambient 0 diffuse .3 emission .5 } }
+        disc { 0, z, 1
+          pigment { gradient y scale 2.01 translate -1*y color_map {
+            [0 srgb <.90, .60, .48>] [.5 srgb <.98, .88, .72>] [1 srgb <.55, .72, .80>] } }
+          finish { ambient 0 diffuse .3 emission .5 } }
         torus { 1, .10 rotate 90*x texture { Gilt } }
         scale <1.9, 3.1, 1> translate <0, .6, -15.7> rotate 11*y
       }
-      #for (K, 0, 2) sphere { <0, 6.0, -16.1>, .38 rotate (K*22/3 - 7.33)*y pigment { rgb 1 } finish { ambient 0 diffuse 0 emission srgb <1, .86, .58>*1.4 } no_shadow } #end
+      #for (K, 0, 2)
+        sphere { <0, 6.0, -16.1>, .38 rotate (K*22/3 - 7.33)*y
+          pigment { rgb 1 } finish { ambient 0 diffuse 0 emission srgb <1, .86, .58>*1.4 } no_shadow }
+      #end
       rotate 22*I*y
     }
   #end
-  disc { 8.6*y, y, 29 pigment { radial frequency 32 color_map { [.5 Red] [.5 Ivory] } } finish { Satin emission .15 } no_shadow }
+  disc { 8.6*y, y, 29
+    pigment { radial frequency 32 color_map { [.5 Red] [.5 Ivory] } } finish { Satin emission .15 } no_shadow }
   scale <.94, .98, .55>  translate <0, -.1, 14.7>
 }
 sky_sphere { pigment { function { max(0, y) } color_map { [0 srgb <.55, .38, .42>] [.5 srgb <.12, .16, .36>] } } }

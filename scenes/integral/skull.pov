@@ -2,8 +2,8 @@
 //
 // skull.pov -- a still life in depth: glass, candle light and cast shadows under square lenses, upright format
 //
-// A vanitas: the skull's brow and teeth come up to the viewer, apple, scroll and table edge stand before the paper, candle
-// and hourglass behind the skull, a velvet curtain at the back. Refraction, highlights and shadows move with the eye, too.
+// A vanitas: the skull's brow and teeth come up to the viewer, apple, scroll and table edge stand before the paper,
+// candle and hourglass behind it, a velvet curtain at the back. Highlights and reflections move with the eye, too.
 //
 //   povray-integral +Iskull.pov +W1800 +H2400 +Oskull.png            (or: povray-integral skull.ini)
 //   integral replay skull.png --eye -80,0,450 -o view.png
@@ -11,8 +11,8 @@
 // Frame      1800 x 2400 pixels at 300 dpi = 152.4 x 203.2 mm, 136 x 181 lenses
 // Sheet      square, pitch 1.124 mm (13.28 pixels), thickness 3.23 mm, index 1.675, seen from 450 mm
 // Scale      1 unit = 10 mm; the sheet leans back by 5 degrees, near the plane z = 0
-// Depth      apple -40 mm, table edge and scroll -36 mm, face -25 mm | back of the skull and candle +50 mm,
-//            hourglass +60 mm, curtain +90 mm
+// Depth      apple -40 mm, table edge -39 mm, scroll -33 mm, face -20 mm | candle +32 mm, back of the skull and
+//            hourglass +50 mm, curtain +70 to +100 mm
 // Time       about 6 microseconds a pixel
 //
 #version 3.7;
@@ -32,13 +32,14 @@ camera {
 }
 
 #declare Flame = <5.4, 1.9, 3.2>;
-light_source { <-46, 44, -48>*4 srgb <1, .95, .86>*1.0 }                            // a window, out of the frame
+light_source { <-46, 44, -48>*4 srgb <1, .95, .86> }                                // a window, out of the frame
 light_source { <50, 10, -60>*4 srgb <.62, .70, 1>*.3 shadowless }
 light_source { Flame srgb <1, .62, .28>*2.2 fade_distance 5 fade_power 2 }          // the candle
 
 #declare Satin = finish { ambient 0 diffuse .8 specular .2 roughness .05 }
 #declare Bone = texture {
-  pigment { bozo turbulence .4 color_map { [0 srgb <.93, .86, .70>] [.5 srgb <.90, .81, .62>] [1 srgb <.80, .68, .48>] } scale .5 }
+  pigment { bozo turbulence .4 scale .5 color_map {
+    [0 srgb <.93, .86, .70>] [.5 srgb <.90, .81, .62>] [1 srgb <.80, .68, .48>] } }
   normal { granite .06 scale .8 }
   finish { ambient 0 diffuse .82 specular .18 roughness .04 }
 }
@@ -85,13 +86,15 @@ light_source { Flame srgb <1, .62, .28>*2.2 fade_distance 5 fade_power 2 }      
   texture { Hollow }
 }
 
-#macro Arch(A, R, Z) <R*sin(A), 0, Z - R*1.0*cos(A)> #end
+#macro Arch(A, R, Z) <R*sin(A), 0, Z - R*cos(A)> #end       // of the teeth
 #declare Teeth = union {
   #for (I, -6.5, 6.5)
     #local A = radians(I*13.5);
     #local W = .072 + .012*(abs(I) > 3);
-    superellipsoid { <.6, .6> scale <W, .15 - .008*abs(I), .06> rotate -I*13.5*y translate Arch(A, .44, -.72) + <0, -1.27, 0> }
-    superellipsoid { <.6, .6> scale <W*.92, .14 - .005*abs(I), .055> rotate -I*13.5*y translate Arch(A, .41, -.70) + <0, -1.51, 0> }
+    superellipsoid { <.6, .6> scale <W, .15 - .008*abs(I), .06>
+      rotate -I*13.5*y translate Arch(A, .44, -.72) - 1.27*y }
+    superellipsoid { <.6, .6> scale <W*.92, .14 - .005*abs(I), .055>
+      rotate -I*13.5*y translate Arch(A, .41, -.70) - 1.51*y }
   #end
   texture { pigment { srgb <.95, .89, .74> } finish { Satin } }
 }
@@ -119,7 +122,9 @@ light_source { Flame srgb <1, .62, .28>*2.2 fade_distance 5 fade_power 2 }      
   pigment { srgb <.90, .68, .30> }
   finish { ambient 0 diffuse .5 specular .8 roughness .03 metallic reflection { .2 metallic } }
 }
-#declare Gloss = finish { ambient 0 diffuse .8 specular .5 roughness .03 reflection { .02, .2 fresnel on } conserve_energy }
+#declare Gloss = finish {
+  ambient 0 diffuse .8 specular .5 roughness .03 reflection { .02, .2 fresnel on } conserve_energy
+}
 
 // A closed book on its side: spine towards -z, lower left front corner at the origin.
 #macro Book(W, H, D, Leather)
@@ -127,7 +132,8 @@ light_source { Flame srgb <1, .62, .28>*2.2 fade_distance 5 fade_power 2 }      
     intersection {                                      // pages
       box { <.12, .12, .1>, <W - .15, H - .12, D - .15> }
       cylinder { <-1, H/2, -.2>, <W + 1, H/2, -.2>, D }
-      pigment { gradient y color_map { [0 srgb <.93, .86, .70>] [.5 srgb <.80, .70, .52>] [1 srgb <.93, .86, .70>] } scale .22 }
+      pigment { gradient y scale .22 color_map {
+        [0 srgb <.93, .86, .70>] [.5 srgb <.80, .70, .52>] [1 srgb <.93, .86, .70>] } }
       finish { Satin }
     }
     union {
@@ -150,11 +156,14 @@ light_source { Flame srgb <1, .62, .28>*2.2 fade_distance 5 fade_power 2 }      
 #macro Leather(C) texture { pigment { C } normal { bumps .06 scale .25 } finish { Gloss } } #end
 
 #declare Candle = union {
-  lathe { cubic_spline 12 <0,-.1> <0,0> <2.0,0> <2.1,.2> <1.9,.38> <.75,.55> <.35,1.0> <.55,1.35> <.95,1.6> <1.0,1.8> <.85,1.85> <.0,1.8> texture { Gilt } }
-  torus { .55, .13 scale <1, 1.4, .6> rotate 0*x translate <0, .95, 0> rotate 90*x translate <2.2, .3, .95> texture { Gilt } }
+  lathe { cubic_spline 12                                // holder and its handle
+    <0, -.1> <0, 0> <2.0, 0> <2.1, .2> <1.9, .38> <.75, .55> <.35, 1.0> <.55, 1.35>
+    <.95, 1.6> <1.0, 1.8> <.85, 1.85> <0, 1.8>
+    texture { Gilt } }
+  torus { .55, .13 scale <1, 1.4, .6> rotate 90*x translate <2.2, .3, 1.9> texture { Gilt } }
   blob { threshold .25
     cylinder { <0, 1.7, 0>, <0, 5.9, 0>, .62*1.414, 1 }
-    #declare Rnd = seed(7);
+    #local Rnd = seed(7);
     #for (I, 0, 8)
       #local A = 2*pi*I/9 + rand(Rnd)*.4;
       #local L = 1.0 + 2.4*rand(Rnd);
@@ -167,47 +176,66 @@ light_source { Flame srgb <1, .62, .28>*2.2 fade_distance 5 fade_power 2 }      
   }
   cylinder { <0, 5.9, 0>, <.04, 6.75, 0>, .05 pigment { srgb .05 } }
   sphere { 0, 1 scale <.34, .95, .34>
-    pigment { gradient y color_map { [0 srgb <.9, .35, .1> transmit .6] [.45 srgb <1, .85, .45>] [.75 srgb <1, .95, .75>] [1 srgb <1, .7, .25>] } scale 1.95 translate -.97*y }
+    pigment { gradient y scale 1.95 translate -.97*y color_map {
+      [0 srgb <.9, .35, .1> transmit .6] [.45 srgb <1, .85, .45>] [.75 srgb <1, .95, .75>] [1 srgb <1, .7, .25>] } }
     finish { ambient 0 diffuse 0 emission 1.5 } no_shadow
     translate <.03, 7.35, 0> }
 }
 
 #declare Hourglass = union {
   #for (S, -1, 1, 2)
-    lathe { cubic_spline 9 <0,-.3> <0,0> <1.75,0> <1.9,.15> <1.75,.32> <1.55,.4> <1.35,.55> <0,.55> <0,.8> scale <1, -S, 1> translate S*3.3*y
+    lathe { cubic_spline 9
+      <0, -.3> <0, 0> <1.75, 0> <1.9, .15> <1.75, .32> <1.55, .4> <1.35, .55> <0, .55> <0, .8>
+      scale <1, -S, 1> translate S*3.3*y
       texture { pigment { srgb <.30, .14, .06> } finish { Gloss } } }
   #end
   #for (I, 0, 2)
-    lathe { cubic_spline 11 <0,-3.5> <.2,-3.0> <.24,-2.6> <.12,-2.2> <.14,-1.0> <.26,0> <.14,1.0> <.12,2.2> <.24,2.6> <.2,3.0> <0,3.5>
-      rotate 0 translate 1.5*x rotate (120*I + 75)*y texture { pigment { srgb <.38, .18, .08> } finish { Gloss } } }
+    lathe { cubic_spline 11
+      <0, -3.5> <.2, -3.0> <.24, -2.6> <.12, -2.2> <.14, -1.0> <.26, 0>
+      <.14, 1.0> <.12, 2.2> <.24, 2.6> <.2, 3.0> <0, 3.5>
+      translate 1.5*x rotate (120*I + 75)*y
+      texture { pigment { srgb <.38, .18, .08> } finish { Gloss } } }
   #end
-  lathe { cubic_spline 9 <1,-3.1> <1.0,-2.7> <1.18,-1.9> <.85,-.7> <.12,0> <.85,.7> <1.18,1.9> <1.0,2.7> <1,3.1>
+  lathe { cubic_spline 9                                 // glass
+    <1, -3.1> <1.0, -2.7> <1.18, -1.9> <.85, -.7> <.12, 0> <.85, .7> <1.18, 1.9> <1.0, 2.7> <1, 3.1>
     pigment { srgbt <.9, .97, 1, .88> } finish { ambient 0 diffuse .1 specular .9 roughness .008 reflection .10 } }
-  lathe { cubic_spline 7 <0,-3.0> <0,-2.7> <.95,-2.7> <1.12,-2.0> <.55,-1.45> <0,-1.0> <0,-.5> pigment { srgb <.92, .72, .42> } finish { Satin } }
-  lathe { cubic_spline 7 <0,-.6> <0,-.3> <.14,.05> <.70,.65> <.90,.95> <0,.75> <0,.6> pigment { srgb <.92, .72, .42> } finish { Satin } }
+  union {                                                // sand
+    lathe { cubic_spline 7 <0, -3.0> <0, -2.7> <.95, -2.7> <1.12, -2.0> <.55, -1.45> <0, -1.0> <0, -.5> }
+    lathe { cubic_spline 7 <0, -.6> <0, -.3> <.14, .05> <.70, .65> <.90, .95> <0, .75> <0, .6> }
+    pigment { srgb <.92, .72, .42> } finish { Satin } }
 }
 
 #declare Apple = union {
-  lathe { cubic_spline 11 <.2,.2> <.02,.45> <.25,.62> <.75,.72> <1.12,.35> <1.15,-.15> <.88,-.75> <.45,-1.02> <.15,-.92> <.0,-.85> <0,-.5>
-    pigment { bozo turbulence .5 scale <.5, 1.6, .5> color_map { [0 srgb <.72, .06, .05>] [.55 srgb <.80, .12, .06>] [1 srgb <.92, .55, .16>] } }
+  lathe { cubic_spline 11
+    <.2, .2> <.02, .45> <.25, .62> <.75, .72> <1.12, .35> <1.15, -.15>
+    <.88, -.75> <.45, -1.02> <.15, -.92> <0, -.85> <0, -.5>
+    pigment { bozo turbulence .5 scale <.5, 1.6, .5> color_map {
+      [0 srgb <.72, .06, .05>] [.55 srgb <.80, .12, .06>] [1 srgb <.92, .55, .16>] } }
     finish { Gloss } }
-  sphere_sweep { b_spline 5 <0,.2,0>,.06 <0,.4,0>,.06 <.05,.8,0>,.05 <.2,1.15,0>,.07 <.4,1.4,0>,.08 pigment { srgb <.25, .14, .06> } finish { Satin } }
+  sphere_sweep { b_spline 5 <0, .2, 0>, .06  <0, .4, 0>, .06  <.05, .8, 0>, .05  <.2, 1.15, 0>, .07  <.4, 1.4, 0>, .08
+    pigment { srgb <.25, .14, .06> } finish { Satin } }
 }
 
 #declare Scroll = union {                                // a rolled sheet with a ribbon and a seal
   cylinder { -2.7*x, 2.7*x, .55 open texture { pigment { srgb <.94, .87, .70> } finish { Satin } } }
   #for (S, -1, 1, 2)
-    disc { 0, z, .55 pigment { spiral1 1 color_map { [.7 srgb <.94, .87, .70>] [.8 srgb <.45, .34, .2>] [1 srgb <.94, .87, .70>] } scale .22 } finish { Satin } rotate 90*y translate 2.66*S*x }
+    disc { 0, z, .55
+      pigment { spiral1 1 scale .22 color_map {
+        [.7 srgb <.94, .87, .70>] [.8 srgb <.45, .34, .2>] [1 srgb <.94, .87, .70>] } }
+      finish { Satin } rotate 90*y translate 2.66*S*x }
   #end
   cylinder { -.22*x, .22*x, .58 pigment { srgb <.10, .22, .45> } finish { Gloss } }
-  sphere { 0, 1 scale <.5, .5, .16> rotate 20*x translate <0, .12, -.58> pigment { srgb <.62, .05, .05> } finish { Gloss } }
+  sphere { 0, 1 scale <.5, .5, .16> rotate 20*x translate <0, .12, -.58>
+    pigment { srgb <.62, .05, .05> } finish { Gloss } }
 }
 
 // ---------------------------------------------------------------- arrangement
 #declare Top = -6.6;                                     // of the table
 object { Book(9.6, 1.7, 6.8, Leather(srgb <.12, .24, .20>)) rotate -14*y translate <-5.1, Top, -1.6> }
 object { Book(8.4, 1.4, 6.0, Leather(srgb <.42, .07, .06>)) rotate 12*y translate <-3.6, Top + 1.7, -1.9> }
-object { Skull translate <0, 2.04, 1.05> rotate 4*x translate <0, 0, -1.05> scale 3.2 rotate 24*y translate <.2, Top + 3.08, 1.0> }
+object { Skull
+  translate <0, 2.04, 1.05> rotate 4*x translate -1.05*z scale 3.2    // resting on chin and jaw
+  rotate 24*y translate <.2, Top + 3.08, 1.0> }
 object { Candle scale 1.12 translate <Flame.x, Top, Flame.z> }
 object { Hourglass translate <-5.4, Top + 3.3, 5.0> }
 object { Scroll rotate 20*y translate <3.3, Top + .56, -2.7> }
@@ -217,7 +245,8 @@ union {                                                  // table
   box { <-40, Top - .7, -3.6>, <40, Top, 12> }
   cylinder { <-40, Top - .35, -3.6>, <40, Top - .35, -3.6>, .35 }
   box { <-40, Top - 9, -3.2>, <40, Top - .7, -2.8> }
-  pigment { wood turbulence .06 rotate 88*y rotate 3*x scale 1.6 color_map { [0 srgb <.30, .16, .08>] [.6 srgb <.42, .24, .12>] [1 srgb <.24, .12, .06>] } }
+  pigment { wood turbulence .06 rotate 88*y rotate 3*x scale 1.6 color_map {
+    [0 srgb <.30, .16, .08>] [.6 srgb <.42, .24, .12>] [1 srgb <.24, .12, .06>] } }
   finish { Satin reflection { .02, .25 fresnel on } }
   interior { ior 1.4 }
 }

@@ -20,7 +20,7 @@ camera {
   angle 2*degrees(atan2(101.6/2, 350))                         // the window at the sheet: 101.6 units wide
 }
 // 101.6 units = 101.6 mm, so here 1 unit is 1 mm. What is at z < 0 floats before the sheet, z > 0 lies behind it.
-// Keep important things within some 40 mm of the sheet: farther away they blur, the more so the fewer pixels a lens has.
+// Keep important things within some 40 mm of the sheet: farther away they blur, the more the fewer pixels a lens has.
 
 light_source { <-200, 300, -400> rgb 1 }
 light_source { <300, 100, -300> rgb .35 shadowless }

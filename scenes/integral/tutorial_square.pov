@@ -13,7 +13,7 @@ global_settings { assumed_gamma 1.0 }
 
 camera {
   integral
-  Integral_Sheet_1124()                                        // = lens_sheet { square pitch 1.124 thickness 3.23 ior 1.675 }
+  Integral_Sheet_1124()                                  // = lens_sheet { square pitch 1.124 thickness 3.23 ior 1.675 }
   Integral_Film_300()                                          // = film { dpi 300 }
   location <0, 0, -350>
   look_at <0, 0, 0>

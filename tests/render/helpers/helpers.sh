@@ -11,8 +11,8 @@ export scenes oracle frames scratch
 render() {
     local program=$1 output=$2 size=$3 status=0
     shift 3
-    "$program" -D -GA +WT1 "+L$scenes" "$@" "+O$output" "+W${size%x*}" "+H${size#*x}" > "$output.said" 2>&1 < /dev/null || status=$?
-    [ $status = 0 ] || { echo "$program $* fails ($status):"; grep -v '^$' "$output.said" | tail -5; return 1; }
+    "$program" -D +WT1 "+L$scenes" "$@" "+O$output" "+W${size%x*}" "+H${size#*x}" > "$output.said" 2>&1 < /dev/null || status=$?
+    [ $status = 0 ] || { echo "$program $* fails ($status):"; grep -v '^$' "$output.said" | tail -8; return 1; }
     [ -s "$output" ] || { echo "$program $* writes no $output"; return 1; }
 }
 
