@@ -33,8 +33,18 @@ unit_sources = \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h
 
+# What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
+check_PROGRAMS += build/tests/oracle build/tests/frames
+build_tests_oracle_SOURCES = \
+  tests/render/helpers/oracle.h \
+  tests/render/helpers/oracle_camera.cpp \
+  tests/render/helpers/oracle_main.cpp \
+  tests/render/helpers/oracle_optics.cpp
+build_tests_frames_SOURCES = tests/render/helpers/frames.cpp
+build_tests_frames_LDADD = $(FRAME_LIBS)
+
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-test_programs = build/tests/unit build/tests/centroid build/sanitized/unit build/sanitized/integral
+test_programs = build/tests/unit build/tests/centroid build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames
 
 .PHONY: check-long
 check-local: $(test_programs) pristine

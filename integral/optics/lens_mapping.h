@@ -40,7 +40,7 @@ struct MappedPoint {
 /// every thread of a render.
 class SheetOptics {
 public:
-    /// All three must hold what their comments demand; see parameters.h for the checks.
+    /// All three must hold what their comments demand; see find_errors in camera.h for the checks.
     SheetOptics(const LensSheet& sheet, const Aperture& aperture);
 
     /// Lens and ray of a film point.

@@ -5,12 +5,15 @@
 // frames same A B                    every pixel is equal (as 16-bit RGBA); prints how many are not
 // frames near A B TOLERANCE FRACTION at least FRACTION of the pixels differ by no more than TOLERANCE/255 in any channel
 // frames mirror A B                  A's rows, read backwards, are B's
-// frames crop A X Y B                B is the part of A whose top-left pixel is (X, Y)
+// frames crop A B X Y W H            A and B are equal in the rectangle whose top-left pixel is (X, Y)
+// frames shrink A N B TOLERANCE FRACTION  like near, for what +AM1 +A0.0 +RN makes of A's squares of N by N pixels, N odd: their mean, the
+//                                    middle one counted twice; needs linear pixels (File_Gamma=1)
 // frames alike A B RMSE              root mean square difference over all pixels and channels <= RMSE/255
 // frames channels A MIN-MEAN         the mean of red, green, blue and the standard deviation are at least MIN-MEAN/255
 // frames pixel A X Y                 prints "r g b a" in 0...65535
-// frames oracle OURS ORACLE MASK FAR pixels that MASK calls empty are exactly 0 in OURS; of the others writes those that
+// frames oracle OURS ORACLE MASK FAR pixels that MASK calls empty (0; - is not compared) are exactly 0 in OURS; of the others writes those that
 //                                    differ by more than 2/255 as "i j" lines into FAR; at most 0.5% may
+// frames masked-alike A ORACLE MASK RMSE  like alike, for the pixels that MASK calls imaged (1)
 // frames edges OURS AROUND FAR       for each pixel of FAR the row of AROUND (oracle around) holds its neighbourhood: OURS has
 //                                    to lie within what is seen there, at most one pixel away; prints the worst radius
 // Exit status: 0 yes, 1 no, 2 unreadable or wrong usage.
@@ -135,6 +138,18 @@ bool alike(const Frame& a, const Frame& b, double limit)
     return rmse <= limit;
 }
 
+bool masked_alike(const Frame& a, const Frame& b, const std::string& mask_name, double limit)
+{
+    Frame x = a, y = b;
+    std::ifstream mask(mask_name);
+    x.pixels.clear();
+    y.pixels.clear();
+    char imaged;
+    for (std::size_t p = 0; p < a.pixels.size() && mask >> imaged; p++)
+        if (imaged == '1') x.pixels.push_back(a.pixels[p]), y.pixels.push_back(b.pixels[p]);
+    return !x.pixels.empty() && alike(x, y, limit);
+}
+
 bool channels(const Frame& a, double least)
 {
     double sum = 0, squares = 0;
@@ -150,7 +165,7 @@ bool oracle(const Frame& ours, const Frame& theirs, const std::string& mask_name
     need_same_size(ours, theirs);
     std::ifstream mask(mask_name);
     std::ofstream far(far_name);
-    long imaged = 0, differ = 0, not_black = 0, exact = 0;
+    long imaged = 0, empty = 0, differ = 0, not_black = 0, exact = 0;
     int most = 0;
     for (int j = 0; j < ours.height; j++) {
         std::string row;
@@ -158,7 +173,9 @@ bool oracle(const Frame& ours, const Frame& theirs, const std::string& mask_name
         if (row.size() != std::size_t(ours.width)) throw std::runtime_error(mask_name + ": wrong size");
         for (int i = 0; i < ours.width; i++) {
             const Pixel& p = ours.at(i, j);
+            if (row[i] == '-') continue; // not compared
             if (row[i] == '0') {
+                empty++;
                 // Black, and transparent where the frame has an alpha channel.
                 const bool black = p[0] == 0 && p[1] == 0 && p[2] == 0 && p[3] == (ours.channels == 4 ? 0 : 65535);
                 if (!black && !not_black++) std::cout << "not empty: " << i << ' ' << j << '\n';
@@ -172,7 +189,7 @@ bool oracle(const Frame& ours, const Frame& theirs, const std::string& mask_name
         }
     }
     std::cout << imaged << " imaged, " << exact << " equal, " << differ << " by more than 2/255, at most " << most / 257.0
-              << "/255; " << ours.pixels.size() - imaged << " empty, of which not black: " << not_black << '\n';
+              << "/255; " << empty << " empty, of which not black: " << not_black << '\n';
     return not_black == 0 && differ <= 0.005 * ours.pixels.size();
 }
 
@@ -206,6 +223,35 @@ bool edges(const Frame& ours, const std::string& around_name, const std::string&
     return bad == 0;
 }
 
+/// The rectangle that the words 3 to 6 give.
+Frame part(const Frame& a, const std::vector<std::string>& w)
+{
+    Frame b = a;
+    const int x = std::stoi(w[3]), y = std::stoi(w[4]);
+    b.width = std::stoi(w[5]);
+    b.height = std::stoi(w[6]);
+    if (x + b.width > a.width || y + b.height > a.height) throw std::runtime_error("the part is larger than the whole");
+    b.pixels.clear();
+    for (int j = 0; j < b.height; j++)
+        for (int i = 0; i < b.width; i++) b.pixels.push_back(a.at(x + i, y + j));
+    return b;
+}
+
+Frame shrink(const Frame& a, int n)
+{
+    Frame b = a;
+    b.width = a.width / n;
+    b.height = a.height / n;
+    b.pixels.assign(std::size_t(b.width) * b.height, Pixel{});
+    for (int j = 0; j < b.height * n; j++)
+        for (int i = 0; i < b.width * n; i++)
+            for (int c = 0; c < 4; c++)
+                b.pixels[std::size_t(j / n) * b.width + i / n][c] += a.at(i, j)[c] * (i % n == n / 2 && j % n == n / 2 ? 2 : 1);
+    for (Pixel& p : b.pixels)
+        for (int& c : p) c = (c + n * n / 2) / (n * n + 1);
+    return b;
+}
+
 bool run(const std::vector<std::string>& w)
 {
     const auto is = [&](const char* name, std::size_t count) { return w.size() == count + 1 && w[0] == name; };
@@ -225,12 +271,12 @@ bool run(const std::vector<std::string>& w)
         need_same_size(a, b);
         return all_equal(b, [&](int i, int j) { return a.at(a.width - 1 - i, j); });
     }
-    if (is("crop", 4)) {
-        const Frame a = frame(1), b = frame(4);
-        const int x = std::stoi(w[2]), y = std::stoi(w[3]);
-        if (x + b.width > a.width || y + b.height > a.height) throw std::runtime_error("the part is larger than the whole");
-        return all_equal(b, [&](int i, int j) { return a.at(x + i, y + j); });
+    if (is("crop", 6)) {
+        const Frame a = frame(1), b = frame(2);
+        need_same_size(a, b);
+        return all_equal(part(b, w), [&](int i, int j) { return a.at(std::stoi(w[3]) + i, std::stoi(w[4]) + j); });
     }
+    if (is("shrink", 5)) return near(shrink(frame(1), std::stoi(w[2])), frame(3), std::stod(w[4]), std::stod(w[5]));
     if (is("pixel", 3)) {
         const Frame a = frame(1);
         const Pixel p = a.at(std::stoi(w[2]), std::stoi(w[3]));
@@ -239,6 +285,10 @@ bool run(const std::vector<std::string>& w)
     }
     if (is("near", 4)) return near(frame(1), frame(2), std::stod(w[3]), std::stod(w[4]));
     if (is("alike", 3)) return alike(frame(1), frame(2), std::stod(w[3]));
+    if (is("masked-alike", 4)) {
+        const Frame a = frame(1);
+        return masked_alike(a, read_oracle(w[2], a.height), w[3], std::stod(w[4]));
+    }
     if (is("channels", 2)) return channels(frame(1), std::stod(w[2]));
     if (is("oracle", 4)) {
         const Frame ours = frame(1);

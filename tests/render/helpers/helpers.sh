@@ -17,14 +17,14 @@ render() {
 }
 
 # oracle_frame OUTPUT MESH-CAMERA WIDTHxHEIGHT OPTION...: the unmodified program's frame of those rays (one row higher: see frames.cpp).
-# The scene includes camera.inc, which is taken from the folder that is made here.
+# The scene includes camera.inc, which is taken from the folder that is made here. oracle_options: for the oracle alone.
 oracle_frame() {
     local output=$1 camera=$2 size=$3
     shift 3
     rm -rf "$output.camera"
     mkdir "$output.camera"
     ln "$camera" "$output.camera/camera.inc"
-    render "$PRISTINE" "$output" "${size%x*}x$((${size#*x} + 1))" "+L$output.camera" "$@"
+    render "$PRISTINE" "$output" "${size%x*}x$((${size#*x} + 1))" "+L$output.camera" "$@" ${oracle_options:-}
 }
 
 # compare_with_oracle NAME SCENE WIDTHxHEIGHT "KEY=VALUE..." OPTION...: renders SCENE, which includes camera.inc, by our program and by
@@ -37,12 +37,14 @@ compare_with_oracle() {
     render "$POVRAY" "$name.png" $size "+L$name.ours" "+I$scene" "$@" || { cat "$name.ours/camera.inc"; return 1; }
     "$oracle" mesh "$name" size=$size $keys || return 1
     oracle_frame "$name-oracle.png" "$name.inc" $size "+I$scene" "$@" || return 1
-    "$frames" oracle "$name.png" "$name-oracle.png" "$name.mask" "$name.far" || status=1
+    "$frames" oracle "$name.png" "$name-oracle.png" "$name.mask" "$name.far" > "$name.counts" || status=1
     if [ -s "$name.far" ]; then
         "$oracle" around "$name-around" "$name.far" size=$size $keys || return 1
         oracle_frame "$name-around.png" "$name-around.inc" 25x$(wc -l < "$name.far") "+I$scene" "$@" || return 1
-        "$frames" edges "$name.png" "$name-around.png" "$name.far" || status=1
+        "$frames" edges "$name.png" "$name-around.png" "$name.far" > "$name.edges" || status=1
     fi
+    grep -h "^not " "$name.counts" "$name.edges" 2>/dev/null || true
+    echo "$(tail -1 "$name.counts")$([ ! -e "$name.edges" ] || echo "; $(tail -1 "$name.edges")")"
     return $status
 }
 
@@ -58,10 +60,11 @@ later() {
 
 # results: a line of TAP for each; what a check said last stands behind its name.
 results() {
-    local number
+    local number said
     wait
     for number in "${!later_names[@]}"; do
-        verdict "$(cat "$scratch/later$number.status")" "${later_names[number]}: $(tail -1 "$scratch/later$number" | tr '#' ' ')" "$scratch/later$number"
+        said=$(tail -1 "$scratch/later$number" | tr '#' ' ')
+        verdict "$(cat "$scratch/later$number.status")" "${later_names[number]}${said:+: $said}" "$scratch/later$number"
     done
     later_names=()
 }

@@ -23,11 +23,15 @@ struct Description {
     std::optional<Point2> pixel_pitch;      ///< mm; instead of dpi
     int width = 160, height = 120;          ///< pixels
     std::optional<Point2> aperture;         ///< mm; default: fills a lens
+    std::optional<Point2> depth_range;      ///< mm; in the camera's text alone: the oracle's scene is clipped instead
     std::optional<Real> sheet_distance, units_per_mm, angle;
     std::optional<Point3> look_at;
     Point3 location{0, 0, 0}, direction{0, 0, 1}, right{4 / 3.0L, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
     struct Transform { std::string kind; Point3 value; };
     std::vector<Transform> transforms;      ///< rotate, scale, translate in order
+    /// For tests whose rays differ by where they start: the pixels with A left (-1) or right (+1) of x = only_from (mm) alone.
+    int only = 0;
+    Real only_from = 0;
 };
 
 /// Reads "key=value" words; throws std::invalid_argument at one that it does not know.

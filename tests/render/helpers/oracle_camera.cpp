@@ -64,6 +64,11 @@ Description read_description(const std::vector<std::string>& words)
         if (key == "arrangement") { d.arrangement = text; continue; }
         if (key == "mapping") { d.mapping = text; continue; }
         if (key == "shape") { d.shape = text; continue; }
+        if (key == "left_of" || key == "right_of") {
+            d.only = key == "left_of" ? -1 : 1;
+            d.only_from = numbers(key, text).at(0);
+            continue;
+        }
         if (key == "size") {
             char x = 0;
             std::istringstream(text) >> d.width >> x >> d.height;
@@ -81,6 +86,7 @@ Description read_description(const std::vector<std::string>& words)
         else if (key == "dpi") d.dpi = pair();
         else if (key == "pixel_pitch") d.pixel_pitch = pair();
         else if (key == "aperture") d.aperture = pair();
+        else if (key == "depth_range") d.depth_range = pair();
         else if (key == "sheet_distance") d.sheet_distance = scalar();
         else if (key == "units_per_mm") d.units_per_mm = scalar();
         else if (key == "angle") d.angle = scalar();
@@ -130,6 +136,7 @@ std::string camera_text(const Description& d)
     out << " }\n";
     if (d.sheet_distance) out << "  sheet_distance " << *d.sheet_distance << '\n';
     if (d.aperture) out << "  capture_aperture <" << (*d.aperture)[0] << ", " << (*d.aperture)[1] << ">\n";
+    if (d.depth_range) out << "  depth_range <" << (*d.depth_range)[0] << ", " << (*d.depth_range)[1] << ">\n";
     if (d.shape != "rectangle") out << "  aperture_shape " << d.shape << '\n';
     if (d.mapping != "auto") out << "  lens_mapping " << d.mapping << '\n';
     out << view_text(d) << "}\n";

@@ -4,6 +4,7 @@
 //                                        POV-Ray; OUT.mask: a row of 0 (images nothing) and 1 a line of pixels
 // oracle rays OUT KEY=VALUE...           OUT.csv: A, P and the direction of every imaged pixel in the scene, for SDL's
 //                                        #read: "imaged, Ax, Ay, Az, Px, Py, Pz, dx, dy, dz,"; OUT.mask as above
+//                                        left_of=X or right_of=X (mm on the aperture) leaves out the others: - in the mask
 // oracle around OUT PIXELS KEY=VALUE...  for every "i j" line of the file PIXELS a row of film points about that pixel,
 //                                        through the pixel's own lens, as a mesh_camera in OUT.inc: the pixel itself, then 8
 //                                        points at each of the radii 0.02, 0.2 and 1 pixel
@@ -90,12 +91,20 @@ void frame(const Description& d, const std::string& out, bool csv)
     if (csv) rays.open(out + ".csv"), rays.precision(17);
     Real margin = 1;
     long imaged = 0;
+    // Rays that are left out are traced like the first that is not: no pixel starts elsewhere.
+    std::optional<SheetRay> first;
+    const auto left_out = [&](const SheetRay& ray) { return d.only * (ray.aperture_point[0] - d.only_from) < 0; };
+    for (int n = 0; d.only && !first && n < d.width * d.height; n++) {
+        first = film_ray(d, placed.distance, film_from_pixel(d, n % d.width + 0.5L, n / d.width + 0.5L), margin);
+        if (first && left_out(*first)) first.reset();
+    }
     for (int j = 0; j < d.height; j++, mask << '\n')
         for (int i = 0; i < d.width; i++) {
             const auto ray = film_ray(d, placed.distance, film_from_pixel(d, i + 0.5L, j + 0.5L), margin);
-            mask << (ray ? '1' : '0');
+            const bool skipped = ray && left_out(*ray);
+            mask << (skipped ? '-' : ray ? '1' : '0');
             imaged += ray.has_value();
-            if (mesh) { mesh->add(ray ? &*ray : nullptr); continue; }
+            if (mesh) { mesh->add(ray && !skipped ? &*ray : first ? &*first : nullptr); continue; }
             if (!ray) { rays << "0,0,0,0,0,0,0,0,0,0,\n"; continue; }
             const Point3 a = along(placed, ray->aperture_point[0], ray->aperture_point[1], 0);
             const Point3 w = along(placed, ray->direction[0], ray->direction[1], ray->direction[2]);

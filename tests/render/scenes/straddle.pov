@@ -7,4 +7,7 @@ global_settings { assumed_gamma 1 max_trace_level 6 }
 #ifndef (Turn) #declare Turn = 0; #end
 #declare Placement = transform { rotate <Turn * 0.5, Turn, Turn * 1.5> scale Scale translate Turn * Scale * <0.3, 0.1, -0.2> }
 #include "camera.inc"
+#ifdef (Front) // what depth_range leaves of it, for a camera without
+  #declare Clip = box { <-1e4, -1e4, -Front>, <1e4, 1e4, Back> }
+#end
 #include "straddle.inc"

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// straddle.inc under a large area light: slow enough to be interrupted.
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 8 }
+#declare Placement = transform { scale 1 }
+#include "camera.inc"
+#include "straddle.inc"
+light_source { <2, 14, -9>, rgb 0.3 area_light x * 6, z * 6, 24, 24 }
+light_source { <-6, 10, 12>, rgb 0.2 area_light x * 6, y * 6, 24, 24 }
