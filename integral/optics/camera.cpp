@@ -94,8 +94,12 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
         fail("the frame has no pixels");
 
     const double right = length(view.right), up = length(view.up), axis = length(view.direction);
-    if (!(right > 0) || !(up > 0) || !(axis > 0))
-        fail("the camera's right, up and direction must not be zero vectors");
+    if (!std::isfinite(length(view.location)))
+        fail("location must be finite");
+    if (!(right > 0 && up > 0 && axis > 0 && std::isfinite(right * up * axis)))
+        fail("right, up and direction must be finite and not zero");
+    if (!(std::fabs(dot(cross(view.right, view.up), view.direction)) > 1e-9 * right * up * axis))
+        fail("right, up and direction must not lie in one plane");
     const Film film{width, height, p.film.pixel_pitch};
     const double sheet_distance = view.sheet_distance_ratio * axis; // D, scene units
     const double window = view.sheet_distance_ratio * right;        // S, scene units

@@ -143,6 +143,8 @@ std::string IntegralGrammar::Parse_Choice(const char* word, const std::vector<st
 {
     const std::string choice = Next_Word();
     parser.Get_Token();
+    if (parser.Token.Token_Id == STRING_LITERAL_TOKEN)
+        parser.Error("A %s is written without quotes: %s expected.", word, List(legal).c_str());
     if (std::find(legal.begin(), legal.end(), choice) == legal.end())
         parser.Error("'%s' is not a %s: %s expected.", choice.c_str(), word, List(legal).c_str());
     return choice;
@@ -343,8 +345,9 @@ void IntegralGrammar::Settle(Camera& camera)
         Apply_Option(block);
     DBL direction;
     VLength(direction, camera.Direction);
-    if (!(direction > 0))
-        parser.Error("An integral camera needs a direction that is not zero.");
+    if (!(direction > 0) || std::isinf(direction))
+        parser.Error("An integral camera needs a direction that is finite and not zero; it follows from location, look_at "
+                     "and direction.");
     const double distance = block.parameters.sheet_distance ? *block.parameters.sheet_distance
                           : block.look_at_distance > 0 ? block.look_at_distance : direction;
     block.sheet_distance_ratio = distance / direction;
