@@ -22,8 +22,9 @@ static void Add(std::atomic<long long>& counter, bool one)
 void IntegralTracer::Setup(const Camera& camera)
 {
     block = camera.Integral;
-    active = block && block->integral && block->optics && block->counts;
-    if (active)
+    active = block && block->integral && block->optics;
+    tally = nullptr;
+    if (active && block->counts)
     {
         std::lock_guard<std::mutex> lock(block->counts->mutex);
         tally = &block->counts->tallies.emplace_back();
@@ -37,7 +38,7 @@ bool IntegralTracer::Create_Ray(Ray& ray, double px, double py, bool counted, do
     // film point -> lens -> line through its pole
     const integral::Vec2 film_point = integral::film_from_pixel(camera.film, {px, py});
     const integral::MappedPoint mapped = camera.optics.map(film_point, camera.mapping);
-    if (counted)
+    if (counted && tally)
     {
         Add(tally->film_points, true);
         Add(tally->rays, mapped.ray.has_value());

@@ -29,7 +29,7 @@ class IntegralTracer
 
     private:
         std::shared_ptr<const IntegralBlock> block;
-        IntegralTally* tally = nullptr; ///< in the block's counts
+        IntegralTally* tally = nullptr; ///< in the block's counts, if it keeps any (a clockless animation's cameras do not)
         bool active = false;
 };
 
