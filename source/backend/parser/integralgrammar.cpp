@@ -293,6 +293,10 @@ void IntegralGrammar::Parse_Option()
     parser.Echo_Indx = 0;
     parser.Add_Sym_Table();
 
+    // whatever it says of #version, the scene has said nothing yet
+    const auto version = parser.sceneData->languageVersion;
+    const bool version_set = parser.sceneData->languageVersionSet;
+
     option = std::make_shared<IntegralBlock>();
     parser.Parse_Begin();
     while (Parse_Word(*option))
@@ -304,6 +308,12 @@ void IntegralGrammar::Parse_Option()
     if (parser.Skip_Spaces())
         parser.Error("Integral_Camera has a '}' too many.");
     option_level = 0;
+
+    parser.sceneData->languageVersion = version;
+    parser.sceneData->languageVersionSet = version_set;
+    parser.sceneData->languageVersionLate = false;
+    parser.messageFactory.SetLanguageVersion(version);
+    parser.token_count = 0;
 }
 
 /// Puts the words of Integral_Camera= in the place of the camera's own.

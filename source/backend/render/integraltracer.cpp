@@ -3,6 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integraltracer.h"
+#include "backend/render/integralcontainers.h"
 #include "backend/render/ray.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -19,11 +20,12 @@ static void Add(std::atomic<long long>& counter, bool one)
     counter.store(counter.load(std::memory_order_relaxed) + one, std::memory_order_relaxed);
 }
 
-void IntegralTracer::Setup(const Camera& camera)
+void IntegralTracer::Setup(const Camera& camera, const std::vector<ObjectBase *>& objects, TraceThreadData *thread)
 {
     block = camera.Integral;
     active = block && block->integral && block->optics;
     tally = nullptr;
+    may_start_inside = active && pov::May_Start_Inside(*block->optics, objects, thread);
     if (active && block->counts)
     {
         std::lock_guard<std::mutex> lock(block->counts->mutex);

@@ -3,7 +3,8 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../../tap.sh"
 scenes=$TOP/tests/render/scenes
 oracle=$BUILD/tests/oracle frames=$BUILD/tests/frames
-[ -x "$oracle" ] && [ -x "$frames" ] || make -s -C "$BUILD/.." build/tests/oracle build/tests/frames
+[ -x "$oracle" ] && [ -x "$frames" ] && [ -z "$(find "$TOP/tests/render/helpers" -newer "$oracle" -name "*.[ch]*")$(find "$TOP/tests/render/helpers" -newer "$frames" -name "frames.cpp")" ] ||
+    make -s -C "$BUILD/.." build/tests/oracle build/tests/frames > /dev/null
 jobs=$(nproc 2>/dev/null || echo 2)
 export scenes oracle frames scratch
 
