@@ -15,6 +15,12 @@ include $(srcdir)/integral/output/local.mk
 include $(srcdir)/integral/io/local.mk
 include $(srcdir)/integral/cli/local.mk
 
+# Its man page says what its parser knows.
+man_MANS += build/share/man/integral.1
+CLEANFILES += build/share/man/integral.1
+build/share/man/integral.1: build/bin/integral
+	$(AM_V_GEN)$(MKDIR_P) build/share/man && build/bin/integral help --man > $@.tmp && mv $@.tmp $@
+
 # The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized layer.
 SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined
 

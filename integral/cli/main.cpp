@@ -45,7 +45,7 @@ std::string overview()
     for (const Command* command : all_commands())
         text << "  " << command->name << std::string(12 - std::string(command->name).size(), ' ')
              << command->summary << "\n";
-    text << "\n`integral help COMMAND` explains one; `integral --version` prints the version.\n\n"
+    text << "\n`integral help COMMAND` explains one; `integral help --man` prints the man page,\n`integral --version` the version.\n\n"
             "Exit status: 0 done; 1 a comparison or check failed; 2 wrong usage; 3 unreadable or\n"
             "malformed input; 4 the output could not be written; 130 interrupted.\n";
     return text.str();
@@ -58,6 +58,29 @@ std::string help_for(const Command& command)
          << command.description << "\n"
          << command.make_options();
     return text.str();
+}
+
+/// The man page: what `integral help` says of the program and of each command, as roff.
+std::string manual_page()
+{
+    const auto verbatim = [](const std::string& text) {
+        std::string roff = ".nf\n";
+        bool at_line_start = true;
+        for (const char c : text) {
+            if (at_line_start && (c == '.' || c == '\''))
+                roff += "\\&";
+            roff += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+            at_line_start = c == '\n';
+        }
+        return roff + ".fi\n";
+    };
+    std::string page = ".\\\" Written by `integral help --man`.\n"
+                       ".TH INTEGRAL 1 \"\" \"povray-integral\" \"User commands\"\n.SH NAME\n"
+                       "integral \\- takes micro-image frames to print, panel and eye\n.SH DESCRIPTION\n" +
+                       verbatim(overview());
+    for (const Command* command : all_commands())
+        page += ".SH \"INTEGRAL " + std::string(command->name) + "\"\n" + verbatim(help_for(*command));
+    return page + ".SH \"SEE ALSO\"\n.BR povray-integral (1)\n";
 }
 
 /// Reads a command's options; throws options::error or UsageError.
@@ -110,7 +133,8 @@ int run_program(const std::vector<std::string>& words, std::string& name)
         return exit_done;
     }
     if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") {
-        std::cout << (words.size() > 1 ? help_for(*find_command(words[1])) : overview());
+        std::cout << (words.size() == 1 ? overview()
+                      : words[1] == "--man" ? manual_page() : help_for(*find_command(words[1])));
         return exit_done;
     }
     const Command& command = *find_command(words[0]);

@@ -55,8 +55,8 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     if (p.depth_range) {
         for (const double depth : {p.depth_range->x, p.depth_range->y})
             c.require(in(depth, 0, 1e12), "depth_range", depth, "front and back are in mm, positive");
-        c.require(!(p.depth_range->x == 0 && p.depth_range->y == 0), "depth_range", 0,
-                  "front and back cannot both be 0: nothing would be seen");
+        if (p.depth_range->x == 0 && p.depth_range->y == 0)
+            c.list.push_back("depth_range <0, 0> leaves nothing to be seen: one of front and back must be greater than 0");
     }
     return c.list;
 }

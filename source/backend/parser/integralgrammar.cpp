@@ -436,7 +436,7 @@ void IntegralGrammar::Warn(const Camera& camera)
     const double wanted = (film.height * film.pixel_pitch.y) / (film.width * film.pixel_pitch.x);
     if (std::fabs(up / right - wanted) > 0.01 * wanted)
         parser.Warning(0, "Integral camera: |up|/|right| is %.4g, but the film's height is %.4g of its width, and the\n"
-                          "picture keeps the film's. 'right %.6g*x' beside this up would fit.",
+                          "picture keeps the film's. A right of length %.6g beside this up would fit.",
                        up / right, wanted, up / wanted);
 
     const double pitch = optics.optics.sheet().pitch * optics.placement.units_per_mm;
@@ -444,6 +444,13 @@ void IntegralGrammar::Warn(const Camera& camera)
         parser.Warning(0, "Integral camera: the lens pitch is %.3g scene units. POV-Ray's tolerances are absolute, and\n"
                           "pixels go wrong outside of 0.05 to 100: scale scene and camera by about %.1g.",
                        pitch, optics.optics.sheet().pitch / pitch);
+
+    const integral::Aperture& aperture = optics.optics.aperture();
+    const auto filling = integral::filling_aperture(optics.optics.sheet(), aperture.distance);
+    if (filling && (aperture.width > 1.1 * filling->width || aperture.height > 1.1 * filling->height))
+        parser.Warning(0, "Integral camera: capture_aperture <%.4g, %.4g> is wider than the <%.4g, %.4g> mm that fill a lens:\n"
+                          "what its edges see stands behind the neighbouring lenses, and is seen double.",
+                       aperture.width, aperture.height, filling->width, filling->height);
 
     const integral::Coverage part = integral::coverage(optics, 20000);
     if (part.imaged == 0)
