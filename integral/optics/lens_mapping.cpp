@@ -27,7 +27,7 @@ Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
 struct SheetOptics::Candidate {
     LensIndex lens;
     Vec2 pole, offset;   // offset: q = pole - film point
-    double clear;        // t^2 - m |q|^2
+    double root;         // sqrt(t^2 - m |q|^2)
     Vec2 aperture_point;
 };
 
@@ -59,10 +59,11 @@ std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, Le
             return std::nullopt;
         c.offset = h * slit_.across + *tau * slit_.axis;
         c.pole = foot + *tau * slit_.axis;
-        c.clear = clearance(medium_, c.offset);
-        if (!(c.clear > 0))
+        const double clear = clearance(medium_, c.offset);
+        if (!(clear > 0))
             return std::nullopt;
-        const double stretch = nd / std::sqrt(c.clear);
+        c.root = std::sqrt(clear);
+        const double stretch = nd / c.root;
         if (stretch < 1) {
             // Here foot + tau a cancels; the point's component across the slit is known without.
             const double across_slit = -stretch * dot(slit_.normal, c.offset);
@@ -73,10 +74,11 @@ std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, Le
         (slit_horizontal_ ? c.aperture_point.y : c.aperture_point.x) = 0;
         return c;
     }
-    c.clear = clearance(medium_, c.offset);
-    if (!(c.clear > 0))
+    const double clear = clearance(medium_, c.offset);
+    if (!(clear > 0))
         return std::nullopt;
-    c.aperture_point = c.pole + (nd / std::sqrt(c.clear)) * c.offset;
+    c.root = std::sqrt(clear);
+    c.aperture_point = c.pole + (nd / c.root) * c.offset;
     return c;
 }
 
@@ -85,7 +87,7 @@ LensRay SheetOptics::complete(const Candidate& c) const
     const double inverse_length = 1 / std::sqrt(dot(c.offset, c.offset) + medium_.t * medium_.t);
     const double lateral = medium_.n * inverse_length;
     return {c.lens, c.pole,
-            {lateral * c.offset.x, lateral * c.offset.y, -std::sqrt(c.clear) * inverse_length},
+            {lateral * c.offset.x, lateral * c.offset.y, -c.root * inverse_length},
             c.aperture_point};
 }
 

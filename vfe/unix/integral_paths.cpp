@@ -45,5 +45,6 @@ namespace vfePlatform
 		options.AddLibraryPath(share);
 		options.AddLibraryPath(share + "/ini");
 		options.AddLibraryPath(share + "/include");
+		options.AddLibraryPath(share + "/scenes");
 	}
 }

@@ -17,7 +17,8 @@ namespace vfePlatform
 	/// look for none. Arguments: the paths of povray.conf and povray.ini that POV-Ray would read.
 	void UseIntegralSettings(std::string& system_conf, std::string& user_conf, std::string& system_ini);
 
-	/// Adds the share folder and its include folder behind every library path of the settings and the command line.
+	/// Adds the share folder and its ini, include and scenes behind every library path of the settings and the command
+	/// line: advanced/chess2.pov and integral/biplane.pov are found from anywhere.
 	void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options);
 }
 
