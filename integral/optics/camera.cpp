@@ -134,15 +134,17 @@ SightLine sight_line(const IntegralCamera& camera, const LensRay& ray)
     const Placement& at = camera.placement;
     const Vec3 d = -1 * ray.direction; // into the scene
     SightLine line;
-    Vec3 start{ray.aperture_point.x, ray.aperture_point.y, -camera.optics.aperture().distance};
-    if (camera.depth_range)
-        start = Vec3{ray.pole.x, ray.pole.y, 0} + (-camera.depth_range->x / d.z) * d;
+    // the viewer does not see what is behind the eye, however far depth_range reaches
+    const double distance = camera.optics.aperture().distance;
+    const double front = camera.depth_range ? std::min(camera.depth_range->x, distance) : distance;
+    const Vec3 start = front < distance ? Vec3{ray.pole.x, ray.pole.y, 0} + (-front / d.z) * d
+                                        : Vec3{ray.aperture_point.x, ray.aperture_point.y, -distance};
     line.origin = scene_from_sheet(at, start);
     const Vec3 direction = d.x * at.x + d.y * at.y + d.z * at.z;
     const double scale = length(direction);
     line.direction = (1 / scale) * direction;
     if (camera.depth_range)
-        line.length = scale * (camera.depth_range->x + camera.depth_range->y) / d.z;
+        line.length = scale * (front + camera.depth_range->y) / d.z;
     return line;
 }
 

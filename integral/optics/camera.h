@@ -25,7 +25,7 @@ struct CameraParameters {
     std::optional<Vec2> capture_aperture;  ///< mm; default: filling_aperture
     ApertureShape aperture_shape = ApertureShape::rectangle;
     LensMapping mapping = LensMapping::automatic;
-    std::optional<Vec2> depth_range;       ///< mm seen in front of and behind the sheet; >= 0
+    std::optional<Vec2> depth_range;       ///< mm seen in front of (up to the aperture) and behind the sheet; >= 0
 };
 
 /// The perspective camera that an integral camera starts from, in scene units.

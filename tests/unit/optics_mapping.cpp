@@ -148,6 +148,8 @@ BOOST_AUTO_TEST_CASE(sight_lines_start_at_the_aperture_and_pass_the_pole)
     const IntegralCamera camera = make_camera(parameters, view, 600, 400);
     parameters.depth_range = Vec2{20, 50};
     const IntegralCamera limited = make_camera(parameters, view, 600, 400);
+    parameters.depth_range = Vec2{1e9, 50}; // farther than the aperture: nobody sees behind the eye
+    const IntegralCamera reaching = make_camera(parameters, view, 600, 400);
     const double k = camera.placement.units_per_mm;
     for (int i = 0; i < 600; i += 7) {
         const auto mapped = camera.optics.map(film_from_pixel(camera.film, {i + 0.5, 100.5}), LensMapping::automatic);
@@ -165,6 +167,9 @@ BOOST_AUTO_TEST_CASE(sight_lines_start_at_the_aperture_and_pass_the_pole)
         BOOST_TEST((short_line.origin + short_line.length * short_line.direction).z == 11 + 50 * k, boost::test_tools::tolerance(1e-12));
         BOOST_TEST(length(cross(short_line.direction, line.direction)) < 1e-12);
         BOOST_TEST(length(cross(short_line.origin - pole, line.direction)) < 1e-11);
+        const SightLine long_line = sight_line(reaching, *mapped.ray);
+        BOOST_TEST(length(long_line.origin - line.origin) == 0);
+        BOOST_TEST((long_line.origin + long_line.length * long_line.direction).z == 11 + 50 * k, boost::test_tools::tolerance(1e-12));
     }
 }
 
