@@ -152,25 +152,6 @@ MappedPoint SheetOptics::map_closest(Vec2 film_point) const
     return mapped;
 }
 
-namespace {
-
-/// Keeps the candidate whose aperture point is nearest to the centre, with the lattice's rule
-/// for ties. The first pass finds the least distance; the second chooses among the tied.
-template <class Candidate> struct Nearest {
-    const Lattice& lattice;
-    double least;
-    std::optional<Candidate> best;
-
-    void measure(double distance) { least = std::min(least, distance); }
-    void choose(const Candidate& c, double distance)
-    {
-        if (distance <= least + lattice.tie_tolerance() && (!best || lattice.preferred(c.lens, best->lens)))
-            best = c;
-    }
-};
-
-} // namespace
-
 double SheetOptics::distance_to_centre(Vec2 aperture_point) const
 {
     return lenticular_ ? std::fabs(slit_horizontal_ ? aperture_point.x : aperture_point.y)
@@ -198,6 +179,30 @@ Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
         p += missing / (1 + (medium_.t / root) * ratio * ratio);
     }
     return (p / radius) * film_point;
+}
+
+/// Of the lenses within `radius` of `centre` that pass the aperture, the one whose aperture point is
+/// nearest to its centre, by the lattice's rule for ties: the first pass finds the least distance,
+/// the second chooses among the tied. `any`: whether any of them sends the film point out at all.
+std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre, double radius, bool& any) const
+{
+    any = false;
+    const auto each = [&](auto use) {
+        lattice_.for_each_within(centre, radius, [&](LensIndex lens) {
+            const auto c = candidate(film_point, lens);
+            any = any || c;
+            if (c && passes(c->aperture_point))
+                use(*c, distance_to_centre(c->aperture_point));
+        });
+    };
+    double least = infinity;
+    each([&](const Candidate&, double distance) { least = std::min(least, distance); });
+    std::optional<Candidate> best;
+    each([&](const Candidate& c, double distance) {
+        if (distance <= least + lattice_.tie_tolerance() && (!best || lattice_.preferred(c.lens, best->lens)))
+            best = c;
+    });
+    return best;
 }
 
 /// The map q -> A of lens offsets to aperture points, A = film point + q g(|q|) with
@@ -245,19 +250,10 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
         return mapped;
     }
 
-    Nearest<Candidate> nearest{lattice_, infinity, std::nullopt};
-    const auto each = [&](auto use) {
-        lattice_.for_each_within(ideal, radius, [&](LensIndex lens) {
-            const auto c = candidate(film_point, lens);
-            if (c && passes(c->aperture_point))
-                use(*c, distance_to_centre(c->aperture_point));
-        });
-    };
-    each([&](const Candidate&, double distance) { nearest.measure(distance); });
-    each([&](const Candidate& c, double distance) { nearest.choose(c, distance); });
-
-    if (nearest.best)
-        mapped.ray = complete(*nearest.best);
+    bool any;
+    const auto best = best_within(film_point, ideal, radius, any);
+    if (best)
+        mapped.ray = complete(*best);
     else
         mapped.empty = guess ? Empty::outside_aperture : Empty::total_reflection;
     return mapped;
@@ -272,23 +268,12 @@ MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
         radius = std::min(radius, medium_.t / medium_.root_m);
     radius += 1e-7 * lattice_.pitch();
 
-    Nearest<Candidate> nearest{lattice_, infinity, std::nullopt};
-    bool any = false;
-    const auto each = [&](auto use) {
-        lattice_.for_each_within(film_point, radius, [&](LensIndex lens) {
-            const auto c = candidate(film_point, lens);
-            any = any || c;
-            if (c && passes(c->aperture_point))
-                use(*c, distance_to_centre(c->aperture_point));
-        });
-    };
-    each([&](const Candidate&, double distance) { nearest.measure(distance); });
-    each([&](const Candidate& c, double distance) { nearest.choose(c, distance); });
-
+    bool any;
+    const auto best = best_within(film_point, film_point, radius, any);
     MappedPoint mapped;
     mapped.searched = true;
-    if (nearest.best)
-        mapped.ray = complete(*nearest.best);
+    if (best)
+        mapped.ray = complete(*best);
     else
         mapped.empty = any ? Empty::outside_aperture : Empty::total_reflection;
     return mapped;

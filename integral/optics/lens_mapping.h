@@ -64,6 +64,7 @@ private:
     struct Candidate; // a ray before its direction is worked out
     std::optional<Candidate> candidate(Vec2 film_point, LensIndex lens) const;
     LensRay complete(const Candidate&) const;
+    std::optional<Candidate> best_within(Vec2 film_point, Vec2 centre, double radius, bool& any) const;
     MappedPoint map_closest(Vec2 film_point) const;
     MappedPoint map_accurate(Vec2 film_point) const;
     MappedPoint map_exhaustive(Vec2 film_point) const;

@@ -117,11 +117,6 @@ void IntegralGrammar::Check_Value(const IntegralBlock& block)
         parser.Error("Integral camera: %s.", errors.front().c_str());
 }
 
-double IntegralGrammar::Parse_Number()
-{
-    return parser.Parse_Float();
-}
-
 /// A two-component vector; with `promote`, a number stands for two equal components.
 integral::Vec2 IntegralGrammar::Parse_Pair(bool promote)
 {
@@ -159,7 +154,7 @@ bool IntegralGrammar::Parse_Word(IntegralBlock& block)
     else if (word == "film")
         Parse_Film(block);
     else if (word == "sheet_distance")
-        p.sheet_distance = Parse_Number();
+        p.sheet_distance = parser.Parse_Float();
     else if (word == "capture_aperture")
         p.capture_aperture = Parse_Pair(false);
     else if (word == "aperture_shape")
@@ -196,7 +191,7 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralBlock& block)
     };
     const auto number = [&](const char* word, double& value) {
         give(word);
-        value = Parse_Number();
+        value = parser.Parse_Float();
         Check_Value(block);
     };
 
@@ -260,7 +255,7 @@ void IntegralGrammar::Parse_Film(IntegralBlock& block)
         else if (Accept("units_per_mm"))
         {
             give("units_per_mm");
-            film.units_per_mm = Parse_Number();
+            film.units_per_mm = parser.Parse_Float();
         }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
             parser.Error("'%s' is not a word of film: dpi, pixel_pitch or units_per_mm expected.", Next_Word().c_str());

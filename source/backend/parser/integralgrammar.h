@@ -60,7 +60,6 @@ class IntegralGrammar
         void Give(IntegralBlock& block, const std::string& word);
         void Check_Value(const IntegralBlock& block);
         std::string Parse_Choice(const char* word, const std::vector<std::string>& legal);
-        double Parse_Number();
         integral::Vec2 Parse_Pair(bool promote);
         void Apply_Option(IntegralBlock& block);
         bool Frame_Size(int& width, int& height);
