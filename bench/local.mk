@@ -9,5 +9,22 @@ build_bench_optics_rays_LDADD = $(LIBINTEGRAL_LIBS)
 bench: all build/bench/optics_rays
 	build/bench/optics_rays
 	$(srcdir)/bench/camera_cost
+	$(srcdir)/bench/mapping_cost
+
+# Minutes of rendering: error against run time (doc/error-against-time.md). Its test runs a small part of it.
+check_PROGRAMS += build/bench/error_against_time
+build_bench_error_against_time_SOURCES = \
+  bench/error_against_time.cpp \
+  bench/error_against_time.h \
+  bench/error_against_time_ladder.cpp \
+  bench/error_against_time_measure.cpp \
+  bench/error_against_time_plots.cpp \
+  bench/error_against_time_renderer.cpp \
+  bench/error_against_time_report.cpp
+build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+
+.PHONY: error-against-time
+error-against-time: all build/bench/error_against_time
+	build/bench/error_against_time --scenes $(srcdir)/bench/scenes -o build/bench/error-against-time
 
 EXTRA_DIST += bench

@@ -19,19 +19,33 @@ build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FRAME_LIBS) $(BOOST
 # One line per file.
 unit_sources = \
   tests/unit/io_image_files.cpp \
+  tests/unit/io_plot.cpp \
+  tests/unit/lightfield_error_estimate.cpp \
   tests/unit/lightfield_image.cpp \
+  tests/unit/lightfield_lens_profile.cpp \
   tests/unit/lightfield_metadata.cpp \
+  tests/unit/lightfield_pixel_sampler.cpp \
+  tests/unit/lightfield_sample_spread.cpp \
+  tests/unit/lightfield_sampling_forecast.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/replay_compare.cpp \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_views.cpp \
   tests/unit/main.cpp \
+  tests/unit/numerics_table.cpp \
+  tests/unit/numerics_table.h \
+  tests/unit/optics_beam.cpp \
+  tests/unit/optics_beam_oracle.h \
+  tests/unit/optics_cells.cpp \
   tests/unit/optics_fill.cpp \
   tests/unit/optics_lattice.cpp \
   tests/unit/optics_mapping.cpp \
+  tests/unit/optics_models.cpp \
   tests/unit/optics_oracle.h \
+  tests/unit/optics_properties.cpp \
   tests/unit/optics_rays.cpp \
-  tests/unit/optics_sheets.h
+  tests/unit/optics_sheets.h \
+  tests/unit/pixel_origins.h
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
 check_PROGRAMS += build/tests/oracle build/tests/frames
@@ -53,5 +67,11 @@ check-local: $(test_programs) pristine
 # The same tests at full size (see tests/README): hours.
 check-long: all $(test_programs) pristine
 	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
+
+# The table of doc/numerics.md, as measured: LONG=1 make numerics, twenty minutes, when the optics change.
+.PHONY: numerics
+numerics: build/tests/unit
+	NUMERICS_TABLE=build/tests/numerics.md build/tests/unit --run_test=optics_rays,optics_beam
+	sed -i -e '/^<!-- table/,/^<!-- end/{//!d}' -e '/^<!-- table/r build/tests/numerics.md' $(srcdir)/doc/numerics.md
 
 EXTRA_DIST += tests

@@ -10,6 +10,8 @@ build_bin_integral_SOURCES += \
   integral/cli/progress.h \
   integral/cli/replay_command.cpp \
   integral/cli/sheet_command.cpp \
+  integral/cli/sheet_plots.cpp \
+  integral/cli/sheet_plots.h \
   integral/cli/sheet_report.cpp \
   integral/cli/sheet_report.h \
   integral/cli/values.cpp \

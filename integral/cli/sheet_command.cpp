@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral sheet: what a sheet, a film and a viewer give, before anything is rendered.
 #include "integral/cli/command.h"
+#include "integral/cli/sheet_plots.h"
 #include "integral/cli/sheet_report.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int largest_side = 1000000;
 constexpr double default_distance = 300, default_pupil = 5; // mm; the thesis's (3-8) and figure 4-8
+constexpr double default_detail = 5;
 constexpr char default_depths[] = "10,20,50,100,200,300";
 constexpr double default_dpi = 300;
 
@@ -34,6 +36,8 @@ options::options_description make_options()
         ("aperture", value("W[,H]"), "extent of the capture aperture, mm (default: what fills a lens)")
         ("pupil", value("MM"), "diameter of the eye's pupil (default 5)")
         ("depths", value("MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")
+        ("detail", value("MM"), "distance between the edges that sampling errors are foretold for (default 5)")
+        ("plot", value("KIND"), "draw instead: spread, lens, sheets or resolution; needs -o FILE.svg or FILE.png")
         ("sheet", value("FILE.json"), "start from this geometry: a JSON document, or a frame")
         ("json", "print the geometry and the figures as JSON, which --sheet of every command reads")
         ("output,o", value("FILE"), "print to FILE instead of standard output")
@@ -142,6 +146,42 @@ bool changes_lenses(const options::variables_map& arguments)
     return false;
 }
 
+double positive(const options::variables_map& arguments, const char* option, double value)
+{
+    read_number(arguments, option, value);
+    if (!(value > 0))
+        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": it must be greater than 0");
+    return value;
+}
+
+Viewer read_viewer(const options::variables_map& arguments)
+{
+    Viewer viewer;
+    viewer.pupil = positive(arguments, "pupil", default_pupil);
+    viewer.detail = positive(arguments, "detail", default_detail);
+    const std::string depths = given(arguments, "depths") ? text_of(arguments, "depths") : default_depths;
+    viewer.depths = parse_numbers("depths", depths, "numbers separated by commas", 1, 1000);
+    for (const double depth : viewer.depths)
+        if (!(depth > 0))
+            throw UsageError("--depths " + depths + ": they must be greater than 0");
+    return viewer;
+}
+
+void draw(const options::variables_map& arguments, const FrameMetadata& geometry, const Viewer& viewer)
+{
+    const std::string kind = text_of(arguments, "plot"), output = text_of(arguments, "output");
+    if (given(arguments, "json"))
+        throw UsageError("--plot and --json ask for different things; give one of them");
+    if (output.empty())
+        throw UsageError("--plot " + kind + " needs -o FILE.svg or -o FILE.png");
+    try {
+        plot_format(output);
+        write_plot(sheet_plot(kind, geometry, viewer), output);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
 int run(const options::variables_map& arguments)
 {
     const auto inputs = inputs_of(arguments);
@@ -157,17 +197,11 @@ int run(const options::variables_map& arguments)
     check(geometry);
     change_aperture(arguments, geometry, !start.empty() && !changes_lenses(arguments));
 
-    Viewer viewer;
-    viewer.pupil = default_pupil;
-    read_number(arguments, "pupil", viewer.pupil);
-    if (!(viewer.pupil > 0))
-        throw UsageError("--pupil " + text_of(arguments, "pupil") + ": it must be greater than 0");
-    const std::string depths = given(arguments, "depths") ? text_of(arguments, "depths") : default_depths;
-    viewer.depths = parse_numbers("depths", depths, "numbers separated by commas", 1, 1000);
-    for (const double depth : viewer.depths)
-        if (!(depth > 0))
-            throw UsageError("--depths " + depths + ": they must be greater than 0");
-
+    const Viewer viewer = read_viewer(arguments);
+    if (given(arguments, "plot")) {
+        draw(arguments, geometry, viewer);
+        return exit_done;
+    }
     print_result(arguments, given(arguments, "json") ? sheet_report_json(geometry, viewer)
                                                      : sheet_report_text(geometry, viewer));
     return exit_done;
@@ -180,9 +214,15 @@ const Command sheet_command = {
     "what a sheet, a film and a viewer give, before anything is rendered",
     "[FRAME | --sheet FILE.json] [--pitch MM] [--dpi D] [--distance MM] ...",
     "Prints pixels per lens, fill, angles, depth budget, resolution against depth and moire\n"
-    "pitch of a lens sheet over a film, each with the number of its equation in the thesis.\n"
+    "pitch of a lens sheet over a film, each with the number of its equation in the thesis;\n"
+    "then what error the camera's beam_samples and pixel_samples will leave, for how many rays.\n"
     "Starts from the thesis's sheet and printer, from a frame, or from a geometry document; the\n"
-    "options change that.\n",
+    "options change that.\n"
+    "\n"
+    "--plot draws instead: spread, the width of a micro-image against the distance, by the\n"
+    "pinhole, the extended pinhole and a real lens (figure 3-26); lens, the real lens's beam\n"
+    "against the extended pinhole's ray from axis to margin; sheets, the same for the thesis's\n"
+    "sheets; resolution, against depth (figures 4-12 and 4-15).\n",
     0, 1, make_options, run};
 
 } // namespace integral

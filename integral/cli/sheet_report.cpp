@@ -2,10 +2,12 @@
 #include "integral/cli/sheet_report.h"
 
 #include "integral/lightfield/names.h"
+#include "integral/lightfield/sampling_forecast.h"
 #include "integral/lightfield/sheet_figures.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -22,21 +24,6 @@ struct Figure {
     const char* unit;
     const char* equation;
 };
-
-/// The direction in which the lenses are counted: across the axes of a lenticular sheet along its
-/// slit, along the rows of the others.
-struct Counted {
-    double period, pixel, aperture; ///< mm
-    int pixels;                     ///< of the film
-};
-
-Counted counted(const FrameMetadata& g)
-{
-    const Vec2 cell = cell_extent(g.sheet);
-    if (g.sheet.arrangement == Arrangement::lenticular && !slit_is_horizontal(g.sheet))
-        return {cell.y, g.film.pixel_pitch.y, g.aperture.height, g.film.height};
-    return {cell.x, g.film.pixel_pitch.x, g.aperture.width, g.film.width};
-}
 
 std::optional<double> times(double factor, std::optional<double> value)
 {
@@ -120,6 +107,52 @@ std::vector<DepthFigures> depths_of(const FrameMetadata& g, const Viewer& viewer
     return rows;
 }
 
+/// The camera of a geometry, with the default lens model; where its film has no size, one of some lenses.
+IntegralCamera camera_of(const FrameMetadata& g, LensMapping mapping)
+{
+    Film film = g.film;
+    film.subpixels = Subpixels::none;
+    if (film.width == 0) {
+        const Vec2 cell = cell_extent(g.sheet);
+        film.width = film.height = static_cast<int>(std::min(1e6, 1 + 9 * std::max(cell.x, cell.y) /
+                                                                      std::min(film.pixel_pitch.x, film.pixel_pitch.y)));
+    }
+    return {SheetOptics(g.sheet, g.aperture), film, {}, mapping, {}, 1, 1, false};
+}
+
+/// What a render will cost and how far it will be from its reference.
+struct Sampling {
+    std::optional<double> imaged, imaged_by_closest; ///< parts of the film
+    std::vector<SamplingForecast> settings;
+
+    std::optional<double> rays(const FrameMetadata& g, const SamplingForecast& setting) const
+    {
+        return times(double(g.film.width) * g.film.height * setting.rays(), imaged);
+    }
+};
+
+Sampling sampling_of(const FrameMetadata& g, const Viewer& viewer)
+{
+    constexpr int samples = 20000;
+    Sampling sampling;
+    const IntegralCamera camera = camera_of(g, LensMapping::automatic);
+    if (g.film.width > 0) {
+        sampling.imaged = coverage(camera, samples).imaged;
+        sampling.imaged_by_closest = coverage(camera_of(g, LensMapping::closest), samples).imaged;
+    }
+    sampling.settings = sampling_ladder();
+    forecast_errors(camera, viewer.depths, viewer.detail, sampling.settings);
+    return sampling;
+}
+
+/// Of black against white; nothing where there is no error.
+std::optional<double> psnr(double rms)
+{
+    if (!(rms > 0))
+        return std::nullopt;
+    return -20 * std::log10(rms);
+}
+
 std::string shown(std::optional<double> value)
 {
     if (!value)
@@ -146,7 +179,62 @@ nlohmann::ordered_json json_of(std::optional<double> value)
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
+std::string sampling_text(const FrameMetadata& g, const Viewer& viewer)
+{
+    const Sampling sampling = sampling_of(g, viewer);
+    std::string text = "\nSampling\n";
+    if (sampling.imaged)
+        text += line("  film imaged: %.1f%% by lens_mapping auto, %.1f%% by closest\n", 100 * *sampling.imaged,
+                     100 * *sampling.imaged_by_closest);
+    text += line("  RMS error and PSNR (dB) to expect of black-white edges %s mm apart, linear light:\n",
+                 shown(viewer.detail).c_str());
+    const auto row = [&](const char* label, auto figure) {
+        text += line("  %-13s", label);
+        for (const SamplingForecast& setting : sampling.settings)
+            text += line("%13s", std::string(figure(setting)).c_str());
+        text += "\n";
+    };
+    row("beam_samples", [](const auto& s) { return std::to_string(s.beam_samples); });
+    row("pixel_samples", [](const auto& s) { return std::to_string(s.pixel_samples); });
+    row("rays a pixel", [](const auto& s) { return std::to_string(s.rays()); });
+    if (sampling.imaged)
+        row("million rays", [&](const auto& s) { return shown(times(1e-6, sampling.rays(g, s))); });
+    for (std::size_t k = 0; k < viewer.depths.size(); ++k)
+        row(line("%s mm deep", shown(viewer.depths[k]).c_str()).c_str(), [&](const auto& s) {
+            return s.rms.empty() || !psnr(s.rms[k]) ? "-" : line("%.3f %5.1f", s.rms[k], *psnr(s.rms[k]));
+        });
+    return text;
+}
+
+nlohmann::ordered_json sampling_json(const FrameMetadata& g, const Viewer& viewer)
+{
+    const Sampling sampling = sampling_of(g, viewer);
+    nlohmann::ordered_json json = {{"detail_mm", viewer.detail},
+                                   {"imaged", json_of(sampling.imaged)},
+                                   {"imaged_by_closest", json_of(sampling.imaged_by_closest)}};
+    for (const SamplingForecast& setting : sampling.settings) {
+        nlohmann::ordered_json entry = {{"beam_samples", setting.beam_samples},
+                                        {"pixel_samples", setting.pixel_samples},
+                                        {"rays_per_pixel", setting.rays()},
+                                        {"rays", json_of(sampling.rays(g, setting))}};
+        for (std::size_t k = 0; k < setting.rms.size(); ++k)
+            entry["errors"].push_back({{"depth_mm", viewer.depths[k]},
+                                       {"rms", setting.rms[k]},
+                                       {"psnr_db", json_of(psnr(setting.rms[k]))}});
+        json["settings"].push_back(entry);
+    }
+    return json;
+}
+
 } // namespace
+
+Counted counted(const FrameMetadata& g)
+{
+    const Vec2 cell = cell_extent(g.sheet);
+    if (g.sheet.arrangement == Arrangement::lenticular && !slit_is_horizontal(g.sheet))
+        return {cell.y, g.film.pixel_pitch.y, g.aperture.height, g.film.height};
+    return {cell.x, g.film.pixel_pitch.x, g.aperture.width, g.film.width};
+}
 
 std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
 {
@@ -176,7 +264,7 @@ std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
         text += line("%7s %12s %15s %20s %12s\n", shown(row.depth).c_str(),
                      shown(row.resolution).c_str(), shown(row.spread).c_str(),
                      shown(row.observer_front).c_str(), shown(row.observer_back).c_str());
-    return text;
+    return text + sampling_text(g, viewer);
 }
 
 std::string sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
@@ -190,6 +278,7 @@ std::string sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
                                   {"pixel_spread_mm", json_of(row.spread)},
                                   {"observer_front_lpi", json_of(row.observer_front)},
                                   {"observer_back_lpi", row.observer_back}});
+    json["sampling"] = sampling_json(g, viewer);
     return json.dump(2) + "\n";
 }
 

@@ -8,5 +8,13 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/file_bytes.h \
   integral/io/image_file.cpp \
   integral/io/image_file.h \
+  integral/io/plot.cpp \
+  integral/io/plot.h \
+  integral/io/plot_axis.cpp \
+  integral/io/plot_axis.h \
+  integral/io/plot_canvas.cpp \
+  integral/io/plot_canvas.h \
+  integral/io/plot_names.cpp \
+  integral/io/plot_names.h \
   integral/io/png_codec.cpp \
   integral/io/tiff_codec.cpp

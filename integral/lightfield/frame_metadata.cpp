@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr int largest_side = 1000000; // pixels
+constexpr int most_samples = 65536;    // as the camera allows
 constexpr double least_distance = 1e-2, largest_distance = 1e9; // mm, as make_camera allows
 constexpr double largest_extent = 1e30;                         // mm; an aperture's
 constexpr double largest_figure = 1e100; // of what is only handed on; no few of them overflow
@@ -118,12 +119,15 @@ template <class Kind> Kind kind_at(const Object& object, const char* field)
     return *kind;
 }
 
-int side_at(const Object& object, const char* field)
+/// A whole number in [least, greatest].
+template <class Whole> Whole whole_at(const Object& object, const char* field, Whole least, Whole greatest)
 {
     if (!object.at(field).is_number_integer())
         refuse(object.path_of(field), "must be a whole number");
-    return static_cast<int>(number_at(object, field, 1, largest_side));
+    return static_cast<Whole>(number_at(object, field, double(least), double(greatest)));
 }
+
+int side_at(const Object& object, const char* field) { return whole_at(object, field, 1, largest_side); }
 
 /// The ranges of sheet and film are the scene language's: one list of them, in find_value_errors.
 void check_ranges(const LensSheet& sheet, const Film& film)
@@ -158,6 +162,8 @@ Film film_from(const Object& object)
         film.height = side_at(object, "height");
     }
     film.pixel_pitch = vec2_at(object, "pixel_pitch_mm", 0, largest_figure);
+    if (object.has("subpixels"))
+        film.subpixels = kind_at<Subpixels>(object, "subpixels");
     return film;
 }
 
@@ -206,6 +212,22 @@ Encoding encoding_from(const Object& object)
     return encoding;
 }
 
+ErrorEstimate error_from(const Object& object)
+{
+    constexpr long long most_pixels = 1LL * largest_side * largest_side;
+    ErrorEstimate error;
+    error.rms = number_at(object, "rms", 0, largest_figure);
+    error.low = number_at(object, "low", 0, largest_figure);
+    error.high = number_at(object, "high", 0, largest_figure);
+    error.confidence = number_at(object, "confidence", 0, 1);
+    error.method = kind_at<ErrorMethod>(object, "method");
+    error.pixels = whole_at(object, "pixels", 0LL, most_pixels);
+    error.lit_pixels = whole_at(object, "lit_pixels", 0LL, most_pixels);
+    error.samples = whole_at(object, "samples", 0, std::numeric_limits<int>::max());
+    error.seconds = number_at(object, "seconds", 0, largest_figure);
+    return error;
+}
+
 RenderRecord render_from(const Object& object)
 {
     RenderRecord render;
@@ -217,8 +239,19 @@ RenderRecord render_from(const Object& object)
         render.mapping = kind_at<LensMapping>(object, "mapping");
     if (object.has("seconds"))
         render.seconds = number_at(object, "seconds", 0, largest_figure);
-    if (object.has("rms_error"))
-        render.rms_error = number_at(object, "rms_error", 0, largest_figure);
+    if (object.has("model"))
+        render.model = kind_at<LensModel>(object, "model");
+    if (object.has("pixel_samples"))
+        render.pixel_samples = whole_at(object, "pixel_samples", 1, most_samples);
+    if (object.has("beam_samples"))
+        render.beam_samples = whole_at(object, "beam_samples", 1, most_samples);
+    if (object.has("pseudoscopic")) {
+        if (!object.at("pseudoscopic").is_boolean())
+            refuse(object.path_of("pseudoscopic"), "must be true or false");
+        render.pseudoscopic = object.at("pseudoscopic").get<bool>();
+    }
+    if (object.has("error"))
+        render.error = error_from(object_at(object, "error"));
     return render;
 }
 
@@ -240,6 +273,8 @@ Json json_of(const Film& film)
         json["height"] = film.height;
     }
     json["pixel_pitch_mm"] = list(film.pixel_pitch);
+    if (film.subpixels != Subpixels::none)
+        json["subpixels"] = name_of(film.subpixels);
     return json;
 }
 
@@ -269,14 +304,32 @@ Json json_of(const Encoding& encoding)
     return json;
 }
 
+Json json_of(const ErrorEstimate& error)
+{
+    return {{"rms", error.rms},
+            {"low", error.low},
+            {"high", error.high},
+            {"confidence", error.confidence},
+            {"method", name_of(error.method)},
+            {"pixels", error.pixels},
+            {"lit_pixels", error.lit_pixels},
+            {"samples", error.samples},
+            {"seconds", error.seconds}};
+}
+
 Json json_of(const RenderRecord& render)
 {
     Json json = {{"program", render.program},
                  {"scene", render.scene},
+                 {"model", name_of(render.model)},
                  {"mapping", name_of(render.mapping)},
+                 {"pixel_samples", render.pixel_samples},
+                 {"beam_samples", render.beam_samples},
                  {"seconds", render.seconds}};
-    if (render.rms_error)
-        json["rms_error"] = *render.rms_error;
+    if (render.pseudoscopic)
+        json["pseudoscopic"] = true;
+    if (render.error)
+        json["error"] = json_of(*render.error);
     return json;
 }
 

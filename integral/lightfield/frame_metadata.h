@@ -4,6 +4,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_FRAME_METADATA_H
 #define INTEGRAL_LIGHTFIELD_FRAME_METADATA_H
 
+#include "integral/lightfield/error_estimate.h"
 #include "integral/optics/camera.h"
 
 #include <optional>
@@ -11,19 +12,16 @@
 
 namespace integral {
 
-/// How the stored samples encode linear light.
-struct Encoding {
-    enum class Kind { linear, srgb, power } kind = Kind::srgb;
-    double gamma = 2.2; ///< power: stored = linear^(1/gamma)
-};
-
 /// The part of the document that says how the frame came about; absent for other programs' frames.
 struct RenderRecord {
     std::string program;              ///< name and version
     std::string scene;                ///< the scene file's name, without folders
+    LensModel model = LensModel::extended_pinhole;
     LensMapping mapping = LensMapping::automatic;
-    double seconds = 0;               ///< of rendering, where known
-    std::optional<double> rms_error;  ///< estimated, in the output encoding, where known
+    int pixel_samples = 1, beam_samples = 1;
+    bool pseudoscopic = false;
+    double seconds = 0;                 ///< of rendering, where known
+    std::optional<ErrorEstimate> error; ///< in the output encoding, where known
 };
 
 /// Geometry of a micro-image frame: enough to replay it. Lengths in mm.

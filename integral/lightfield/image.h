@@ -46,13 +46,6 @@ template <class Sample> Image make_image(int width, int height, int channels, En
 /// Bits per sample: 8, 16, or 32 for floats.
 int sample_bits(const Image& image);
 
-/// Linear light of an encoded value, and back. Odd functions: what is below 0 or above 1, as
-/// float samples may be, is mapped by the same curve.
-double decode(Encoding encoding, double value);
-double encode(Encoding encoding, double linear);
-
-bool same_encoding(Encoding a, Encoding b);
-
 /// The stored colour of pixel (x, y), 1 at full scale; it must be inside. Alpha is 1 if absent.
 Color stored_pixel(const Image& image, int x, int y);
 

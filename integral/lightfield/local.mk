@@ -2,15 +2,24 @@
 # Sources of integral/lightfield: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/lightfield/encoding.h \
+  integral/lightfield/error_estimate.cpp \
+  integral/lightfield/error_estimate.h \
   integral/lightfield/frame.cpp \
   integral/lightfield/frame.h \
   integral/lightfield/frame_metadata.cpp \
   integral/lightfield/frame_metadata.h \
   integral/lightfield/image.cpp \
   integral/lightfield/image.h \
+  integral/lightfield/lens_profile.cpp \
+  integral/lightfield/lens_profile.h \
   integral/lightfield/names.cpp \
   integral/lightfield/names.h \
   integral/lightfield/parallel.cpp \
   integral/lightfield/parallel.h \
+  integral/lightfield/pixel_sampler.cpp \
+  integral/lightfield/pixel_sampler.h \
+  integral/lightfield/sampling_forecast.cpp \
+  integral/lightfield/sampling_forecast.h \
   integral/lightfield/sheet_figures.cpp \
   integral/lightfield/sheet_figures.h

@@ -24,6 +24,18 @@ template <> struct Names<LensMapping> {
                                                   {LensMapping::accurate, "accurate"},
                                                   {LensMapping::exhaustive, "exhaustive"}};
 };
+template <> struct Names<LensModel> {
+    static constexpr Name<LensModel> table[] = {{LensModel::extended_pinhole, "extended_pinhole"},
+                                                {LensModel::pinhole, "pinhole"},
+                                                {LensModel::hybrid, "hybrid"},
+                                                {LensModel::full, "full"}};
+};
+template <> struct Names<Subpixels> {
+    static constexpr Name<Subpixels> table[] = {{Subpixels::rgb, "rgb"}, {Subpixels::bgr, "bgr"}, {Subpixels::none, "none"}};
+};
+template <> struct Names<ErrorMethod> {
+    static constexpr Name<ErrorMethod> table[] = {{ErrorMethod::audit, "audit"}, {ErrorMethod::split_halves, "split halves"}};
+};
 template <> struct Names<ApertureShape> {
     static constexpr Name<ApertureShape> table[] = {{ApertureShape::rectangle, "rectangle"},
                                                     {ApertureShape::ellipse, "ellipse"}};
@@ -46,6 +58,9 @@ template <class Kind> const char* word_for(Kind kind)
 
 const char* name_of(Arrangement kind) { return word_for(kind); }
 const char* name_of(LensMapping kind) { return word_for(kind); }
+const char* name_of(LensModel kind) { return word_for(kind); }
+const char* name_of(Subpixels kind) { return word_for(kind); }
+const char* name_of(ErrorMethod kind) { return word_for(kind); }
 const char* name_of(ApertureShape kind) { return word_for(kind); }
 const char* name_of(Encoding::Kind kind) { return word_for(kind); }
 
@@ -72,10 +87,16 @@ template <class Kind> std::string legal_names()
 
 template std::optional<Arrangement> kind_named(const std::string&);
 template std::optional<LensMapping> kind_named(const std::string&);
+template std::optional<LensModel> kind_named(const std::string&);
+template std::optional<Subpixels> kind_named(const std::string&);
+template std::optional<ErrorMethod> kind_named(const std::string&);
 template std::optional<ApertureShape> kind_named(const std::string&);
 template std::optional<Encoding::Kind> kind_named(const std::string&);
 template std::string legal_names<Arrangement>();
 template std::string legal_names<LensMapping>();
+template std::string legal_names<LensModel>();
+template std::string legal_names<Subpixels>();
+template std::string legal_names<ErrorMethod>();
 template std::string legal_names<ApertureShape>();
 template std::string legal_names<Encoding::Kind>();
 

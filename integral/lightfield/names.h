@@ -13,10 +13,13 @@ namespace integral {
 /// The word for a value, as scene files and the JSON document spell it.
 const char* name_of(Arrangement);
 const char* name_of(LensMapping);
+const char* name_of(LensModel);
+const char* name_of(Subpixels);
 const char* name_of(ApertureShape);
 const char* name_of(Encoding::Kind);
+const char* name_of(ErrorMethod);
 
-/// Inverse; nothing for any other word. Instances: the four types above.
+/// Inverse; nothing for any other word. Instances: the types above.
 template <class Kind> std::optional<Kind> kind_named(const std::string& word);
 
 /// The legal words of a type, as in "lenticular, square or hexagonal".

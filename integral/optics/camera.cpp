@@ -52,6 +52,9 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     if (p.capture_aperture)
         for (const double extent : {p.capture_aperture->x, p.capture_aperture->y})
             c.require(in(extent, 0, 1e12), "capture_aperture", extent, "its width and height are in mm, 0 to 1e12");
+    const char* const samples = "it is a whole number of points, 1 to 65536";
+    c.require(in(p.beam_samples.value_or(1), 1, 65536), "beam_samples", p.beam_samples.value_or(1), samples);
+    c.require(in(p.pixel_samples, 1, 65536), "pixel_samples", p.pixel_samples, samples);
     if (p.depth_range) {
         for (const double depth : {p.depth_range->x, p.depth_range->y})
             c.require(in(depth, 0, 1e12), "depth_range", depth, "front and back are in mm, positive");
@@ -61,28 +64,77 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     return c.list;
 }
 
+namespace {
+
+/// Extents of a lenticular sheet's aperture along its slit and across it.
+double along_slit(const LensSheet& sheet, Vec2 extent) { return slit_is_horizontal(sheet) ? extent.x : extent.y; }
+double across_slit(const LensSheet& sheet, Vec2 extent) { return slit_is_horizontal(sheet) ? extent.y : extent.x; }
+
+/// What is wrong with a capture aperture for this sheet; empty: nothing.
+std::string aperture_error(const LensSheet& sheet, Vec2 extent)
+{
+    if (sheet.arrangement == Arrangement::lenticular) {
+        if (along_slit(sheet, extent) > 0)
+            return "";
+        return slit_is_horizontal(sheet) ? "the capture aperture of a lenticular sheet needs a width greater than 0: it is "
+                                           "capture_aperture <width, slit height>"
+                                         : "the capture aperture of a lenticular sheet slanted by more than 45 degrees needs a "
+                                           "height greater than 0: it is capture_aperture <slit width, height>";
+    }
+    return extent.x > 0 && extent.y > 0
+        ? "" : "capture_aperture needs a width and a height greater than 0: nothing would be imaged";
+}
+
+} // namespace
+
 std::vector<std::string> find_errors(const CameraParameters& p)
 {
     auto errors = find_value_errors(p);
-    if (errors.empty() && !p.capture_aperture && !filling_aperture(p.sheet, 1))
+    if (!errors.empty())
+        return errors;
+    if (refracts_at_surface(p.model) && !has_surface(p.sheet)) {
+        std::ostringstream text;
+        text << "lens_model " << (p.model == LensModel::hybrid ? "hybrid" : "full") << " needs lenses whose surface reaches their edge: "
+             << "its radius, thickness*(ior - 1)/ior = " << surface_radius(p.sheet) << " mm, must be at least "
+             << cell_circumradius(p.sheet) << " mm; lens_model extended_pinhole has no such limit";
+        errors.push_back(text.str());
+    }
+    constexpr double most_rays = 1 << 20;
+    if (double(p.pixel_samples) * p.beam_samples.value_or(default_beam_samples(p)) > most_rays)
+        errors.push_back("pixel_samples times beam_samples are more than 1048576 rays a pixel: no computer has the time for that");
+    if (p.model == LensModel::hybrid && p.beam_samples)
+        errors.push_back("beam_samples does not go with lens_model hybrid, which has 3 or 5 rays of its own; lens_model full has as "
+                         "many as beam_samples says");
+    if (!p.capture_aperture && !filling_aperture(modelled_sheet(p.sheet, p.model), 1))
         errors.push_back("no aperture, however wide, fills these lenses (they are too wide for their thickness "
                          "and ior): give capture_aperture <width, height> in mm");
-    if (errors.empty() && p.capture_aperture) {
-        const Vec2 extent = *p.capture_aperture;
-        if (p.sheet.arrangement != Arrangement::lenticular) {
-            if (!(extent.x > 0 && extent.y > 0))
-                errors.push_back("capture_aperture needs a width and a height greater than 0: nothing would be imaged");
-        } else {
-            const bool horizontal = slit_is_horizontal(p.sheet);
-            const double along = horizontal ? extent.x : extent.y, across = horizontal ? extent.y : extent.x;
-            if (!(along > 0) || across != 0)
-                errors.push_back(horizontal
-                    ? "the capture aperture of a lenticular sheet is a slit without height: capture_aperture <width, 0>, width greater than 0"
-                    : "the capture aperture of a lenticular sheet slanted by more than 45 degrees is a slit without width: "
-                      "capture_aperture <0, height>, height greater than 0");
-        }
+    if (p.capture_aperture) {
+        const std::string error = aperture_error(p.sheet, *p.capture_aperture);
+        if (!error.empty())
+            errors.push_back(error);
     }
     return errors;
+}
+
+int default_beam_samples(const CameraParameters& p)
+{
+    const bool slit_has_height = p.sheet.arrangement == Arrangement::lenticular && p.capture_aperture
+                              && across_slit(p.sheet, *p.capture_aperture) > 0;
+    return p.model == LensModel::full || (slit_has_height && p.model != LensModel::hybrid) ? 16 : 1;
+}
+
+double IntegralCamera::slit_height(Vec2 aperture_point) const
+{
+    const LensSheet& sheet = optics.sheet();
+    const Aperture& aperture = optics.aperture();
+    if (sheet.arrangement != Arrangement::lenticular)
+        return 0;
+    const Vec2 extent{aperture.width, aperture.height};
+    const double height = across_slit(sheet, extent);
+    if (aperture.shape == ApertureShape::rectangle || height == 0)
+        return height;
+    const double along = 2 * along_slit(sheet, aperture_point) / along_slit(sheet, extent); // -1..1 across the ellipse
+    return height * std::sqrt(std::max(0.0, (1 - along) * (1 + along)));
 }
 
 IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int width, int height)
@@ -100,7 +152,7 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
         fail("right, up and direction must be finite and not zero");
     if (!(std::fabs(dot(cross(view.right, view.up), view.direction)) > 1e-9 * right * up * axis))
         fail("right, up and direction must not lie in one plane");
-    const Film film{width, height, p.film.pixel_pitch};
+    const Film film{width, height, p.film.pixel_pitch, p.film.subpixels};
     const double sheet_distance = view.sheet_distance_ratio * axis; // D, scene units
     const double window = view.sheet_distance_ratio * right;        // S, scene units
     const double k = p.film.units_per_mm ? *p.film.units_per_mm : window / (width * film.pixel_pitch.x);
@@ -116,7 +168,7 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     if (p.capture_aperture)
         aperture = {distance, p.capture_aperture->x, p.capture_aperture->y, p.aperture_shape};
     else {
-        aperture = *filling_aperture(p.sheet, distance);
+        aperture = *filling_aperture(modelled_sheet(p.sheet, p.model), distance);
         aperture.shape = p.aperture_shape;
     }
 
@@ -126,18 +178,20 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     placement.z = (k / axis) * view.direction;
     placement.origin = view.location + view.sheet_distance_ratio * view.direction;
     placement.units_per_mm = k;
-    return {SheetOptics(p.sheet, aperture), film, placement, p.mapping, p.depth_range};
+    return {SheetOptics(p.sheet, aperture, p.model), film, placement, p.mapping, p.depth_range,
+            p.pixel_samples, p.beam_samples.value_or(default_beam_samples(p)), p.pseudoscopic};
 }
 
-SightLine sight_line(const IntegralCamera& camera, const LensRay& ray)
+SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray)
 {
     const Placement& at = camera.placement;
     const Vec3 d = -1 * ray.direction; // into the scene
     SightLine line;
     // the viewer does not see what is behind the eye, however far depth_range reaches
     const double distance = camera.optics.aperture().distance;
-    const double front = camera.depth_range ? std::min(camera.depth_range->x, distance) : distance;
-    const Vec3 start = front < distance ? Vec3{ray.pole.x, ray.pole.y, 0} + (-front / d.z) * d
+    const double front = camera.pseudoscopic ? 0
+                       : camera.depth_range ? std::min(camera.depth_range->x, distance) : distance;
+    const Vec3 start = front < distance ? ray.point + (-(front + ray.point.z) / d.z) * d
                                         : Vec3{ray.aperture_point.x, ray.aperture_point.y, -distance};
     line.origin = scene_from_sheet(at, start);
     const Vec3 direction = d.x * at.x + d.y * at.y + d.z * at.z;
@@ -146,6 +200,37 @@ SightLine sight_line(const IntegralCamera& camera, const LensRay& ray)
     if (camera.depth_range)
         line.length = scale * (front + camera.depth_range->y) / d.z;
     return line;
+}
+
+std::optional<StartRegion> start_region(const IntegralCamera& camera)
+{
+    const SheetOptics& optics = camera.optics;
+    if (refracts_at_surface(optics.model()))
+        return std::nullopt;
+    const Aperture& aperture = optics.aperture();
+    const bool at_aperture = !camera.depth_range && !camera.pseudoscopic;
+    const double front = at_aperture ? aperture.distance
+                       : camera.pseudoscopic ? 0 : std::min(camera.depth_range->x, aperture.distance);
+    // a beam is as wide as its lens; and the edge of an aperture belongs to it
+    const double margin = (camera.beam_samples > 1 ? cell_circumradius(optics.sheet()) : 0) + 1e-3 * optics.sheet().pitch;
+    Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
+    if (!at_aperture) { // a ray's film point, pole and aperture point follow each other along x and along y
+        half.x = std::max(half.x, 0.5 * camera.film.width * camera.film.pixel_pitch.x);
+        half.y = std::max(half.y, 0.5 * camera.film.height * camera.film.pixel_pitch.y);
+        if (camera.pseudoscopic)
+            half = half + Vec2{2 * optics.sheet().pitch, 2 * optics.sheet().pitch};
+    }
+    const Placement& at = camera.placement;
+    return StartRegion{scene_from_sheet(at, {0, 0, -front}), (1.0001 * half.x + margin) * at.x, (1.0001 * half.y + margin) * at.y};
+}
+
+Vec2 mirrored_in_lens(const SheetOptics& optics, Vec2 film_point, LensIndex lens)
+{
+    const Vec2 offset = optics.lattice().pole(lens) - film_point;
+    if (optics.sheet().arrangement != Arrangement::lenticular)
+        return film_point + 2 * offset;
+    const Vec2 across = optics.lattice().across();
+    return film_point + (2 * dot(across, offset)) * across;
 }
 
 Coverage coverage(const IntegralCamera& camera, int samples)

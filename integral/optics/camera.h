@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_OPTICS_CAMERA_H
 #define INTEGRAL_OPTICS_CAMERA_H
 
-#include "integral/optics/lens_mapping.h"
+#include "integral/optics/beam.h"
 
 #include <optional>
 #include <string>
@@ -15,6 +15,7 @@ namespace integral {
 struct FilmParameters {
     Vec2 pixel_pitch{mm_per_inch / 300, mm_per_inch / 300}; ///< mm; 25.4 / dpi
     std::optional<double> units_per_mm; ///< scene units per mm on the sheet, if given
+    Subpixels subpixels = Subpixels::none;
 };
 
 /// Everything that `camera { integral ... }` can say, as written; units in the comments.
@@ -24,9 +25,16 @@ struct CameraParameters {
     std::optional<double> sheet_distance;  ///< scene units from the aperture's centre
     std::optional<Vec2> capture_aperture;  ///< mm; default: filling_aperture
     ApertureShape aperture_shape = ApertureShape::rectangle;
+    LensModel model = LensModel::extended_pinhole;
     LensMapping mapping = LensMapping::automatic;
+    std::optional<int> beam_samples;       ///< points of the lens's cell, 1 to 65536; default: default_beam_samples
+    int pixel_samples = 1;                 ///< points of the pixel's area, 1 to 65536; 1: its centre
     std::optional<Vec2> depth_range;       ///< mm seen in front of (up to the aperture) and behind the sheet; >= 0
+    bool pseudoscopic = false;             ///< Lippmann's single-stage capture: inverted in depth
 };
+
+/// 16 where there is something to integrate over (the full model's lens, a slit's height), else 1: the pole.
+int default_beam_samples(const CameraParameters& parameters);
 
 /// The perspective camera that an integral camera starts from, in scene units.
 struct ViewFrame {
@@ -52,6 +60,11 @@ struct IntegralCamera {
     Placement placement;
     LensMapping mapping = LensMapping::automatic;
     std::optional<Vec2> depth_range;
+    int pixel_samples = 1, beam_samples = 1;
+    bool pseudoscopic = false;
+
+    /// Height of a lenticular sheet's slit, mm, at a point of the aperture plane; 0 for other sheets.
+    double slit_height(Vec2 aperture_point) const;
 };
 
 /// Says which single values are out of range, a sentence each that names the value and what is
@@ -75,8 +88,21 @@ struct SightLine {
 };
 
 /// Step 6 of optics.md section 3: the one ray, from the aperture (or depth_range's front) through
-/// the pole to infinity (or depth_range's back), that returns what the viewer would see.
-SightLine sight_line(const IntegralCamera& camera, const LensRay& ray);
+/// the lens to infinity (or depth_range's back), that returns what the viewer would see.
+/// pseudoscopic: from the sheet, which in Lippmann's capture sees nothing of what is behind it.
+SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray);
+
+/// A parallelogram in the scene: centre + a*half_x + b*half_y, a and b in [-1, 1].
+struct StartRegion { Vec3 centre, half_x, half_y; };
+
+/// Where the sight lines of all rays of the pixels' beams start. Nothing: nowhere in particular (the rays of hybrid and full
+/// reach the aperture's plane anywhere).
+std::optional<StartRegion> start_region(const IntegralCamera& camera);
+
+/// The film point that a lens images where `film_point` would have to be for the sheet to show its scene
+/// inverted in depth: mirrored at the lens's pole (lenticular: its axis). Its own inverse. A single-stage capture
+/// puts on film point F what belongs at this one.
+Vec2 mirrored_in_lens(const SheetOptics& optics, Vec2 film_point, LensIndex lens);
 
 /// What a camera makes of its film, from an even sample of at most `samples` pixels.
 struct Coverage {

@@ -9,6 +9,7 @@ namespace integral {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double widest_search = 100; // pitches; apertures that are thousands of lenses wide have no end otherwise
 
 Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
 {
@@ -31,11 +32,12 @@ struct SheetOptics::Candidate {
     Vec2 aperture_point;
 };
 
-SheetOptics::SheetOptics(const LensSheet& sheet, const Aperture& aperture)
+SheetOptics::SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensModel model)
     : sheet_(sheet),
+      model_(model),
       aperture_(aperture),
       lattice_(sheet),
-      medium_(sheet.thickness, sheet.ior),
+      medium_(sheet.thickness, modelled_sheet(sheet, model).ior),
       slit_(slit_of(sheet, lattice_, aperture.distance)),
       lenticular_(sheet.arrangement == Arrangement::lenticular),
       slit_horizontal_(slit_is_horizontal(sheet))
@@ -48,37 +50,22 @@ std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, Le
     c.lens = lens;
     c.pole = lattice_.pole(lens);
     c.offset = c.pole - film_point;
-    const double nd = medium_.n * aperture_.distance;
     if (lenticular_) {
         // The light leaves at the point of the axis from which it reaches the slit.
-        const Vec2 on_axis = c.pole;
-        const double h = dot(slit_.across, c.offset);
-        const Vec2 foot = film_point + h * slit_.across;
-        const auto tau = solve_slit(slit_, medium_, foot, h);
-        if (!tau)
+        const auto ray = slit_ray(slit_, medium_, film_point, c.pole);
+        if (!ray)
             return std::nullopt;
-        c.offset = h * slit_.across + *tau * slit_.axis;
-        c.pole = foot + *tau * slit_.axis;
-        const double clear = clearance(medium_, c.offset);
-        if (!(clear > 0))
-            return std::nullopt;
-        c.root = std::sqrt(clear);
-        const double stretch = nd / c.root;
-        if (stretch < 1) {
-            // Here foot + tau a cancels; the point's component across the slit is known without.
-            const double across_slit = -stretch * dot(slit_.normal, c.offset);
-            const double along_axis = (across_slit - dot(slit_.normal, on_axis)) / dot(slit_.normal, slit_.axis);
-            c.pole = on_axis + along_axis * slit_.axis;
-        }
-        c.aperture_point = c.pole + stretch * c.offset;
-        (slit_horizontal_ ? c.aperture_point.y : c.aperture_point.x) = 0;
+        c.pole = ray->point;
+        c.offset = ray->offset;
+        c.root = -ray->refracted.z;
+        c.aperture_point = ray->aperture_point;
         return c;
     }
     const double clear = clearance(medium_, c.offset);
     if (!(clear > 0))
         return std::nullopt;
     c.root = std::sqrt(clear);
-    c.aperture_point = c.pole + (nd / c.root) * c.offset;
+    c.aperture_point = c.pole + (medium_.n * aperture_.distance / c.root) * c.offset;
     return c;
 }
 
@@ -181,16 +168,20 @@ Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
     return (p / radius) * film_point;
 }
 
+/// Why no lens shows the film point to the aperture. If the nearest reflects its light totally, all others do.
+Empty SheetOptics::why_empty(Vec2 film_point) const
+{
+    return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture : Empty::total_reflection;
+}
+
 /// Of the lenses within `radius` of `centre` that pass the aperture, the one whose aperture point is
 /// nearest to its centre, by the lattice's rule for ties: the first pass finds the least distance,
-/// the second chooses among the tied. `any`: whether any of them sends the film point out at all.
-std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre, double radius, bool& any) const
+/// the second chooses among the tied.
+std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre, double radius) const
 {
-    any = false;
     const auto each = [&](auto use) {
         lattice_.for_each_within(centre, radius, [&](LensIndex lens) {
             const auto c = candidate(film_point, lens);
-            any = any || c;
             if (c && passes(c->aperture_point))
                 use(*c, distance_to_centre(c->aperture_point));
         });
@@ -243,6 +234,7 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
     double radius = reach / stretch + slack;
     if (medium_.m > 0)
         radius = std::min(radius, length(ideal - film_point) + medium_.t / medium_.root_m);
+    radius = std::min(radius, widest_search * lattice_.pitch());
     bool alone = guessed;
     lattice_.for_each_within(ideal, radius, [&](LensIndex lens) { alone = alone && lens == guess->lens; });
     if (alone) {
@@ -250,12 +242,11 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
         return mapped;
     }
 
-    bool any;
-    const auto best = best_within(film_point, ideal, radius, any);
+    const auto best = best_within(film_point, ideal, radius);
     if (best)
         mapped.ray = complete(*best);
     else
-        mapped.empty = guess ? Empty::outside_aperture : Empty::total_reflection;
+        mapped.empty = why_empty(film_point);
     return mapped;
 }
 
@@ -266,16 +257,16 @@ MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
     double radius = (aperture_circumradius() * (1 + 1e-8) + length(film_point)) / stretch;
     if (medium_.m > 0)
         radius = std::min(radius, medium_.t / medium_.root_m);
+    radius = std::min(radius, 10 * widest_search * lattice_.pitch());
     radius += 1e-7 * lattice_.pitch();
 
-    bool any;
-    const auto best = best_within(film_point, film_point, radius, any);
+    const auto best = best_within(film_point, film_point, radius);
     MappedPoint mapped;
     mapped.searched = true;
     if (best)
         mapped.ray = complete(*best);
     else
-        mapped.empty = any ? Empty::outside_aperture : Empty::total_reflection;
+        mapped.empty = why_empty(film_point);
     return mapped;
 }
 

@@ -5,6 +5,7 @@
 
 #include "integral/optics/aperture.h"
 #include "integral/optics/film.h"
+#include "integral/optics/lens_model.h"
 #include "integral/optics/lens_sheet.h"
 #include "integral/optics/refraction.h"
 #include "integral/optics/slit.h"
@@ -16,6 +17,8 @@ namespace integral {
 /// closest: the nearest pole, then the aperture check (3-11). accurate: the lens that images the
 /// aperture, of several the one nearest its centre. automatic: closest, and accurate only where
 /// the check fails. exhaustive: accurate by trying every lens; the oracle.
+/// accurate looks no farther than 100 pitches from the lens that sees the aperture's centre, exhaustive no farther than 1000
+/// from the film point: only apertures without limit one way and narrow the other, or far wider than fills a lens, reach beyond.
 enum class LensMapping { automatic, closest, accurate, exhaustive };
 
 /// A film point's light beyond its lens. Sheet frame, mm.
@@ -40,8 +43,8 @@ struct MappedPoint {
 /// every thread of a render.
 class SheetOptics {
 public:
-    /// All three must hold what their comments demand; see find_errors in camera.h for the checks.
-    SheetOptics(const LensSheet& sheet, const Aperture& aperture);
+    /// Both must hold what their comments demand; see find_errors in camera.h for the checks.
+    SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensModel model = LensModel::extended_pinhole);
 
     /// Lens and ray of a film point.
     MappedPoint map(Vec2 film_point, LensMapping mapping) const;
@@ -56,15 +59,18 @@ public:
     Vec2 film_point_seen(Vec2 point, Vec3 direction, LensIndex* lens = nullptr) const;
 
     const LensSheet& sheet() const { return sheet_; }
+    LensModel model() const { return model_; }
     const Aperture& aperture() const { return aperture_; }
     const Lattice& lattice() const { return lattice_; }
-    const Medium& medium() const { return medium_; }
+    const Medium& medium() const { return medium_; } ///< as the model has it
+    const Slit& slit() const { return slit_; }       ///< meaningful for a lenticular sheet
 
 private:
     struct Candidate; // a ray before its direction is worked out
     std::optional<Candidate> candidate(Vec2 film_point, LensIndex lens) const;
     LensRay complete(const Candidate&) const;
-    std::optional<Candidate> best_within(Vec2 film_point, Vec2 centre, double radius, bool& any) const;
+    std::optional<Candidate> best_within(Vec2 film_point, Vec2 centre, double radius) const;
+    Empty why_empty(Vec2 film_point) const;
     MappedPoint map_closest(Vec2 film_point) const;
     MappedPoint map_accurate(Vec2 film_point) const;
     MappedPoint map_exhaustive(Vec2 film_point) const;
@@ -74,6 +80,7 @@ private:
     double aperture_circumradius() const;
 
     LensSheet sheet_;
+    LensModel model_;
     Aperture aperture_;
     Lattice lattice_;
     Medium medium_;

@@ -4,13 +4,18 @@
 build_lib_libintegral_a_SOURCES += \
   integral/optics/aperture.cpp \
   integral/optics/aperture.h \
+  integral/optics/beam.cpp \
+  integral/optics/beam.h \
   integral/optics/camera.cpp \
   integral/optics/camera.h \
   integral/optics/film.h \
   integral/optics/lens_mapping.cpp \
   integral/optics/lens_mapping.h \
+  integral/optics/lens_model.cpp \
+  integral/optics/lens_model.h \
   integral/optics/lens_sheet.cpp \
   integral/optics/lens_sheet.h \
+  integral/optics/lens_surface.h \
   integral/optics/refraction.h \
   integral/optics/slit.cpp \
   integral/optics/slit.h \

@@ -5,54 +5,160 @@
 
 namespace integral {
 
-std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h)
+namespace {
+
+/// The slit's equation at a line of the lens. With S = sqrt(E - m tau^2), E the clearance at tau = 0, the
+/// refracted ray is (n k cosine + S sine, n tau, -C)/L in the directions (b, a, z), C = S cosine - n k sine.
+///     H(tau) = alpha + g tau + D (g n tau + e.b (n k cosine + S sine))/C = 0,
+///     H' = g + D n phi/(S C^2), phi = g (cosine E - n k sine S) + m (e.b) k tau,
+/// D the distance from the line to the aperture. G of optics.md is H C.
+struct Equation {
+    double alpha, g, eb, distance, n, m, root_m, k, sine, cosine, e;
+
+    double c(double s) const { return s * cosine - n * k * sine; }
+    double g_value(double tau, double s) const
+    {
+        return (alpha + g * tau) * c(s) + distance * (g * n * tau + eb * (n * k * cosine + s * sine));
+    }
+    /// Newton's step, H/H'.
+    double step(double tau, double s, double value) const
+    {
+        const double cs = c(s), phi = g * (cosine * e - n * k * sine * s) + m * eb * k * tau;
+        return value * (s * cs) / (g * s * cs * cs + distance * n * phi);
+    }
+};
+
+/// Nothing where no light gets to the plane from inside, or none leaves it towards the viewer.
+std::optional<Equation> equation_of(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta,
+                                    const TangentPlane& plane)
 {
-    const double g = dot(slit.normal, slit.axis);
-    const double alpha = dot(slit.normal, foot);        // e.Q0 (the slit is at eta = 0)
-    const double beta = h * dot(slit.normal, slit.across);
-    const double nd = medium.n * slit.distance;
-
-    const double e = clearance(medium, {h, 0});         // E = t^2 - m h^2
-    if (!(e > 0))
+    const Incidence way = incidence(medium, plane, h);
+    const double clear = clearance(medium, way, 0);
+    if (!(clear > 0) || !(way.normal > 0))
         return std::nullopt;
-    const double root_e = std::sqrt(e);
-    const double paraxial = -(alpha * root_e + nd * beta) / (g * (root_e + nd));
+    const Equation equation{dot(slit.normal, foot) - eta, dot(slit.normal, slit.axis), dot(slit.normal, slit.across),
+                            slit.distance + plane.height, medium.n, medium.m, medium.root_m,
+                            way.tangential, plane.sine, plane.cosine, clear};
+    if (!(equation.c(std::sqrt(clear)) > 0))
+        return std::nullopt;
+    return equation;
+}
+
+/// The greatest |tau|: where total reflection starts, at `limit`, or C = 0 before that. Nothing if H does not go from
+/// below 0 to above 0 between -end and end. If it does, it rises all the way, but perhaps next to an end, on that
+/// end's own side of 0: the root is the only one.
+std::optional<double> end_of(const Equation& equation, double root_e, double limit)
+{
+    const double floor = equation.n * equation.k * equation.sine; // C > 0 demands S cosine > floor
+    if (floor < 0) {
+        if (equation.g_value(-limit, 0) < 0 && equation.g_value(limit, 0) > 0)
+            return limit;
+        return std::nullopt;
+    }
+    double end = limit;
+    if (floor > 0) {
+        const double least_s = floor / equation.cosine;
+        end = std::sqrt((root_e - least_s) * (root_e + least_s)) / equation.root_m;
+    }
+    if (std::fabs(equation.eb * equation.k) < equation.g * equation.cosine * end)
+        return end;
+    return std::nullopt;
+}
+
+} // namespace
+
+bool reaches_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta, const TangentPlane& plane)
+{
+    const auto equation = equation_of(slit, medium, foot, h, eta, plane);
+    if (!equation)
+        return false;
+    const double root_e = std::sqrt(equation->e);
+    return medium.m == 0 || end_of(*equation, root_e, root_e / medium.root_m);
+}
+
+std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta,
+                                 const TangentPlane& plane)
+{
+    const auto found = equation_of(slit, medium, foot, h, eta, plane);
+    if (!found)
+        return std::nullopt;
+    const Equation& equation = *found;
+    const double root_e = std::sqrt(equation.e);
+    const double paraxial = -equation.step(0, root_e, equation.g_value(0, root_e));
     if (medium.m == 0)
-        return paraxial;                                // exact: nothing is refracted
-
-    const double limit = root_e / medium.root_m;        // T, where total reflection starts
-    if (!(std::fabs(beta) < g * limit))
+        return paraxial; // exact: nothing is refracted
+    const double limit = root_e / medium.root_m;
+    const auto reach = end_of(equation, root_e, limit);
+    if (!reach)
         return std::nullopt;
 
-    // H(tau) = alpha + g tau + n d (g tau + beta)/S, S = sqrt(E - m tau^2), rises strictly from
-    // -infinity to +infinity on (-T, T): Newton steps, kept inside a shrinking bracket.
-    double low = -limit, high = limit;
+    // Newton steps, kept inside a shrinking bracket.
+    const double end = *reach;
+    double low = -end, high = end;
     double tau = paraxial > low && paraxial < high ? paraxial : 0;
-    constexpr int most_steps = 200;                     // bisection alone needs 60
+    constexpr int most_steps = 200, soon = 20; // the worst cases tested need 55
     for (int step = 0; step < most_steps; ++step) {
         const double s2 = medium.m * (limit - tau) * (limit + tau);
-        if (!(s2 > 0)) {                                // rounded onto an end of the interval
+        const double s = s2 > 0 ? std::sqrt(s2) : 0;
+        if (!(s > 0) || !(equation.c(s) > 0)) { // rounded onto an end of the interval
             const double inner = 0.5 * (low + high);
             if (inner == tau || inner <= low || inner >= high)
                 return std::nullopt;
             tau = inner;
             continue;
         }
-        const double s = std::sqrt(s2);
-        const double value = (alpha + g * tau) * s + nd * (g * tau + beta);             // H S
+        const double value = equation.g_value(tau, s);
         if (value == 0)
             break;
         (value < 0 ? low : high) = tau;
-        const double slope = g * s2 * s + nd * (g * e + beta * medium.m * tau);         // H' S^3
-        const double before = tau, change = value * s2 / slope;
+        const double before = tau, change = equation.step(tau, s, value);
         tau -= change;
         // Newton's error after a step is about change^2/(distance to the end of the interval).
-        if (tau == before || change * change <= 1e-17 * std::fabs(tau) * (limit - std::fabs(tau)))
+        if (tau == before || change * change <= 1e-17 * std::fabs(tau) * (end - std::fabs(tau)))
             break;
-        if (!(tau > low && tau < high))
+        if (!(tau > low && tau < high) || (step > soon && step % 3 == 0))
             tau = 0.5 * (low + high);
+        if (!(tau > low && tau < high)) // nothing lies between any more
+            break;
     }
-    return std::clamp(tau, -limit, limit);
+    return std::clamp(tau, -end, end);
+}
+
+std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 film_point, Vec2 on_axis, double eta,
+                                const TangentPlane& plane)
+{
+    const double h = dot(slit.across, on_axis - film_point) + plane.v;
+    const Vec2 foot = film_point + h * slit.across;
+    const auto tau = solve_slit(slit, medium, foot, h, eta, plane);
+    if (!tau)
+        return std::nullopt;
+    const Incidence way = incidence(medium, plane, h);
+    const double clear = clearance(medium, way, *tau);
+    if (!(clear > 0))
+        return std::nullopt;
+    const Vec3 out = refracted(medium, plane, way, *tau, std::sqrt(clear));
+    if (!(out.z < 0))
+        return std::nullopt;
+
+    SlitRay ray;
+    ray.offset = h * slit.across + *tau * slit.axis;
+    ray.refracted = {out.x * slit.across.x + out.y * slit.axis.x, out.x * slit.across.y + out.y * slit.axis.y, out.z};
+    ray.point = foot + *tau * slit.axis;
+    const double stretch = (slit.distance + plane.height) / -out.z;
+    const Vec2 to_aperture = stretch * Vec2{ray.refracted.x, ray.refracted.y};
+    if (medium.n * stretch < 1) {
+        // Here foot + tau a cancels; the point's component across the slit is known without.
+        const Vec2 on_line = on_axis + plane.v * slit.across;
+        const double across_slit = eta - dot(slit.normal, to_aperture);
+        const double along_axis = (across_slit - dot(slit.normal, on_line)) / dot(slit.normal, slit.axis);
+        ray.point = on_line + along_axis * slit.axis;
+    }
+    ray.aperture_point = ray.point + to_aperture;
+    if (slit.normal.x == 0)
+        ray.aperture_point.y = slit.normal.y * eta;
+    else
+        ray.aperture_point.x = slit.normal.x * eta;
+    return ray;
 }
 
 } // namespace integral

@@ -40,10 +40,21 @@ public:
         const Vec2 pixel = pixel_from_film(film_, optics_.film_point_seen(point, direction));
         if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 && pixel.y < film_.height))
             return outside_;
-        return pixel_(int(pixel.x), int(pixel.y));
+        return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y)) : stripes_at(pixel);
     }
 
 private:
+    /// Each colour channel of its own nearest stripe; their pixels' mean alpha.
+    Color stripes_at(Vec2 pixel) const
+    {
+        const auto nearest = [&](int channel) {
+            const int column = int(std::floor(pixel.x - subpixel_shift(film_.subpixels, channel)));
+            return pixel_(std::clamp(column, 0, film_.width - 1), int(pixel.y));
+        };
+        const Color red = nearest(0), green = nearest(1), blue = nearest(2);
+        return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
+    }
+
     Film film_;
     Eye eye_;
     SheetOptics optics_;

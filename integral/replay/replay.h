@@ -31,7 +31,9 @@ void set_view_size(View& view, const Film& film, int longer);
 
 /// The view of a frame that has metadata, 8, 16 or 32 bits and encoded like the frame, with alpha if
 /// the frame has it. Where the eye looks past the film's edge it sees black (transparent).
-/// The frame's pixels are boxes: what a view sample sees is one pixel's colour.
+/// The frame's pixels are boxes: what a view sample sees is one pixel's colour. Of a film with subpixels each colour
+/// channel's pixels are such boxes, a pixel wide, centred at their own stripes: what an eye sees that does not tell the
+/// stripes apart. The film's edges stay where they are; alpha is the mean of the three stripes' pixels.
 /// `threads` 0 is one per core; the result does not depend on it. Empty: `progress` stopped it.
 std::optional<Image> replay(const Frame& frame, const View& view, int threads = 0,
                             const Progress& progress = {});

@@ -28,6 +28,7 @@ struct State
     std::string fingerprint;
     std::optional<integral::FrameMetadata> metadata;
     Clock::time_point begun;
+    std::optional<Clock::time_point> ended;
 };
 
 State& The_State()
@@ -74,7 +75,9 @@ void IntegralFrame::Expect(const integral::IntegralCamera* camera)
     if (camera)
     {
         std::string text = integral::to_json(Metadata_Of(*camera));
-        text += std::to_string(int(camera->mapping));
+        for (const int choice : {int(camera->optics.model()), int(camera->mapping), camera->pixel_samples, camera->beam_samples,
+                                 int(camera->pseudoscopic)})
+            text += std::to_string(choice) + ' ';
         if (camera->depth_range)
             text += std::to_string(camera->depth_range->x) + ' ' + std::to_string(camera->depth_range->y);
         state.fingerprint = Hash(text);
@@ -89,8 +92,24 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera)
     state.metadata->render = integral::RenderRecord();
     state.metadata->render->program = "povray-integral 3.7.0.10";
     state.metadata->render->scene = state.scene;
+    state.metadata->render->model = camera.optics.model();
     state.metadata->render->mapping = camera.mapping;
+    state.metadata->render->pixel_samples = camera.pixel_samples;
+    state.metadata->render->beam_samples = camera.beam_samples;
+    state.metadata->render->pseudoscopic = camera.pseudoscopic;
     state.begun = Clock::now();
+    state.ended.reset();
+}
+
+void IntegralFrame::End(const std::optional<integral::ErrorEstimate>& error)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    if (!state.metadata)
+        return;
+    state.metadata->render->error = error;
+    const std::chrono::duration<double> of_the_error(error ? error->seconds : 0);
+    state.ended = Clock::now() - std::chrono::duration_cast<Clock::duration>(of_the_error);
 }
 
 void IntegralFrame::Forget()
@@ -128,7 +147,7 @@ double IntegralFrame::Seconds()
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
-    return state.metadata ? std::chrono::duration<double>(Clock::now() - state.begun).count() : 0;
+    return state.metadata ? std::chrono::duration<double>(state.ended.value_or(Clock::now()) - state.begun).count() : 0;
 }
 
 std::string IntegralFrame::Fingerprint()

@@ -4,6 +4,7 @@
 #ifndef POVRAY_BASE_INTEGRALFRAME_H
 #define POVRAY_BASE_INTEGRALFRAME_H
 
+#include <optional>
 #include <string>
 
 #include "integral/lightfield/frame_metadata.h"
@@ -24,6 +25,9 @@ class IntegralFrame
         /// From here on, pictures are frames of this camera; seconds count from here.
         static void Begin(const integral::IntegralCamera& camera);
 
+        /// The picture is rendered, with this error if it is known: seconds end here, less those that the error took.
+        static void End(const std::optional<integral::ErrorEstimate>& error);
+
         /// From here on, pictures are POV-Ray's own.
         static void Forget();
 
@@ -36,7 +40,7 @@ class IntegralFrame
         /// The JSON document, stating the encoding of the file's samples. Only where Current().
         static std::string Document(const integral::Encoding& encoding);
 
-        /// Seconds since Begin, 0 without one.
+        /// Seconds from Begin to End, or to now; 0 without a Begin.
         static double Seconds();
 
         /// A hash (16 hexadecimal digits) of the expected camera's geometry; empty for POV-Ray's

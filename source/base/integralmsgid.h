@@ -6,12 +6,28 @@
 enum
 {
     kIntegralAttrib_Camera          = 'IgCa', ///< option: the words of Integral_Camera=
-    kIntegralAttrib_FilmPoints      = 'IgFp', ///< statistics: film points asked for
-    kIntegralAttrib_Rays            = 'IgRy', ///< statistics: of these, traced
-    kIntegralAttrib_Searched        = 'IgSe', ///< statistics: of the rays, those found by the search
-    kIntegralAttrib_OutsideAperture = 'IgOa', ///< statistics: empty, as the aperture is missed
-    kIntegralAttrib_TotalReflection = 'IgTr', ///< statistics: empty, by total reflection
-    kIntegralAttrib_Seconds         = 'IgSc'  ///< statistics: seconds since the view began
+    kIntegralAttrib_Audit           = 'IgAu', ///< option Integral_Audit=: on, off or a percentage
+    kIntegralAttrib_Seed            = 'IgSd', ///< option Integral_Seed=: of all random choices
+    kIntegralAttrib_ErrorPicture    = 'IgEp', ///< option Integral_Error_Image=: file
+    // statistics
+    kIntegralAttrib_FilmPoints      = 'IgFp', ///< film points asked for
+    kIntegralAttrib_Imaged          = 'IgIm', ///< of these, imaged
+    kIntegralAttrib_Searched        = 'IgSe', ///< of the imaged, those found by the search
+    kIntegralAttrib_OutsideAperture = 'IgOa', ///< empty, as the aperture is missed
+    kIntegralAttrib_TotalReflection = 'IgTr', ///< empty, by total reflection
+    kIntegralAttrib_Rays            = 'IgRy', ///< traced
+    kIntegralAttrib_ContainerSearches = 'IgCs', ///< rays that were looked for containers of
+    kIntegralAttrib_Containers      = 'IgCo', ///< objects that rays may start inside of
+    kIntegralAttrib_Objects         = 'IgOb', ///< objects in the scene
+    kIntegralAttrib_Seconds         = 'IgSc', ///< seconds from the view's start to the end of rendering
+    kIntegralAttrib_Error           = 'IgEr', ///< estimated RMS error in the output encoding; absent: not estimated
+    kIntegralAttrib_ErrorLow        = 'IgEl', ///< its interval
+    kIntegralAttrib_ErrorHigh       = 'IgEh',
+    kIntegralAttrib_ErrorSeconds    = 'IgEs', ///< seconds that it took
+    kIntegralAttrib_ErrorPixels     = 'IgEx', ///< pixels looked at
+    kIntegralAttrib_ErrorLitPixels  = 'IgEt', ///< of these many lit ones
+    kIntegralAttrib_ErrorSamples    = 'IgEn', ///< samples of each
+    kIntegralAttrib_ErrorMethod     = 'IgEm'  ///< integral::ErrorMethod
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "base/integralmsgid.h"
 #include "base/stringutilities.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -20,31 +21,62 @@ using namespace pov_base;
 
 static const char state_mark[] = "povray-integral:";
 
+/// The estimated error, and what it rests on.
+static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
+{
+    if (!statistics.Exist(kIntegralAttrib_Error))
+        return;
+    const auto number = [&](POVMSType key) { return double(statistics.TryGetFloat(key, 0)); };
+    const double rms = number(kIntegralAttrib_Error);
+    out->printf("%-19s %15.5f   95%%: %.5f to %.5f", "RMS error:", rms, number(kIntegralAttrib_ErrorLow),
+                number(kIntegralAttrib_ErrorHigh));
+    if (rms > 0)
+        out->printf("   PSNR %.1f dB", -20 * std::log10(rms));
+    out->printf("\n");
+    const double pixels = double(statistics.TryGetLong(kIntegralAttrib_ErrorPixels, 0));
+    const int samples = statistics.TryGetInt(kIntegralAttrib_ErrorSamples, 0);
+    if (statistics.TryGetInt(kIntegralAttrib_ErrorMethod, 0) == int(integral::ErrorMethod::audit))
+        out->printf("  by an audit of %.0f of %.0f lit pixels, %d samples each, in %.3f seconds\n", pixels,
+                    double(statistics.TryGetLong(kIntegralAttrib_ErrorLitPixels, 0)), samples, number(kIntegralAttrib_ErrorSeconds));
+    else
+        out->printf("  by the two halves of the %d samples of each of %.0f lit pixels\n", samples, pixels);
+    if (statistics.Exist(kIntegralAttrib_ErrorPicture))
+        out->printf("Warning: the error picture could not be written to %s.\n",
+                    statistics.GetString(kIntegralAttrib_ErrorPicture).c_str());
+}
+
 void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
 {
     if (!statistics.Exist(kIntegralAttrib_FilmPoints))
         return;
     const auto count = [&](POVMSType key) { return double(statistics.TryGetLong(key, 0)); };
-    const double points = count(kIntegralAttrib_FilmPoints), rays = count(kIntegralAttrib_Rays);
-    const double searched = count(kIntegralAttrib_Searched);
+    const double points = count(kIntegralAttrib_FilmPoints), imaged = count(kIntegralAttrib_Imaged);
+    const double searched = count(kIntegralAttrib_Searched), rays = count(kIntegralAttrib_Rays);
     const double seconds = statistics.TryGetFloat(kIntegralAttrib_Seconds, 0);
-    const auto percent = [&](double part) { return points > 0 ? 100 * part / points : 0; };
+    const auto line = [&](const char *label, double number, double of) {
+        out->printf("%-19s %15.0f   %6.2f%%\n", label, number, of > 0 ? 100 * number / of : 0);
+    };
 
     out->printf("----------------------------------------------------------------------------\n");
     out->printf("Integral Camera\n");
     out->printf("----------------------------------------------------------------------------\n");
-    out->printf("Film points:        %15.0f\n", points);
-    out->printf("  imaged (rays):    %15.0f   %6.2f%%\n", rays, percent(rays));
-    out->printf("    by the rule:    %15.0f   %6.2f%%\n", rays - searched, percent(rays - searched));
-    out->printf("    by the search:  %15.0f   %6.2f%%\n", searched, percent(searched));
+    out->printf("%-19s %15.0f\n", "Film points:", points);
+    line("  imaged:", imaged, points);
+    line("    by the rule:", imaged - searched, points);
+    line("    by the search:", searched, points);
     const double outside = count(kIntegralAttrib_OutsideAperture), reflected = count(kIntegralAttrib_TotalReflection);
-    out->printf("  left empty:       %15.0f   %6.2f%%\n", outside + reflected, percent(outside + reflected));
-    out->printf("    aperture missed:%15.0f   %6.2f%%\n", outside, percent(outside));
-    out->printf("    total reflection:%14.0f   %6.2f%%\n", reflected, percent(reflected));
-    out->printf("Seconds:            %15.3f", seconds);
+    line("  left empty:", outside + reflected, points);
+    line("    aperture missed:", outside, points);
+    line("    total reflection:", reflected, points);
+    out->printf("%-19s %15.0f   %6.2f an imaged point\n", "Rays:", rays, imaged > 0 ? rays / imaged : 0);
+    line("  containers sought:", count(kIntegralAttrib_ContainerSearches), rays);
+    out->printf("%-19s %15d   of %d objects\n", "    among:", statistics.TryGetInt(kIntegralAttrib_Containers, 0),
+                statistics.TryGetInt(kIntegralAttrib_Objects, 0));
+    out->printf("%-19s %15.3f", "Seconds:", seconds);
     if (seconds > 0)
         out->printf("   %.0f rays a second", rays / seconds);
     out->printf("\n");
+    Print_Error(statistics, out);
 }
 
 void Mark_Render_State(unsigned char *reserved, std::size_t size)

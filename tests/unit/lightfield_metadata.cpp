@@ -20,11 +20,14 @@ namespace {
 const char complete[] =
     R"({"sheet": {"arrangement": "hexagonal", "pitch_mm": 1.5, "thickness_mm": 3.25, "ior": 1.6,)"
     R"( "slant_degrees": -12.5, "offset_mm": [0.25, -0.5]},)"
-    R"( "film": {"width": 640, "height": 480, "pixel_pitch_mm": [0.1, 0.2]},)"
+    R"( "film": {"width": 640, "height": 480, "pixel_pitch_mm": [0.1, 0.2], "subpixels": "bgr"},)"
     R"( "aperture": {"distance_mm": 300, "width_mm": null, "height_mm": 40, "shape": "ellipse"},)"
     R"( "camera": {"origin": [1, 2, 3], "x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1], "units_per_mm": 0.5},)"
     R"( "encoding": {"kind": "power", "gamma": 1.8},)"
-    R"( "render": {"program": "p 1", "scene": "s.pov", "mapping": "accurate", "seconds": 7, "rms_error": 0.01}})";
+    R"( "render": {"program": "p 1", "scene": "s.pov", "model": "full", "mapping": "accurate",)"
+    R"( "pixel_samples": 4, "beam_samples": 16, "pseudoscopic": true, "seconds": 7,)"
+    R"( "error": {"rms": 0.01, "low": 0.005, "high": 0.02, "confidence": 0.95, "method": "audit", "pixels": 1000,)"
+    R"( "lit_pixels": 19200, "samples": 17, "seconds": 0.5}}})";
 
 std::string with(const std::string& old_text, const std::string& new_text)
 {
@@ -86,8 +89,21 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
     BOOST_TEST(m.render->scene == "s.pov");
     BOOST_CHECK(m.render->mapping == LensMapping::accurate);
     BOOST_TEST(m.render->seconds == 7);
-    BOOST_REQUIRE(m.render->rms_error);
-    BOOST_TEST(*m.render->rms_error == 0.01);
+    BOOST_CHECK(m.film.subpixels == Subpixels::bgr);
+    BOOST_CHECK(m.render->model == LensModel::full);
+    BOOST_TEST(m.render->pixel_samples == 4);
+    BOOST_TEST(m.render->beam_samples == 16);
+    BOOST_TEST(m.render->pseudoscopic);
+    BOOST_REQUIRE(m.render->error);
+    BOOST_TEST(m.render->error->rms == 0.01);
+    BOOST_TEST(m.render->error->low == 0.005);
+    BOOST_TEST(m.render->error->high == 0.02);
+    BOOST_TEST(m.render->error->confidence == 0.95);
+    BOOST_CHECK(m.render->error->method == ErrorMethod::audit);
+    BOOST_TEST(m.render->error->pixels == 1000);
+    BOOST_TEST(m.render->error->lit_pixels == 19200);
+    BOOST_TEST(m.render->error->samples == 17);
+    BOOST_TEST(m.render->error->seconds == 0.5);
 }
 
 BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
@@ -104,7 +120,7 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
         m.sheet.ior = between(1, 4);
         m.sheet.slant = between(-89, 89);
         m.sheet.offset = {between(-1e6, 1e6), between(-1, 1)};
-        m.film = {1 + i, 1000000 - i, {std::pow(10, between(-6, 4)), between(0.001, 1)}};
+        m.film = {1 + i, 1000000 - i, {std::pow(10, between(-6, 4)), between(0.001, 1)}, static_cast<Subpixels>(i % 3)};
         m.aperture.distance = std::pow(10, between(-2, 9));
         m.aperture.width = i % 5 ? std::pow(10, between(-9, 15)) : std::numeric_limits<double>::infinity();
         m.aperture.height = i % 7 ? between(0, 1) : 0;
@@ -120,9 +136,15 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
             record.program = "povray-integral \"1\"\n\xc3\xa9";
             record.scene = "a\\b.pov";
             record.mapping = static_cast<LensMapping>(i % 4);
+            record.model = static_cast<LensModel>(i % 4);
+            record.pixel_samples = 1 + i;
+            record.beam_samples = 65536 - i;
+            record.pseudoscopic = i % 5 == 0;
             record.seconds = between(0, 1e6);
             if (i % 2)
-                record.rms_error = between(0, 1);
+                record.error = ErrorEstimate{between(0, 1), between(0, 1), between(0, 1), between(0, 1),
+                                             i % 4 == 1 ? ErrorMethod::audit : ErrorMethod::split_halves, 1000LL * i,
+                                             1000000LL * i, i, between(0, 1e6)};
             m.render = record;
         }
 
@@ -136,6 +158,7 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
         BOOST_TEST(n.film.width == m.film.width);
         BOOST_TEST(n.film.height == m.film.height);
         check_equal(n.film.pixel_pitch, m.film.pixel_pitch);
+        BOOST_CHECK(n.film.subpixels == m.film.subpixels);
         BOOST_TEST(n.aperture.distance == m.aperture.distance);
         BOOST_TEST(n.aperture.width == m.aperture.width);
         BOOST_TEST(n.aperture.height == m.aperture.height);
@@ -157,7 +180,22 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
             BOOST_TEST(n.render->scene == m.render->scene);
             BOOST_CHECK(n.render->mapping == m.render->mapping);
             BOOST_TEST(n.render->seconds == m.render->seconds);
-            BOOST_CHECK(n.render->rms_error == m.render->rms_error);
+            BOOST_CHECK(n.render->model == m.render->model);
+            BOOST_TEST(n.render->pixel_samples == m.render->pixel_samples);
+            BOOST_TEST(n.render->beam_samples == m.render->beam_samples);
+            BOOST_TEST(n.render->pseudoscopic == m.render->pseudoscopic);
+            BOOST_REQUIRE(n.render->error.has_value() == m.render->error.has_value());
+            if (m.render->error) {
+                BOOST_TEST(n.render->error->rms == m.render->error->rms);
+                BOOST_TEST(n.render->error->low == m.render->error->low);
+                BOOST_TEST(n.render->error->high == m.render->error->high);
+                BOOST_TEST(n.render->error->confidence == m.render->error->confidence);
+                BOOST_CHECK(n.render->error->method == m.render->error->method);
+                BOOST_TEST(n.render->error->pixels == m.render->error->pixels);
+                BOOST_TEST(n.render->error->lit_pixels == m.render->error->lit_pixels);
+                BOOST_TEST(n.render->error->samples == m.render->error->samples);
+                BOOST_TEST(n.render->error->seconds == m.render->error->seconds);
+            }
         }
     }
 }
@@ -221,7 +259,13 @@ BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)
         {"\"accurate\"", "\"best\"", "render.mapping must be auto, closest, accurate or exhaustive"},
         {"\"s.pov\"", "7", "render.scene must be a string"},
         {"\"seconds\": 7", "\"seconds\": -7", "render.seconds"},
-        {"0.01", "\"small\"", "render.rms_error"},
+        {"0.01", "\"small\"", "render.error.rms"},
+        {"\"audit\"", "\"guess\"", "render.error.method must be audit or split halves"},
+        {"19200", "-1", "render.error.lit_pixels"},
+        {"\"full\"", "\"thin\"", "render.model must be extended_pinhole, pinhole, hybrid or full"},
+        {"\"beam_samples\": 16", "\"beam_samples\": 0", "render.beam_samples"},
+        {"true", "1", "render.pseudoscopic must be true or false"},
+        {"\"bgr\"", "\"brg\"", "film.subpixels must be rgb, bgr or none"},
         {"\"sheet\"", "\"sheets\"", "sheet is missing"},
         {"\"film\": {", "\"film\": 3, \"fil\": {", "film must be an object"},
         {"1.5", "1e999", "out of range"},

@@ -33,11 +33,16 @@ void check_printed(double value, double printed, double last_digit)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(equation_2_1_greatest_angle)
+BOOST_AUTO_TEST_CASE(equation_2_1_greatest_angle_of_the_afocal_pair)
 {
     check_printed(*greatest_angle(sheet(1.27, 3.08, 1.5)), 17.63, 0.01);
-    check_printed(*greatest_angle(sheet()), 18.85, 0.01);
     BOOST_CHECK(!greatest_angle(sheet(10, 1, 1.6)));
+}
+
+BOOST_AUTO_TEST_CASE(equation_2_1_greatest_angle_of_micro_field_lenses)
+{
+    // section 2.4.1 prints the formula's value at n 1.6
+    check_printed(*greatest_angle(sheet()), 18.85, 0.01);
 }
 
 BOOST_AUTO_TEST_CASE(equation_3_5_filling_distance)
@@ -56,18 +61,32 @@ BOOST_AUTO_TEST_CASE(equation_3_5_filling_distance)
 BOOST_AUTO_TEST_CASE(equation_3_8_pinhole_spread)
 {
     check_printed(pinhole_spread(sheet(), 300, 195), 2.002, 0.001);
+    // "a difference of 0.8 mm" between the two models, nine pixels at 300 dpi
+    const double difference = pinhole_spread(sheet(), 300, 195) - micro_image_width(sheet(), 300, 195);
+    check_printed(difference, 0.8, 0.1);
+    check_printed(difference / dpi_300, 9, 1);
 }
 
 BOOST_AUTO_TEST_CASE(equation_3_9_extended_pinhole_spread)
 {
     check_printed(micro_image_width(sheet(), 300, 195), 1.213, 0.001);
+    // as printed there: 2 f w / sqrt(4 N^2 d^2 + N^2 w^2 - w^2)
+    for (const double d : {50.0, 300.0, 4000.0})
+        check_printed(micro_image_width(sheet(), d, 195),
+                      2 * 3.08 * 195 / std::sqrt(4 * 1.6 * 1.6 * d * d + 1.6 * 1.6 * 195 * 195 - 195 * 195), 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(equation_4_1_pixels_seen)
+BOOST_AUTO_TEST_CASE(equation_4_1_figure_4_8_pixels_seen)
 {
-    // (300/25.4) t D/d; figure 4-8 falls as 1/d: one pixel at 181.9 mm for a 5 mm eye.
-    check_printed(pixels_seen(sheet(), dpi_300, 5, 181.89), 1, 0.001);
-    check_printed(pixels_seen(sheet(), dpi_300, 5, 363.78), 0.5, 0.001);
+    // (300/25.4) 3.08 * 5/d for an eye of 5 mm: 181.89/d. "Quickly tends towards zero."
+    const double figure[][2] = {{100, 1.8189}, {181.89, 1}, {250, 0.7276}, {500, 0.3638}, {1000, 0.1819}, {2000, 0.0909}};
+    for (const auto& at : figure)
+        check_printed(pixels_seen(sheet(), dpi_300, 5, at[0]), at[1], 0.0001);
+}
+
+BOOST_AUTO_TEST_CASE(equation_4_3_pixel_size)
+{
+    check_printed(dpi_300, 0.085, 0.001);
 }
 
 BOOST_AUTO_TEST_CASE(equation_4_4_pixel_angle)
@@ -78,14 +97,19 @@ BOOST_AUTO_TEST_CASE(equation_4_4_pixel_angle)
 
 BOOST_AUTO_TEST_CASE(equation_4_5_pixel_spread)
 {
+    // The thesis prints 13.197 mm at 300 mm, which is that of its rounded angle, the pixel centred on the axis.
     check_printed(pixel_spread(2.52, 300), 13.197, 0.001);
+    check_printed(pixel_spread(*pixel_angle(sheet(), dpi_300), 300), 13.197, 0.002);
+    check_printed(pixel_spread(2.52, 300), 13, 1); // "at a point distance of 300mm it is 13mm"
 }
 
-BOOST_AUTO_TEST_CASE(equation_4_6_resolution_against_depth)
+BOOST_AUTO_TEST_CASE(equation_4_6_figure_4_12_resolution_against_depth)
 {
-    // (1/2d)(lpi/n) sqrt(4t^2 + p^2 - n^2 p^2) with lpi 150: 5.9525 under the root's result.
-    const double root = std::sqrt(4 * 3.08 * 3.08 + 1.27 * 1.27 - 1.6 * 1.6 * 1.27 * 1.27);
-    check_printed(*depth_resolution(sheet(), dpi_300, 100), 150 / 1.6 * root / 200, 1e-9);
+    // 150/(2 * 1.6 d) times the root of 4 * 3.08^2 + 1.27^2 - 1.6^2 * 1.27^2 = 35.429476: 279.01/d.
+    const double figure[][2] = {{10, 27.901}, {20, 13.951}, {50, 5.580}, {100, 2.790}, {200, 1.395}, {300, 0.930}};
+    for (const auto& at : figure)
+        check_printed(*depth_resolution(sheet(), dpi_300, at[0]), at[1], 0.001);
+    // "proportional to 1/d"
     check_printed(*depth_resolution(sheet(), dpi_300, 50) / *depth_resolution(sheet(), dpi_300, 100), 2, 1e-12);
     check_printed(*depth_resolution(sheet(), dpi_300, *depth_budget(sheet(), dpi_300)),
                   observer_resolution(1.27, 500, 0), 1e-9);
@@ -93,10 +117,12 @@ BOOST_AUTO_TEST_CASE(equation_4_6_resolution_against_depth)
     BOOST_CHECK(!depth_budget(sheet(10, 1, 1.6), dpi_300));
 }
 
-BOOST_AUTO_TEST_CASE(equation_4_7_observer_resolution)
+BOOST_AUTO_TEST_CASE(equation_4_7_figure_4_15_observer_resolution)
 {
-    check_printed(observer_resolution(1.27, 500, 0), 10, 1e-9);
-    check_printed(observer_resolution(1.27, 500, 250), 20, 1e-9);
+    // An observer at 500 mm: 5000/(500 - object).
+    const double figure[][2] = {{-500, 5}, {-250, 6.6667}, {0, 10}, {100, 12.5}, {250, 20}, {300, 25}, {400, 50}};
+    for (const auto& at : figure)
+        check_printed(observer_resolution(1.27, 500, at[0]), at[1], 0.0001);
 }
 
 BOOST_AUTO_TEST_CASE(equation_5_1_discrete_view_distance)

@@ -4,8 +4,9 @@
 #ifndef TESTS_UNIT_OPTICS_ORACLE_H
 #define TESTS_UNIT_OPTICS_ORACLE_H
 
-#include "integral/optics/lens_mapping.h"
+#include "integral/optics/beam.h"
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <boost/multiprecision/cpp_dec_float.hpp>
 #include <optional>
 
@@ -70,8 +71,20 @@ inline std::optional<Real> slit_root(Real alpha, Real beta, Real g, Real e, Real
     return (low + high) / 2;
 }
 
+/// The slit's normal e, signed so that e.a > 0, and e.A of a slit at `height`.
+struct SlitFrame { Point e; Real eta; };
+inline SlitFrame slit_frame(const integral::LensSheet& sheet, Point along, double height)
+{
+    const bool horizontal = std::fabs(sheet.slant) <= 45;
+    const Point plain{horizontal ? 0 : 1, horizontal ? 1 : 0};
+    if (plain.x * along.x + plain.y * along.y < 0)
+        return {{-plain.x, -plain.y}, -Real(height)};
+    return {plain, height};
+}
+
 /// Steps 2 to 4 of optics.md section 3; nothing on total reflection or with the slit out of reach.
-inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance, integral::Vec2 film, integral::LensIndex lens)
+inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance, integral::Vec2 film, integral::LensIndex lens,
+                              double slit_height = 0)
 {
     const Real t = sheet.thickness, n = sheet.ior, m = (n - 1) * (n + 1), d = distance, x = film.x, y = film.y;
     Ray out;
@@ -81,12 +94,9 @@ inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance,
         axes(sheet, b, a);
         const Real h = b.x * (out.pole.x - x) + b.y * (out.pole.y - y);
         const Point foot{x + h * b.x, y + h * b.y};
-        const bool horizontal = std::fabs(sheet.slant) <= 45;
-        Point e{horizontal ? 0 : 1, horizontal ? 1 : 0};
-        if (e.x * a.x + e.y * a.y < 0)
-            e = {-e.x, -e.y};
+        const auto [e, eta] = slit_frame(sheet, a, slit_height);
         const Real g = e.x * a.x + e.y * a.y;
-        const auto tau = slit_root(e.x * foot.x + e.y * foot.y, h * (e.x * b.x + e.y * b.y), g, t * t - m * h * h, m, n * d);
+        const auto tau = slit_root(e.x * foot.x + e.y * foot.y - eta, h * (e.x * b.x + e.y * b.y), g, t * t - m * h * h, m, n * d);
         if (!tau)
             return std::nullopt;
         out.pole = {foot.x + *tau * a.x, foot.y + *tau * a.y};

@@ -4,6 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -134,6 +135,164 @@ BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
             BOOST_TEST(judged + black > view.width * view.height * 9 / 10);
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stripe)
+{
+    // Each channel of a film pixel holds the place of its own stripe's centre, in pixels. What the eye sees of each is
+    // within half a pixel of the film point behind the lens, and within a whole one if the stripes are taken for pixels.
+    for (const Subpixels order : {Subpixels::rgb, Subpixels::bgr})
+        for (const Case& c : cases) {
+            FrameMetadata m = geometry(c, 300, 200, 0.05);
+            m.film.subpixels = order;
+            const double red = order == Subpixels::rgb ? -1 / 3.0 : 1 / 3.0;
+            Frame frame;
+            frame.image = make_image<float>(m.film.width, m.film.height, 3, linear);
+            for (int y = 0; y < m.film.height; ++y)
+                for (int x = 0; x < m.film.width; ++x)
+                    store_pixel(frame.image, x, y, {float(x + 0.5 + red), float(x + 0.5), float(x + 0.5 - red), 1});
+            set_metadata(frame, m);
+            Frame as_pixels = frame;
+            as_pixels.metadata->film.subpixels = Subpixels::none;
+            const View view{{-40, 25, 250}, 101, 67, 1};
+            const auto image = replay(frame, view), ignored = replay(as_pixels, view);
+            double worst = 0, worst_ignored = 0;
+            int judged = 0;
+            for (int y = 0; y < view.height; ++y)
+                for (int x = 0; x < view.width; ++x) {
+                    const Vec2 q = view_point(m, view, x, y);
+                    double margin;
+                    const Vec2 pole = nearest_pole(m.sheet, q, margin);
+                    const Vec2 f = film_point(m.sheet, pole, q, view.eye);
+                    const double px = f.x / m.film.pixel_pitch.x + 150, py = 100 - f.y / m.film.pixel_pitch.y;
+                    if (margin < 1e-6 || px < 1 || px > 299 || py < 0.01 || py > 199.99)
+                        continue;
+                    const auto farthest = [&](const Image& seen) {
+                        const Color color = stored_pixel(seen, x, y);
+                        return std::max({std::fabs(color.r - px), std::fabs(color.g - px), std::fabs(color.b - px)});
+                    };
+                    worst = std::max(worst, farthest(*image));
+                    worst_ignored = std::max(worst_ignored, farthest(*ignored));
+                    ++judged;
+                }
+            BOOST_TEST(judged > 4000);
+            BOOST_TEST(worst < 0.5 + 1e-4);
+            BOOST_TEST(worst_ignored > 0.8); // 5/6
+        }
+}
+
+namespace {
+
+/// A frame of a white bar, from x = -width/2 to width/2, at depth z on black: each channel's light is that of the ray from
+/// its own stripe's centre.
+Frame frame_of_bar(const FrameMetadata& m, double z, double width)
+{
+    const SheetOptics optics(m.sheet, m.aperture);
+    Frame frame{make_image<std::uint16_t>(m.film.width, m.film.height, 3, {}), {}};
+    for (int y = 0; y < m.film.height; ++y)
+        for (int x = 0; x < m.film.width; ++x) {
+            const auto light = [&](int channel) {
+                const double shift = m.film.subpixels == Subpixels::rgb ? (channel - 1) / 3.0 : 0;
+                const auto mapped = optics.map(film_from_pixel(m.film, {x + 0.5 + shift, y + 0.5}), LensMapping::automatic);
+                if (!mapped.ray)
+                    return 0.0f;
+                const double at = mapped.ray->pole.x + z / mapped.ray->direction.z * mapped.ray->direction.x;
+                return std::fabs(at) < width / 2 ? 1.0f : 0.0f;
+            };
+            store_linear(frame.image, x, y, {light(0), light(1), light(2), 1});
+        }
+    set_metadata(frame, m);
+    return frame;
+}
+
+/// Where the bar's two edges are seen on average, mm on the sheet: what light each channel has to the left and to the right
+/// of the bar's middle.
+struct Edges { double left[3], right[3]; };
+
+Edges edges_of(const Frame& frame, Eye eye)
+{
+    const Film& film = frame.metadata->film;
+    View view{eye, 0, 0, 3};
+    set_view_size(view, film, 600);
+    const auto image = replay(frame, view);
+    const LinearReader light(*image);
+    const double pixel = film.width * film.pixel_pitch.x / view.width / view.height; // mm, a row's part
+    const int middle = int(view.width * (0.5 + eye.x * 20 / (eye.distance + 20) / (film.width * film.pixel_pitch.x)));
+    Edges edges{};
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const Color seen = light(x, y);
+            double* side = x < middle ? edges.left : edges.right;
+            const double width = (x < middle ? -1 : 1) * pixel;
+            side[0] += width * seen.r;
+            side[1] += width * seen.g;
+            side[2] += width * seen.b;
+        }
+    return edges;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_white_bar_on_a_film_of_subpixels_has_no_coloured_edges)
+{
+    // A panel of 0.207 mm pixels under slanted lenses, a white bar 20 mm behind the sheet. Taken for pixels, the stripes'
+    // channels would be seen z/t n times a third of a pixel apart.
+    FrameMetadata m;
+    m.sheet = {Arrangement::lenticular, 1.27, 3.08, 1.6, 9.46, {}};
+    m.film = {480, 300, {0.207, 0.207}, Subpixels::rgb};
+    m.aperture = *filling_aperture(m.sheet, 400);
+    Frame frame = frame_of_bar(m, 20, 40);
+    for (const Eye eye : {Eye{0, 0, 400}, Eye{30, 0, 400}, Eye{-45, 0, 400}}) {
+        const Edges seen = edges_of(frame, eye);
+        frame.metadata->film.subpixels = Subpixels::none;
+        const Edges ignored = edges_of(frame, eye);
+        frame.metadata->film.subpixels = Subpixels::rgb;
+        const double apart = 2 / 3.0 * m.film.pixel_pitch.x * 20 * m.sheet.ior / m.sheet.thickness; // red and blue, paraxially
+        for (const auto side : {&Edges::left, &Edges::right}) {
+            const double fringe = (seen.*side)[0] - (seen.*side)[2];
+            const double fringe_ignored = (ignored.*side)[0] - (ignored.*side)[2];
+            BOOST_TEST_MESSAGE("eye " << eye.x << ": red beside blue by " << fringe / m.film.pixel_pitch.x << " pixels, "
+                                      << fringe_ignored / m.film.pixel_pitch.x << " if taken for pixels");
+            BOOST_TEST(std::fabs(fringe) < 0.2 * m.film.pixel_pitch.x);
+            BOOST_TEST(std::fabs(std::fabs(fringe_ignored) / apart - 1) < 0.1);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(subpixels_at_the_film_s_edge_and_alpha)
+{
+    // White to the film's very edge, every other column transparent; under one wide lens the eye sees the film plainly.
+    FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 30, 20, 0.01);
+    m.sheet.pitch = 10;
+    m.sheet.thickness = 30;
+    m.film.subpixels = Subpixels::bgr;
+    Frame frame;
+    frame.image = make_image<std::uint8_t>(30, 20, 4, {});
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 30; ++x)
+            store_pixel(frame.image, x, y, {1, 1, 1, x % 2 ? 0.0f : 1.0f});
+    set_metadata(frame, m);
+    const View view{{0, 0, 17}, 400, 9, 1}; // from there the film fills the view but for a little
+    const auto image = replay(frame, view);
+    int beyond = 0, first = 0, last = 0, mixed = 0;
+    for (int x = 0; x < view.width; ++x) {
+        const double px = film_point(m.sheet, {0, 0}, view_point(m, view, x, 4), view.eye).x / 0.01 + 15;
+        const auto opaque = [&](double stripe) {
+            return px >= 0 && px < 30 && int(std::fmin(29, std::fmax(0, std::floor(px - stripe)))) % 2 == 0;
+        };
+        const bool red = opaque(1 / 3.0), green = opaque(0), blue = opaque(-1 / 3.0);
+        const Color seen = stored_pixel(*image, x, 4);
+        BOOST_TEST(std::lround(3 * seen.a) == red + green + blue);
+        BOOST_TEST((seen.r > 0) == red);
+        BOOST_TEST((seen.g > 0) == green);
+        BOOST_TEST((seen.b > 0) == blue);
+        beyond += px < 0 || px >= 30;
+        first += px >= 0 && px < 1 / 3.0;
+        last += px < 30 && px >= 30 - 1 / 3.0;
+        mixed += red != green || green != blue;
+    }
+    for (const int met : {beyond, first, last, mixed})
+        BOOST_TEST(met > 3);
 }
 
 BOOST_AUTO_TEST_CASE(a_far_scene_is_seen_by_direction_and_repeats_in_the_side_lobes)

@@ -30,7 +30,11 @@ void IntegralGrammar::Apply_Option(IntegralBlock& block)
     if (given("sheet_distance")) to.sheet_distance = from.sheet_distance;
     if (given("capture_aperture")) to.capture_aperture = from.capture_aperture;
     if (given("aperture_shape")) to.aperture_shape = from.aperture_shape;
+    if (given("lens_model")) to.model = from.model;
     if (given("lens_mapping")) to.mapping = from.mapping;
+    if (given("beam_samples")) to.beam_samples = from.beam_samples;
+    if (given("pixel_samples")) to.pixel_samples = from.pixel_samples;
+    if (given("pseudoscopic")) to.pseudoscopic = from.pseudoscopic;
     if (given("depth_range")) to.depth_range = from.depth_range;
     block.given.insert(option->given.begin(), option->given.end());
     block.integral = true;
@@ -124,8 +128,11 @@ void IntegralGrammar::Finish(Camera& camera)
     const bool integral = camera.Integral && camera.Integral->integral && camera.Integral->optics;
     pov_base::IntegralFrame::Set_Scene(UCS2toASCIIString(parser.sceneData->inputFile));
     pov_base::IntegralFrame::Expect(integral ? camera.Integral->optics.get() : NULL);
-    if (integral)
-        Warn(camera);
+    if (!integral)
+        return;
+    if (!parser.sceneData->integralProblem.empty())
+        parser.Error("%s.", parser.sceneData->integralProblem.c_str());
+    Warn(camera);
 }
 
 void IntegralGrammar::Warn(const Camera& camera)
@@ -149,8 +156,10 @@ void IntegralGrammar::Warn(const Camera& camera)
                        pitch, optics.optics.sheet().pitch / pitch);
 
     const integral::Aperture& aperture = optics.optics.aperture();
-    const auto filling = integral::filling_aperture(optics.optics.sheet(), aperture.distance);
-    if (filling && (aperture.width > 1.1 * filling->width || aperture.height > 1.1 * filling->height))
+    const auto filling = integral::filling_aperture(integral::modelled_sheet(optics.optics.sheet(), optics.optics.model()),
+                                                    aperture.distance);
+    const auto too_wide = [](double extent, double fills) { return fills > 0 && extent > 1.1 * fills; }; // a slit's height is free
+    if (filling && (too_wide(aperture.width, filling->width) || too_wide(aperture.height, filling->height)))
         parser.Warning(0, "Integral camera: capture_aperture <%.4g, %.4g> is wider than the <%.4g, %.4g> mm that fill a lens:\n"
                           "what its edges see stands behind the neighbouring lenses, and is seen double.",
                        aperture.width, aperture.height, filling->width, filling->height);

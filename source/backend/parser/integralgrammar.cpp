@@ -7,8 +7,10 @@
 #include "backend/parser/parse.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
+#include "integral/lightfield/names.h"
 
 #include <algorithm>
+#include <cmath>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -29,7 +31,7 @@ std::string List(const std::vector<std::string>& words)
 
 const std::vector<std::string> camera_words = {
     "lens_sheet", "film", "sheet_distance", "capture_aperture", "aperture_shape", "lens_model",
-    "lens_mapping", "depth_range" };
+    "lens_mapping", "beam_samples", "pixel_samples", "depth_range", "pseudoscopic" };
 
 }
 
@@ -130,15 +132,26 @@ integral::Vec2 IntegralGrammar::Parse_Pair(bool promote)
     return {components[X], components[Y]};
 }
 
-std::string IntegralGrammar::Parse_Choice(const char* word, const std::vector<std::string>& legal)
+/// A number of samples. Its range is checked with the other values'.
+int IntegralGrammar::Parse_Count(const char* word)
 {
-    const std::string choice = Next_Word();
+    const double count = parser.Parse_Float();
+    if (!(std::fabs(count) < 1e9) || count != std::floor(count))
+        parser.Error("%s %g is not a whole number: 1 to 65536 expected.", word, count);
+    return int(count);
+}
+
+/// One of the words for the kinds of something, as files spell them.
+template <class Kind> Kind IntegralGrammar::Parse_Kind(const char* of)
+{
+    const std::string word = Next_Word(), legal = integral::legal_names<Kind>();
     parser.Get_Token();
     if (parser.Token.Token_Id == STRING_LITERAL_TOKEN)
-        parser.Error("A %s is written without quotes: %s expected.", word, List(legal).c_str());
-    if (std::find(legal.begin(), legal.end(), choice) == legal.end())
-        parser.Error("'%s' is not a %s: %s expected.", choice.c_str(), word, List(legal).c_str());
-    return choice;
+        parser.Error("A %s is written without quotes: %s expected.", of, legal.c_str());
+    const auto kind = integral::kind_named<Kind>(word);
+    if (!kind)
+        parser.Error("'%s' is not a %s: %s expected.", word.c_str(), of, legal.c_str());
+    return *kind;
 }
 
 bool IntegralGrammar::Parse_Word(IntegralBlock& block)
@@ -158,20 +171,19 @@ bool IntegralGrammar::Parse_Word(IntegralBlock& block)
     else if (word == "capture_aperture")
         p.capture_aperture = Parse_Pair(false);
     else if (word == "aperture_shape")
-        p.aperture_shape = Parse_Choice("shape of an aperture", {"rectangle", "ellipse"}) == "ellipse"
-            ? integral::ApertureShape::ellipse : integral::ApertureShape::rectangle;
+        p.aperture_shape = Parse_Kind<integral::ApertureShape>("shape of an aperture");
     else if (word == "lens_model")
-        Parse_Choice("lens model", {"extended_pinhole"});
+        p.model = Parse_Kind<integral::LensModel>("lens model");
     else if (word == "lens_mapping")
-    {
-        const std::string mapping = Parse_Choice("lens mapping", {"auto", "closest", "accurate", "exhaustive"});
-        p.mapping = mapping == "closest" ? integral::LensMapping::closest
-                  : mapping == "accurate" ? integral::LensMapping::accurate
-                  : mapping == "exhaustive" ? integral::LensMapping::exhaustive
-                  : integral::LensMapping::automatic;
-    }
+        p.mapping = Parse_Kind<integral::LensMapping>("lens mapping");
+    else if (word == "beam_samples")
+        p.beam_samples = Parse_Count(word.c_str());
+    else if (word == "pixel_samples")
+        p.pixel_samples = Parse_Count(word.c_str());
     else if (word == "depth_range")
         p.depth_range = Parse_Pair(false);
+    else if (word == "pseudoscopic")
+        p.pseudoscopic = true;
     Check_Value(block);
     return true;
 }
@@ -257,8 +269,13 @@ void IntegralGrammar::Parse_Film(IntegralBlock& block)
             give("units_per_mm");
             film.units_per_mm = parser.Parse_Float();
         }
+        else if (Accept("subpixels"))
+        {
+            give("subpixels");
+            film.subpixels = Parse_Kind<integral::Subpixels>("order of subpixels");
+        }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
-            parser.Error("'%s' is not a word of film: dpi, pixel_pitch or units_per_mm expected.", Next_Word().c_str());
+            parser.Error("'%s' is not a word of film: dpi, pixel_pitch, units_per_mm or subpixels expected.", Next_Word().c_str());
         else
             break;
         Check_Value(block);

@@ -59,8 +59,9 @@ class IntegralGrammar
         void Parse_Film(IntegralBlock& block);
         void Give(IntegralBlock& block, const std::string& word);
         void Check_Value(const IntegralBlock& block);
-        std::string Parse_Choice(const char* word, const std::vector<std::string>& legal);
+        template <class Kind> Kind Parse_Kind(const char* of);
         integral::Vec2 Parse_Pair(bool promote);
+        int Parse_Count(const char* word);
         void Apply_Option(IntegralBlock& block);
         bool Frame_Size(int& width, int& height);
         void Warn(const Camera& camera);

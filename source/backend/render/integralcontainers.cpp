@@ -3,10 +3,13 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integralcontainers.h"
+#include "backend/render/ray.h"
 #include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
 #include "backend/shape/planes.h"
 
 #include <algorithm>
+#include <cmath>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -14,53 +17,100 @@
 namespace pov
 {
 
-bool May_Start_Inside(const integral::IntegralCamera& camera, const std::vector<ObjectPtr>& objects,
-                      TraceThreadData *thread)
+namespace
 {
-    if (camera.depth_range)
-        return true; // rays start before the sheet, all over it
 
-    // the aperture's corners, a little outwards as its edge belongs to it
-    const integral::Aperture& aperture = camera.optics.aperture();
-    integral::Vec3 corners[4];
-    for (int k = 0; k < 4; k++)
-        corners[k] = integral::scene_from_sheet(camera.placement, {(k & 1 ? 0.5001 : -0.5001) * aperture.width,
-                                                                   (k & 2 ? 0.5001 : -0.5001) * aperture.height,
-                                                                   -aperture.distance});
-    const auto least = [&](double integral::Vec3::*axis) {
-        return std::min(std::min(corners[0].*axis, corners[1].*axis), std::min(corners[2].*axis, corners[3].*axis));
-    };
-    const auto most = [&](double integral::Vec3::*axis) {
-        return std::max(std::max(corners[0].*axis, corners[1].*axis), std::max(corners[2].*axis, corners[3].*axis));
-    };
-    const double low[3] = {least(&integral::Vec3::x), least(&integral::Vec3::y), least(&integral::Vec3::z)};
-    const double high[3] = {most(&integral::Vec3::x), most(&integral::Vec3::y), most(&integral::Vec3::z)};
+using integral::StartRegion;
+using integral::Vec3;
 
-    for (const ObjectPtr object : objects)
-    {
-        if (object->interior == NULL)
-            continue;
-        bool meets = true;
-        for (int axis = X; axis <= Z; axis++)
+/// Whether a ray inside of it, and of nothing else, behaves otherwise than one outside.
+bool Matters(const Interior& interior)
+{
+    return !interior.hollow || interior.IOR != 1.0f || interior.Dispersion != 1.0f || interior.Old_Refract != 1.0f
+        || interior.Fade_Power != 0.0f || !interior.media.empty() || interior.subsurface != NULL;
+}
+
+/// Whether the region and an object's bounding box meet: no plane along a face of the box, along the region or along an
+/// edge of each parts them (the theorem of the separating axis).
+bool Meet(const StartRegion& region, const BBOX& box)
+{
+    const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
+    const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y], 0.5 * box.Lengths[Z]}; // boxes are in single precision
+    const Vec3 between = low + half - region.centre;
+    const double slack = 1e-6 * (length(low) + length(half) + length(region.centre));
+    const auto parts = [&](Vec3 axis) {
+        const double reach = half.x * std::fabs(axis.x) + half.y * std::fabs(axis.y) + half.z * std::fabs(axis.z)
+                           + std::fabs(dot(region.half_x, axis)) + std::fabs(dot(region.half_y, axis));
+        return std::fabs(dot(between, axis)) > reach + slack * length(axis);
+    };
+    const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (parts(cross(region.half_x, region.half_y)))
+        return false;
+    for (const Vec3& axis : axes)
+        if (parts(axis) || parts(cross(axis, region.half_x)) || parts(cross(axis, region.half_y)))
+            return false;
+    return true;
+}
+
+/// Whether an object may contain a point of the region. A plane's outside is convex: with the four corners out there,
+/// all of the region is.
+bool May_Contain(const ObjectPtr object, const StartRegion& region, TraceThreadData *thread)
+{
+    if (!Meet(region, object->BBox))
+        return false;
+    if (dynamic_cast<const Plane *>(object) == NULL || !object->Clip.empty())
+        return true;
+    for (const double a : {-1.0, 1.0})
+        for (const double b : {-1.0, 1.0})
         {
-            const double begin = object->BBox.Lower_Left[axis], length = object->BBox.Lengths[axis];
-            const double slack = 1e-6 * (std::fabs(begin) + length);
-            meets = meets && begin - slack <= high[axis] && begin + length + slack >= low[axis];
+            const Vec3 corner = region.centre + a * region.half_x + b * region.half_y;
+            const VECTOR point = {corner.x, corner.y, corner.z};
+            if (object->Inside(point, thread))
+                return true;
         }
-        // a plane's outside is convex: with the four corners out there, all of the aperture is
-        if (meets && dynamic_cast<const Plane *>(object) != NULL && object->Clip.empty())
-        {
-            meets = false;
-            for (const integral::Vec3& corner : corners)
-            {
-                const VECTOR point = {corner.x, corner.y, corner.z};
-                meets = meets || object->Inside(point, thread);
-            }
-        }
-        if (meets)
-            return true;
-    }
     return false;
+}
+
+}
+
+void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneData& scene, TraceThreadData *thread)
+{
+    const auto region = start_region(camera);
+    std::vector<ObjectPtr> chosen;
+    for (const ObjectPtr object : scene.objects)
+        if (object->interior != NULL && (!region || May_Contain(object, *region, thread)))
+            chosen.push_back(object);
+    // beside one that matters, the others do: what a ray meets as it leaves an overlap depends on all that it is in
+    if (std::none_of(chosen.begin(), chosen.end(), [](const ObjectPtr object) { return Matters(*object->interior); }))
+        chosen.clear();
+
+    left_to_pov = scene.boundingMethod == 2 || !region; // a tree finds them faster than a list of all
+    candidates.clear();
+    if (scene.boundingMethod == 0 || scene.boundingSlabs == NULL || left_to_pov)
+        candidates = chosen;
+    else
+        Choose_From(scene.boundingSlabs, chosen);
+}
+
+/// Takes over those of the chosen that are below a node, in the order of POV-Ray's own way through the tree.
+void IntegralContainers::Choose_From(BBOX_TREE *node, const std::vector<ObjectPtr>& chosen)
+{
+    if (node->Entries == 0)
+    {
+        const ObjectPtr object = ObjectPtr(node->Node);
+        if (std::find(chosen.begin(), chosen.end(), object) != chosen.end())
+            candidates.push_back(object);
+        return;
+    }
+    for (int i = 0; i < node->Entries; i++)
+        Choose_From(node->Node[i], chosen);
+}
+
+void IntegralContainers::Tell(Ray& ray, TraceThreadData *thread) const
+{
+    for (const ObjectPtr object : candidates)
+        if (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, thread))
+            ray.AppendInterior(object->interior);
 }
 
 }

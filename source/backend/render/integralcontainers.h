@@ -11,10 +11,34 @@
 namespace pov
 {
 
-/// Whether any of a scene's objects may contain the start of a camera ray, which lies on the
-/// capture aperture. No means no: then the search of each ray's containers can be left out.
-bool May_Start_Inside(const integral::IntegralCamera& camera, const std::vector<ObjectPtr>& objects,
-                      TraceThreadData *thread);
+class Ray;
+class SceneData;
+
+/// The objects of a scene that may contain the start of a camera ray; none where no interior among them makes a difference to
+/// a ray inside of it. Chosen once for a view, so that its rays are held against these alone.
+class IntegralContainers
+{
+    public:
+        void Choose(const integral::IntegralCamera& camera, SceneData& scene, TraceThreadData *thread);
+
+        /// No ray starts inside of anything that matters.
+        bool None() const { return candidates.empty(); }
+
+        /// POV-Ray's own search is to be used: with +BM2 the order of the objects is known to itself alone, and a ray that may
+        /// start anywhere is better looked for in a tree.
+        bool Left_To_POV() const { return left_to_pov && !None(); }
+
+        int Number() const { return int(candidates.size()); }
+
+        /// Tells the ray which of them its origin is inside of, in the order in which POV-Ray's own search finds them.
+        void Tell(Ray& ray, TraceThreadData *thread) const;
+
+    private:
+        void Choose_From(BBOX_TREE *node, const std::vector<ObjectPtr>& chosen);
+
+        std::vector<ObjectPtr> candidates;
+        bool left_to_pov = false;
+};
 
 }
 

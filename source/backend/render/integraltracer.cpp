@@ -3,10 +3,12 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integraltracer.h"
-#include "backend/render/integralcontainers.h"
 #include "backend/render/ray.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
+#include "backend/scene/scene.h"
+
+#include <cmath>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -14,49 +16,101 @@
 namespace pov
 {
 
-/// Adds to a counter that no other thread writes: no locked instruction is needed.
-static void Add(std::atomic<long long>& counter, bool one)
-{
-    counter.store(counter.load(std::memory_order_relaxed) + one, std::memory_order_relaxed);
-}
-
-void IntegralTracer::Setup(const Camera& camera, const std::vector<ObjectBase *>& objects, TraceThreadData *thread)
+void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadData *of_thread)
 {
     block = camera.Integral;
-    active = block && block->integral && block->optics;
+    active = block && block->integral && block->optics && block->sampler;
     tally = nullptr;
-    may_start_inside = active && pov::May_Start_Inside(*block->optics, objects, thread);
-    if (active && block->counts)
-    {
-        std::lock_guard<std::mutex> lock(block->counts->mutex);
-        tally = &block->counts->tallies.emplace_back();
-    }
+    thread = of_thread;
+    if (!active)
+        return;
+    containers.Choose(*block->optics, scene, thread);
+    counts_error = block->error.wanted && !block->audit;
+    std::lock_guard<std::mutex> lock(block->counts->mutex);
+    tally = &block->counts->tallies.emplace_back();
+    block->counts->containers = containers.Number();
+    block->counts->objects = int(scene.objects.size());
 }
 
-bool IntegralTracer::Create_Ray(Ray& ray, double px, double py, bool counted, double& length)
+/// Film point -> lens -> rays through its lens, into `rays`. False where the pixel images nothing.
+bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 {
-    const integral::IntegralCamera& camera = *block->optics;
+    const integral::PixelSampler& sampler = *block->sampler;
+    const integral::Vec2 pixel{std::floor(x + 0.5) + 0.5, std::floor(y + 0.5) + 0.5};
+    integral::Vec2 centre{x + 0.5, y + 0.5};
+    if (centre.x != pixel.x || centre.y != pixel.y) // a sample of POV-Ray's anti-aliasing
+        centre = sampler.within_lens(pixel, centre);
+    rays.clear();
+    if (audited)
+        return sampler.append_random_ray(centre, audit_index, rays);
 
-    // film point -> lens -> line through its pole
-    const integral::Vec2 film_point = integral::film_from_pixel(camera.film, {px, py});
-    const integral::MappedPoint mapped = camera.optics.map(film_point, camera.mapping);
-    if (counted && tally)
+    const integral::PixelOutcome outcome = sampler.append_rays(centre, rays);
+    if (counted)
     {
-        Add(tally->film_points, true);
-        Add(tally->rays, mapped.ray.has_value());
-        Add(tally->searched, mapped.ray.has_value() && mapped.searched);
-        Add(tally->outside_aperture, mapped.empty == integral::Empty::outside_aperture);
-        Add(tally->total_reflection, mapped.empty == integral::Empty::total_reflection);
+        tally->film_points.Add(outcome.film_points);
+        tally->imaged.Add(outcome.imaged);
+        tally->searched.Add(outcome.searched);
+        tally->outside_aperture.Add(outcome.outside_aperture);
+        tally->total_reflection.Add(outcome.total_reflection);
+        tally->rays.Add(rays.size());
+        tally->container_searches.Add(containers.None() ? 0 : rays.size());
     }
-    if (!mapped.ray)
-        return false;
+    return !rays.empty();
+}
 
-    // the one ray that sees along that line what the viewer would
-    const integral::SightLine line = integral::sight_line(camera, *mapped.ray);
+/// The one ray that sees along a beam's line what the viewer would.
+void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const
+{
+    const integral::SightLine line = integral::sight_line(*block->optics, beam);
+    ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
     Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
     Make_Vector(ray.Direction, line.direction.x, line.direction.y, line.direction.z);
+    if (!containers.None() && !containers.Left_To_POV())
+        containers.Tell(ray, thread);
     length = line.length;
-    return true;
+}
+
+void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& light)
+{
+    rays[ray.half]++;
+    for (int channel = 0; channel < 3; channel++)
+        if (ray.channel == channel || ray.channel == integral::PixelRay::all_channels)
+        {
+            sums[ray.half][channel] += light * ray.weight;
+            weights[ray.half][channel] += ray.weight;
+        }
+}
+
+Colour IntegralTracer::Light::Mean(int half) const
+{
+    Colour mean;
+    mean.clear();
+    for (int channel = 0; channel < 3; channel++)
+    {
+        Colour sum;
+        sum.clear();
+        DBL weight = 0;
+        for (int k = 0; k < 2; k++)
+            if (half == 2 || half == k)
+            {
+                sum += sums[k][channel];
+                weight += weights[k][channel];
+            }
+        // a channel without a ray is dark, and nothing is in its way
+        mean[channel] = weight > 0 ? sum[channel] / weight : 0.0;
+        mean.filter() += weight > 0 ? sum.filter() / (3 * weight) : 0.0;
+        mean.transm() += weight > 0 ? sum.transm() / (3 * weight) : 1.0 / 3;
+    }
+    return mean;
+}
+
+void IntegralTracer::Count_Error(const Light& light)
+{
+    if (light.rays[0] == 0 || light.rays[1] == 0)
+        return;
+    const Colour first = light.Mean(0), second = light.Mean(1);
+    tally->errors.add(integral::halves_error(block->error.output, {first.red(), first.green(), first.blue()},
+                                             {second.red(), second.green(), second.blue()}, light.rays[0], light.rays[1]));
 }
 
 }

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// One thread's share of an integral camera: makes its camera rays and counts them.
+// One thread's share of an integral camera: makes the camera rays of its pixels, adds up their light and counts them.
 #ifndef POVRAY_BACKEND_INTEGRALTRACER_H
 #define POVRAY_BACKEND_INTEGRALTRACER_H
 
+#include <cstdint>
 #include <memory>
 #include <vector>
+
+#include "backend/frame.h"
+#include "backend/render/integralcontainers.h"
+#include "integral/lightfield/pixel_sampler.h"
 
 namespace pov
 {
 
 class Camera;
-class ObjectBase;
 class Ray;
+class SceneData;
 class TraceThreadData;
 struct IntegralBlock;
 struct IntegralTally;
@@ -19,26 +24,76 @@ struct IntegralTally;
 class IntegralTracer
 {
     public:
-        /// Takes on a camera; one that is not integral leaves Active() false. `objects` are the scene's.
-        void Setup(const Camera& camera, const std::vector<ObjectBase *>& objects, TraceThreadData *thread);
+        /// Takes on a camera; one that is not integral leaves Active() false.
+        void Setup(const Camera& camera, SceneData& scene, TraceThreadData *thread);
 
         bool Active() const { return active; }
 
-        /// Whether a ray may start inside an object, so that its containers have to be looked for.
-        bool May_Start_Inside() const { return may_start_inside; }
+        /// Whether POV-Ray is to look for the objects that a ray starts inside of.
+        bool Search_Containers() const { return containers.Left_To_POV(); }
 
-        /// The camera ray of film point (px, py), in pixels from the frame's top-left corner, and
-        /// how far along it the camera sees (scene units; 0 = without end).
-        /// `counted`: whether the statistics are to know of it.
-        /// False where the film point images nothing: no ray is to be traced.
-        bool Create_Ray(Ray& ray, double px, double py, bool counted, double& length);
+        /// From here on, each pixel is given by one random ray, number `index` of it, and is not counted.
+        void Audit(std::uint64_t index) { audited = true; audit_index = index; }
+
+        /// The colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)` traces one ray as far as the camera
+        /// sees along it (scene units; 0 = without end). A pixel that images nothing is clear.
+        template <class Trace> void Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace);
 
     private:
+        /// The light of a pixel's rays, mean by mean: of both halves of the samples, and of each colour channel.
+        struct Light
+        {
+            Colour sums[2][3]; ///< [half][channel]: only red, green or blue of each counts, and a third of the others
+            DBL weights[2][3] = {};
+            int rays[2] = {};
+            void Add(const integral::PixelRay& ray, const Colour& light);
+            /// Mean of one half, or of both (half 2).
+            Colour Mean(int half) const;
+        };
+
+        bool Choose_Rays(DBL x, DBL y, bool counted);
+        void Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const;
+        void Count_Error(const Light& light);
+
         std::shared_ptr<const IntegralBlock> block;
-        IntegralTally* tally = nullptr; ///< in the block's counts, if it keeps any (a clockless animation's cameras do not)
-        bool active = false;
-        bool may_start_inside = true;
+        IntegralContainers containers;
+        TraceThreadData *thread = nullptr;
+        IntegralTally *tally = nullptr; ///< in the block's counts, if it keeps any (a clockless animation's cameras do not)
+        std::vector<integral::PixelRay> rays; ///< of the pixel that is being traced
+        std::uint64_t audit_index = 0;
+        bool active = false, audited = false, counts_error = false;
 };
+
+template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace)
+{
+    const bool counted = !pretrace && !audited && tally;
+    colour.clear();
+    if (!Choose_Rays(x, y, counted))
+    {
+        colour.transm() = 1.0;
+        return;
+    }
+    DBL length;
+    if (rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
+    {
+        Ray ray;
+        Make_Ray(ray, rays[0].ray, pretrace, length);
+        trace(ray, length, colour);
+        return;
+    }
+    Light light;
+    for (const integral::PixelRay& pixel_ray : rays)
+    {
+        Ray ray;
+        Colour seen;
+        Make_Ray(ray, pixel_ray.ray, pretrace, length);
+        trace(ray, length, seen);
+        light.Add(pixel_ray, seen);
+    }
+    colour = light.Mean(2);
+    if (counted && counts_error)
+        Count_Error(light);
+}
 
 }
 

@@ -3,9 +3,11 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/scene/integralcamera.h"
+#include "backend/render/integralaudit.h"
 #include "backend/scene/camera.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
+#include "base/integraloptions.h"
 #include "base/povmscpp.h"
 
 #include <stdexcept>
@@ -30,7 +32,7 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
     return std::make_shared<integral::IntegralCamera>(integral::make_camera(block.parameters, view, width, height));
 }
 
-void Start_Integral_View(Camera& camera, int width, int height)
+void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)
 {
     if (!camera.Integral || !camera.Integral->integral)
     {
@@ -41,6 +43,13 @@ void Start_Integral_View(Camera& camera, int width, int height)
     try
     {
         block->optics = Make_Integral_Optics(camera, width, height);
+        const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options);
+        block->sampler = std::make_shared<integral::PixelSampler>(*block->optics, given.seed);
+        block->error = {given.audit, given.audit_share, given.output, given.error_picture};
+        // the halves know nothing of the samples that anti-aliasing adds, and make no picture
+        block->audit.reset();
+        if (given.audit && (given.antialias || !given.error_picture.empty() || !block->sampler->halves_tell_error()))
+            block->audit = std::make_shared<IntegralAudit>(*block, given.seed);
     }
     catch (const std::invalid_argument& problem)
     {
@@ -51,24 +60,61 @@ void Start_Integral_View(Camera& camera, int width, int height)
     pov_base::IntegralFrame::Begin(*block->optics);
 }
 
+/// The error of the frame, as far as it was asked for and there is a picture to tell it by.
+static std::optional<integral::ErrorEstimate> Error_Of(const IntegralBlock& block)
+{
+    if (block.audit)
+        return block.audit->Result();
+    integral::ErrorSums sums;
+    for (const IntegralTally& tally : block.counts->tallies)
+        sums.add(tally.errors);
+    auto error = integral::estimate(sums, integral::ErrorMethod::split_halves);
+    if (error)
+    {
+        error->lit_pixels = sums.pixels;
+        error->samples = block.optics->pixel_samples * block.optics->beam_samples;
+    }
+    return error;
+}
+
 void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
 {
     if (!camera.Integral || !camera.Integral->counts)
         return;
     IntegralCounts& counts = *camera.Integral->counts;
     std::lock_guard<std::mutex> lock(counts.mutex);
-    const auto total = [&](std::atomic<long long> IntegralTally::*count) {
+    const auto set_total = [&](POVMSType key, OwnCount IntegralTally::*count) {
         long long sum = 0;
         for (const IntegralTally& tally : counts.tallies)
-            sum += tally.*count;
-        return sum;
+            sum += (tally.*count).Get();
+        statistics.SetLong(key, sum);
     };
-    statistics.SetLong(kIntegralAttrib_FilmPoints, total(&IntegralTally::film_points));
-    statistics.SetLong(kIntegralAttrib_Rays, total(&IntegralTally::rays));
-    statistics.SetLong(kIntegralAttrib_Searched, total(&IntegralTally::searched));
-    statistics.SetLong(kIntegralAttrib_OutsideAperture, total(&IntegralTally::outside_aperture));
-    statistics.SetLong(kIntegralAttrib_TotalReflection, total(&IntegralTally::total_reflection));
+    set_total(kIntegralAttrib_FilmPoints, &IntegralTally::film_points);
+    set_total(kIntegralAttrib_Imaged, &IntegralTally::imaged);
+    set_total(kIntegralAttrib_Searched, &IntegralTally::searched);
+    set_total(kIntegralAttrib_OutsideAperture, &IntegralTally::outside_aperture);
+    set_total(kIntegralAttrib_TotalReflection, &IntegralTally::total_reflection);
+    set_total(kIntegralAttrib_Rays, &IntegralTally::rays);
+    set_total(kIntegralAttrib_ContainerSearches, &IntegralTally::container_searches);
+    statistics.SetInt(kIntegralAttrib_Containers, counts.containers);
+    statistics.SetInt(kIntegralAttrib_Objects, counts.objects);
+
+    const auto error = Error_Of(*camera.Integral);
+    pov_base::IntegralFrame::End(error);
     statistics.SetFloat(kIntegralAttrib_Seconds, pov_base::IntegralFrame::Seconds());
+    if (camera.Integral->audit && camera.Integral->audit->Picture_Failed())
+        statistics.SetString(kIntegralAttrib_ErrorPicture, camera.Integral->error.picture.c_str());
+    if (error)
+    {
+        statistics.SetFloat(kIntegralAttrib_Error, error->rms);
+        statistics.SetFloat(kIntegralAttrib_ErrorLow, error->low);
+        statistics.SetFloat(kIntegralAttrib_ErrorHigh, error->high);
+        statistics.SetFloat(kIntegralAttrib_ErrorSeconds, error->seconds);
+        statistics.SetLong(kIntegralAttrib_ErrorPixels, error->pixels);
+        statistics.SetLong(kIntegralAttrib_ErrorLitPixels, error->lit_pixels);
+        statistics.SetInt(kIntegralAttrib_ErrorSamples, error->samples);
+        statistics.SetInt(kIntegralAttrib_ErrorMethod, int(error->method));
+    }
 }
 
 }

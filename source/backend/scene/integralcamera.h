@@ -11,6 +11,8 @@
 #include <set>
 #include <string>
 
+#include "integral/lightfield/error_estimate.h"
+#include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/camera.h"
 
 class POVMS_Object;
@@ -19,12 +21,26 @@ namespace pov
 {
 
 class Camera;
+class IntegralAudit;
+
+/// A count that one thread adds to and others may read: no locked instruction is needed.
+class OwnCount
+{
+    public:
+        void Add(long long amount) { count.store(Get() + amount, std::memory_order_relaxed); }
+        long long Get() const { return count.load(std::memory_order_relaxed); }
+    private:
+        std::atomic<long long> count{0};
+};
 
 /// Counts of one thread of a render, which alone writes them. All are of camera rays of the
-/// picture itself; radiosity's pretrace is left out.
+/// picture itself; radiosity's pretrace and the audit are left out.
 struct IntegralTally
 {
-    std::atomic<long long> film_points{0}, rays{0}, searched{0}, outside_aperture{0}, total_reflection{0};
+    OwnCount film_points, imaged, searched, outside_aperture, total_reflection;
+    OwnCount rays;       ///< traced
+    OwnCount container_searches; ///< of these, those whose containers had to be looked for
+    integral::ErrorSums errors;   ///< of the pixels whose halves were compared; to be read once the thread is done
 };
 
 /// The tallies of a render's threads.
@@ -32,6 +48,17 @@ struct IntegralCounts
 {
     std::mutex mutex;
     std::list<IntegralTally> tallies; ///< list: a thread keeps a reference to its own
+    int containers = 0;               ///< objects that rays may start inside of
+    int objects = 0;                  ///< of these many in the scene
+};
+
+/// What a render's options say of the error estimate.
+struct IntegralErrorOptions
+{
+    bool wanted = true;
+    double share = 0;                   ///< of the lit pixels to audit; 0: the usual 0.5%, and at least 1000 (5% for a picture)
+    integral::OutputCurve output;
+    std::string picture;                ///< file of the error picture; empty: none
 };
 
 /// Immutable once the camera statement has been parsed; copies of a camera share it.
@@ -43,18 +70,22 @@ struct IntegralBlock
     double look_at_distance = 0;           ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0;       ///< sheet distance / |direction|; 0: not known yet
     std::shared_ptr<const integral::IntegralCamera> optics; ///< of the camera's last transform
+    // of a view that is being rendered:
+    std::shared_ptr<const integral::PixelSampler> sampler;
     std::shared_ptr<IntegralCounts> counts;
+    std::shared_ptr<IntegralAudit> audit;  ///< nothing: no error is estimated by an audit
+    IntegralErrorOptions error;
 };
 
 /// The block's optics for a frame of width x height pixels, from the vectors of `camera`.
 /// Throws std::invalid_argument with a sentence for the user.
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera, int width, int height);
 
-/// To be called once a view's camera and size are settled: gives it optics of its own and fresh
+/// To be called once a view's camera and size are settled: gives it optics and a sampler of its own and fresh
 /// counts, and announces its geometry to whoever writes the picture. No effect on other cameras.
-void Start_Integral_View(Camera& camera, int width, int height);
+void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options);
 
-/// Adds the counts to a view's statistics message. No effect on other cameras.
+/// Adds the counts and the error to a view's statistics message, once it is rendered. No effect on other cameras.
 void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics);
 
 }

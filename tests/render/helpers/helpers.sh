@@ -5,7 +5,7 @@ scenes=$TOP/tests/render/scenes
 oracle=$BUILD/tests/oracle frames=$BUILD/tests/frames
 [ -x "$oracle" ] && [ -x "$frames" ] && [ -z "$(find "$TOP/tests/render/helpers" -newer "$oracle" -name "*.[ch]*")$(find "$TOP/tests/render/helpers" -newer "$frames" -name "frames.cpp")" ] ||
     make -s -C "$BUILD/.." build/tests/oracle build/tests/frames > /dev/null
-jobs=$(nproc 2>/dev/null || echo 2)
+jobs=$((4 * $(nproc 2>/dev/null || echo 2))) # a render of a small frame mostly waits
 export scenes oracle frames scratch
 
 # render PROGRAM OUTPUT WIDTHxHEIGHT OPTION...: a frame without display; says what went wrong if it fails.
@@ -30,19 +30,32 @@ oracle_frame() {
 
 # compare_with_oracle NAME SCENE WIDTHxHEIGHT "KEY=VALUE..." OPTION...: renders SCENE, which includes camera.inc, by our program and by
 # the oracle, and compares all pixels. The pixels which differ have to lie at an edge of what is seen. Leaves NAME.png.
-compare_with_oracle() {
-    local name=$1 scene=$2 size=$3 keys=$4 status=0
+compare_with_oracle() { compare_with_parts "$1" "$2" "$3" "$4" 1 "" -- "${@:5}"; }
+
+# compare_with_parts NAME SCENE SIZE "KEY=VALUE..." WEIGHT "KEY=VALUE..." [WEIGHT "KEY=VALUE..."]... -- OPTION...: the same, where what
+# our frame ought to be is a mean of several of the oracle's frames, which differ by their own keys (see frames oracle).
+compare_with_parts() {
+    local name=$1 scene=$2 size=$3 keys=$4 status=0 weights=() own=() parts=() k
     shift 4
+    while [ "$1" != -- ]; do weights+=("$1") own+=("$2"); shift 2; done
+    shift
     mkdir -p "$name.ours"
     "$oracle" camera size=$size $keys > "$name.ours/camera.inc" || return 1
-    render "$POVRAY" "$name.png" $size "+L$name.ours" "+I$scene" "$@" || { cat "$name.ours/camera.inc"; return 1; }
-    "$oracle" mesh "$name" size=$size $keys || return 1
-    oracle_frame "$name-oracle.png" "$name.inc" $size "+I$scene" "$@" || return 1
-    "$frames" oracle "$name.png" "$name-oracle.png" "$name.mask" "$name.far" > "$name.counts" || status=1
-    if [ -s "$name.far" ]; then
-        "$oracle" around "$name-around" "$name.far" size=$size $keys || return 1
-        oracle_frame "$name-around.png" "$name-around.inc" 25x$(wc -l < "$name.far") "+I$scene" "$@" || return 1
-        "$frames" edges "$name.png" "$name-around.png" "$name.far" > "$name.edges" || status=1
+    render "$POVRAY" "$name.png" $size "+L$name.ours" "+I$scene" Integral_Audit=off "$@" || { cat "$name.ours/camera.inc"; return 1; }
+    for k in "${!weights[@]}"; do
+        "$oracle" mesh "$name$k" size=$size $keys ${own[k]} || return 1
+        oracle_frame "$name-oracle$k.png" "$name$k.inc" $size "+I$scene" "$@" || return 1
+        parts+=(${weights[k]} "$name-oracle$k.png" "$name$k.mask")
+    done
+    "$frames" oracle "$name.png" "$name.far" "${parts[@]}" > "$name.counts" || status=1
+    if [ $status = 0 ] && [ -s "$name.far" ]; then
+        parts=()
+        for k in "${!weights[@]}"; do
+            "$oracle" around "$name-around$k" "$name.far" size=$size $keys ${own[k]} || return 1
+            oracle_frame "$name-around$k.png" "$name-around$k.inc" 33x$(wc -l < "$name.far") "+I$scene" "$@" || return 1
+            parts+=(${weights[k]} "$name-around$k.png" "$name$k.mask")
+        done
+        "$frames" edges "$name.png" "$name.far" "${parts[@]}" > "$name.edges" || status=1
     fi
     grep -h "^not " "$name.counts" "$name.edges" 2>/dev/null || true
     echo "$(tail -1 "$name.counts")$([ ! -e "$name.edges" ] || echo "; $(tail -1 "$name.edges")")"

@@ -64,11 +64,9 @@ Description read_description(const std::vector<std::string>& words)
         if (key == "arrangement") { d.arrangement = text; continue; }
         if (key == "mapping") { d.mapping = text; continue; }
         if (key == "shape") { d.shape = text; continue; }
-        if (key == "left_of" || key == "right_of") {
-            d.only = key == "left_of" ? -1 : 1;
-            d.only_from = numbers(key, text).at(0);
-            continue;
-        }
+        if (key == "model") { d.model = text; continue; }
+        if (key == "subpixels") { d.subpixels = text; continue; }
+        if (key == "groups") { d.groups = text; continue; }
         if (key == "size") {
             char x = 0;
             std::istringstream(text) >> d.width >> x >> d.height;
@@ -89,6 +87,13 @@ Description read_description(const std::vector<std::string>& words)
         else if (key == "depth_range") d.depth_range = pair();
         else if (key == "sheet_distance") d.sheet_distance = scalar();
         else if (key == "units_per_mm") d.units_per_mm = scalar();
+        else if (key == "beam_samples") d.beam_samples = int(scalar());
+        else if (key == "pixel_samples") d.pixel_samples = int(scalar());
+        else if (key == "pseudoscopic") d.pseudoscopic = scalar() != 0;
+        else if (key == "start") d.start = scalar();
+        else if (key == "channel") d.channel = int(scalar());
+        else if (key == "marginal") d.marginal = int(scalar());
+        else if (key == "group") d.group = int(scalar());
         else if (key == "angle") d.angle = scalar();
         else if (key == "look_at") d.look_at = triple();
         else if (key == "location") d.location = triple();
@@ -133,11 +138,16 @@ std::string camera_text(const Description& d)
     if (d.pixel_pitch) out << "pixel_pitch <" << (*d.pixel_pitch)[0] << ", " << (*d.pixel_pitch)[1] << ">";
     else out << "dpi <" << d.dpi[0] << ", " << d.dpi[1] << ">";
     if (d.units_per_mm) out << " units_per_mm " << *d.units_per_mm;
+    if (d.subpixels != "none") out << " subpixels " << d.subpixels;
     out << " }\n";
     if (d.sheet_distance) out << "  sheet_distance " << *d.sheet_distance << '\n';
     if (d.aperture) out << "  capture_aperture <" << (*d.aperture)[0] << ", " << (*d.aperture)[1] << ">\n";
     if (d.depth_range) out << "  depth_range <" << (*d.depth_range)[0] << ", " << (*d.depth_range)[1] << ">\n";
     if (d.shape != "rectangle") out << "  aperture_shape " << d.shape << '\n';
+    if (d.model != "extended_pinhole") out << "  lens_model " << d.model << '\n';
+    if (d.beam_samples > 0) out << "  beam_samples " << d.beam_samples << '\n';
+    if (d.pixel_samples > 1) out << "  pixel_samples " << d.pixel_samples << '\n';
+    if (d.pseudoscopic) out << "  pseudoscopic\n";
     if (d.mapping != "auto") out << "  lens_mapping " << d.mapping << '\n';
     out << view_text(d) << "}\n";
     return out.str();

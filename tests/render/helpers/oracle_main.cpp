@@ -4,10 +4,15 @@
 //                                        POV-Ray; OUT.mask: a row of 0 (images nothing) and 1 a line of pixels
 // oracle rays OUT KEY=VALUE...           OUT.csv: A, P and the direction of every imaged pixel in the scene, for SDL's
 //                                        #read: "imaged, Ax, Ay, Az, Px, Py, Pz, dx, dy, dz,"; OUT.mask as above
-//                                        left_of=X or right_of=X (mm on the aperture) leaves out the others: - in the mask
-// oracle around OUT PIXELS KEY=VALUE...  for every "i j" line of the file PIXELS a row of film points about that pixel,
-//                                        through the pixel's own lens, as a mesh_camera in OUT.inc: the pixel itself, then 8
-//                                        points at each of the radii 0.02, 0.2 and 1 pixel
+//                                        groups=FILE group=N leaves out the pixels whose number there is another: - in the mask
+// oracle samples OUT COUNT SEED KEY=VALUE...  COUNT rays a pixel, evenly spread over what the keys sample, in OUT.inc; OUT.mask
+// oracle weights KEY=VALUE...            prints the weights of the hybrid model's rays
+// oracle around OUT PIXELS KEY=VALUE...  for every "i j" line of the file PIXELS a row of rays about that pixel's as a
+//                                        mesh_camera in OUT.inc: its own, then 8 that are moved by no more than single
+//                                        precision, in which a mesh keeps them, can tell; then 8 film points through the
+//                                        pixel's own lens at each of the radii 0.02, 0.2 and 1 pixel
+// oracle mirrored KEY=VALUE...           for every pixel the "i j" of the one at the place mirrored in its lens, if that belongs to the
+//                                        same lens and lies on the film, else "-1 -1"
 // oracle perspective KEY=VALUE...        prints POV-Ray's perspective camera of the same description
 // oracle pinhole OUT KEY=VALUE...        its rays as a mesh_camera: proves placement, transforms and the mesh itself
 // All but camera print the frame's figures: pixels imaged, and the least relative margin by which a tie or the
@@ -17,6 +22,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <random>
 #include <stdexcept>
 
 using namespace oracle;
@@ -35,16 +41,20 @@ Point3 along(const Placed& p, Real x, Real y, Real z)
 /// close together, and the whole mesh is moved there.
 class MeshCamera {
 public:
-    MeshCamera(const std::string& file, const Placed& placed) : out_(file), placed_(placed)
+    MeshCamera(const std::string& file, const Description& d, const Placed& placed, int rays_per_pixel = 1)
+        : out_(file), placed_(placed), ahead_(d.pseudoscopic ? placed.distance : d.start ? placed.distance - *d.start : 0)
     {
         out_.precision(17);
-        out_ << "camera { mesh_camera { 1 0 mesh {\n";
+        out_ << "camera { mesh_camera { " << rays_per_pixel << " 0\n";
+        begin();
     }
     void add(const SheetRay* ray)
     {
         const SheetRay nothing{{}, {0, 0}, {0, 0, 1}}; // any ray: these pixels are masked
         if (!ray) ray = &nothing;
-        const Point3 centre = along(placed_, ray->aperture_point[0], ray->aperture_point[1], 0);
+        Point3 start{ray->aperture_point[0], ray->aperture_point[1], 0}; // from the aperture's centre
+        for (int i = 0; i < 3; i++) start[i] += ray->direction[i] * (ahead_ / ray->direction[2]);
+        const Point3 centre = along(placed_, start[0], start[1], start[2]);
         Point3 direction = along(placed_, ray->direction[0], ray->direction[1], ray->direction[2]);
         const Real k = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
         for (Real& v : direction) v /= k;
@@ -56,7 +66,7 @@ public:
         for (Real& x : u) x /= norm;
         v = {direction[1] * u[2] - direction[2] * u[1], direction[2] * u[0] - direction[0] * u[2],
              direction[0] * u[1] - direction[1] * u[0]};
-        const Real radius = k * (1 + std::hypot(ray->aperture_point[0], ray->aperture_point[1])) / 8;
+        const Real radius = k * (1 + std::hypot(start[0], start[1])) / 8;
         out_ << "triangle {";
         for (int corner = 0; corner < 3; corner++) {
             // Clockwise: POV-Ray's normal is (P3 - P1) x (P2 - P1).
@@ -67,14 +77,18 @@ public:
         }
         out_ << "}\n";
     }
-    ~MeshCamera()
-    {
-        out_ << "translate <" << placed_.location[0] << "," << placed_.location[1] << "," << placed_.location[2]
-             << "> } } location 0 }\n";
-    }
+    /// What follows are the pixels' next rays.
+    void next_ray() { end(); begin(); }
+    ~MeshCamera() { end(); out_ << "} location 0 }\n"; }
 private:
+    void begin() { out_ << "mesh {\n"; }
+    void end()
+    {
+        out_ << "translate <" << placed_.location[0] << "," << placed_.location[1] << "," << placed_.location[2] << "> }\n";
+    }
     std::ofstream out_;
     Placed placed_;
+    Real ahead_; ///< mm along the axis from the aperture to where the rays start
 };
 
 void print_figures(long imaged, long pixels, Real margin, const Placed& placed)
@@ -83,25 +97,36 @@ void print_figures(long imaged, long pixels, Real margin, const Placed& placed)
               << " mm\n";
 }
 
+/// The one ray of a pixel; of hybrid's, the one that the description chooses.
+std::optional<SheetRay> pixel_ray(const Description& d, const Placed& placed, int i, int j, Real& margin)
+{
+    const Point2 f = film_from_pixel(d, i + 0.5L, j + 0.5L);
+    const auto own = film_ray(d, placed.distance, f, margin);
+    const LensPoint point = d.model == "hybrid" ? hybrid_points(d).at(d.marginal) : LensPoint{};
+    return own ? beam_ray(d, placed.distance, f, own->lens, point) : own;
+}
+
 void frame(const Description& d, const std::string& out, bool csv)
 {
     const Placed placed = place(d);
-    MeshCamera* const mesh = csv ? nullptr : new MeshCamera(out + ".inc", placed);
+    MeshCamera* const mesh = csv ? nullptr : new MeshCamera(out + ".inc", d, placed);
     std::ofstream mask(out + ".mask"), rays;
     if (csv) rays.open(out + ".csv"), rays.precision(17);
     Real margin = 1;
     long imaged = 0;
+    std::vector<int> groups;
+    std::ifstream groups_file(d.groups);
+    for (int group; groups_file >> group;) groups.push_back(group);
+    if (!d.groups.empty() && long(groups.size()) != long(d.width) * d.height) throw std::invalid_argument(d.groups + ": not a number a pixel");
+    const auto left_out = [&](int i, int j) { return !groups.empty() && groups[std::size_t(j) * d.width + i] != d.group; };
     // Rays that are left out are traced like the first that is not: no pixel starts elsewhere.
     std::optional<SheetRay> first;
-    const auto left_out = [&](const SheetRay& ray) { return d.only * (ray.aperture_point[0] - d.only_from) < 0; };
-    for (int n = 0; d.only && !first && n < d.width * d.height; n++) {
-        first = film_ray(d, placed.distance, film_from_pixel(d, n % d.width + 0.5L, n / d.width + 0.5L), margin);
-        if (first && left_out(*first)) first.reset();
-    }
+    for (int n = 0; !groups.empty() && !first && n < d.width * d.height; n++)
+        if (!left_out(n % d.width, n / d.width)) first = pixel_ray(d, placed, n % d.width, n / d.width, margin);
     for (int j = 0; j < d.height; j++, mask << '\n')
         for (int i = 0; i < d.width; i++) {
-            const auto ray = film_ray(d, placed.distance, film_from_pixel(d, i + 0.5L, j + 0.5L), margin);
-            const bool skipped = ray && left_out(*ray);
+            const auto ray = pixel_ray(d, placed, i, j, margin);
+            const bool skipped = ray && left_out(i, j);
             mask << (skipped ? '-' : ray ? '1' : '0');
             imaged += ray.has_value();
             if (mesh) { mesh->add(ray && !skipped ? &*ray : first ? &*first : nullptr); continue; }
@@ -119,23 +144,99 @@ void frame(const Description& d, const std::string& out, bool csv)
     print_figures(imaged, long(d.width) * d.height, margin, placed);
 }
 
+/// Halton's sequence, moved as a whole at random.
+class Halton {
+public:
+    explicit Halton(std::mt19937_64& random)
+    {
+        for (Real& shift : shift_) shift = std::uniform_real_distribution<double>()(random);
+    }
+    Numbers operator()()
+    {
+        Numbers x;
+        index_++;
+        const int bases[] = {2, 3, 5, 7};
+        for (int n = 0; n < 4; n++) {
+            x[n] = shift_[n];
+            Real part = 1;
+            for (long left = index_; left > 0; left /= bases[n]) part /= bases[n], x[n] += part * (left % bases[n]);
+            x[n] -= std::floor(x[n]);
+        }
+        return x;
+    }
+private:
+    Numbers shift_;
+    long index_ = 0;
+};
+
+void samples(const Description& d, const std::string& out, int count, unsigned seed)
+{
+    const Placed placed = place(d);
+    std::ofstream mask(out + ".mask");
+    std::vector<std::vector<SheetRay>> pixels;
+    std::mt19937_64 random(seed);
+    for (int j = 0; j < d.height; j++, mask << '\n')
+        for (int i = 0; i < d.width; i++) {
+            pixels.push_back(pixel_rays(d, placed.distance, i, j, count, Halton(random)));
+            mask << (pixels.back().empty() ? '0' : '1');
+        }
+    MeshCamera mesh(out + ".inc", d, placed, count);
+    for (int n = 0; n < count; n++) {
+        if (n > 0) mesh.next_ray();
+        for (const auto& rays : pixels) mesh.add(rays.empty() ? nullptr : &rays[n % rays.size()]);
+    }
+}
+
 void around(const Description& d, const std::string& out, const std::string& pixels)
 {
     const Placed placed = place(d);
-    MeshCamera mesh(out + ".inc", placed);
+    MeshCamera mesh(out + ".inc", d, placed);
     std::ifstream in(pixels);
     Real margin = 1;
     int i, j;
     while (in >> i >> j) {
-        const auto own = film_ray(d, placed.distance, film_from_pixel(d, i + 0.5L, j + 0.5L), margin);
+        const auto own = pixel_ray(d, placed, i, j, margin);
         mesh.add(own ? &*own : nullptr);
+        const Real single = 1.2e-7L;
+        for (int n = 0; n < 8; n++) {
+            const Real turn = n * std::acos(-1.0L) / 4, step = n % 2 ? 4 * single : single;
+            SheetRay ray = own ? *own : SheetRay{{}, {0, 0}, {0, 0, 1}};
+            for (int k = 0; k < 2; k++) {
+                const Real component = k ? std::sin(turn) : std::cos(turn);
+                ray.aperture_point[k] += component * step * placed.distance;
+                ray.direction[k] += component * step * (n / 2 % 2 ? 1 : -1);
+            }
+            mesh.add(&ray);
+        }
         for (const Real radius : {0.02L, 0.2L, 1.0L})
             for (int n = 0; n < 8; n++) {
                 const Real turn = n * std::acos(-1.0L) / 4;
                 const Point2 f = film_from_pixel(d, i + 0.5L + radius * std::cos(turn), j + 0.5L + radius * std::sin(turn));
-                const auto ray = own ? ray_through(d, placed.distance, f, own->lens) : own;
+                const LensPoint point = d.model == "hybrid" ? hybrid_points(d).at(d.marginal) : LensPoint{};
+                const auto ray = own ? beam_ray(d, placed.distance, f, own->lens, point) : own;
                 mesh.add(ray ? &*ray : own ? &*own : nullptr);
             }
+    }
+}
+
+void mirrored(const Description& d)
+{
+    const Placed placed = place(d);
+    Real margin = 1;
+    const Point2 corner = film_from_pixel(d, 0, 0), one = film_from_pixel(d, 1, 1);
+    for (int n = 0; n < d.width * d.height; n++) {
+        const Point2 f = film_from_pixel(d, n % d.width + 0.5L, n / d.width + 0.5L);
+        const auto ray = film_ray(d, placed.distance, f, margin);
+        int i = -1, j = -1;
+        if (ray) {
+            const Point2 m = mirrored_in_lens(d, f, ray->lens);
+            i = int(std::floor((m[0] - corner[0]) / (one[0] - corner[0]) + 1e-9L));
+            j = int(std::floor((m[1] - corner[1]) / (one[1] - corner[1]) + 1e-9L));
+            const auto there = film_ray(d, placed.distance, film_from_pixel(d, i + 0.5L, j + 0.5L), margin);
+            if (i < 0 || i >= d.width || j < 0 || j >= d.height || !there || there->lens.first != ray->lens.first
+                || there->lens.second != ray->lens.second) i = j = -1;
+        }
+        std::cout << i << ' ' << j << '\n';
     }
 }
 
@@ -143,7 +244,7 @@ void around(const Description& d, const std::string& out, const std::string& pix
 void pinhole(const Description& d, const std::string& out)
 {
     const Placed placed = place(d);
-    MeshCamera mesh(out + ".inc", placed);
+    MeshCamera mesh(out + ".inc", d, placed);
     for (int j = 0; j < d.height; j++)
         for (int i = 0; i < d.width; i++) {
             const Point2 f = film_from_pixel(d, i + 0.5L, j + 0.5L);
@@ -164,7 +265,17 @@ int run(std::vector<std::string> words)
     const std::string command = next();
     if (command == "camera") { std::cout << camera_text(read_description(words)); return 0; }
     if (command == "perspective") { std::cout << perspective_text(read_description(words)); return 0; }
+    if (command == "weights") {
+        for (const Real weight : hybrid_weights(read_description(words))) std::cout << double(weight) << '\n';
+        return 0;
+    }
+    if (command == "mirrored") { mirrored(read_description(words)); return 0; }
     const std::string out = next();
+    if (command == "samples") {
+        const int count = std::stoi(next()), seed = std::stoi(next());
+        samples(read_description(words), out, count, seed);
+        return 0;
+    }
     if (command == "around") {
         const std::string pixels = next();
         around(read_description(words), out, pixels);

@@ -13,6 +13,11 @@ namespace {
 const Real pi = std::acos(-1.0L);
 const Real infinity = std::numeric_limits<Real>::infinity();
 
+/// The refractive index that the model computes by.
+Real index(const Description& d) { return d.model == "pinhole" ? 1 : d.ior; }
+
+bool curved(const Description& d) { return d.model == "hybrid" || d.model == "full"; }
+
 /// A lens's pole as the lattice has it; for a lenticular sheet, the point of its axis that is nearest to the lattice's own
 /// origin.
 Point2 pole(const Description& d, Lens lens)
@@ -51,48 +56,91 @@ void each_lens(const Description& d, Point2 f, Real reach, const std::function<v
             if (lens_distance(d, f, {i, j}) <= reach) visit({i, j});
 }
 
-/// Steps 2 to 4 from film point f through the point q of the sheet plane.
-std::optional<SheetRay> refract(const Description& d, Real distance, Point2 f, Point2 q, Lens lens)
+/// A point of a lens where light leaves it: at depth z behind the poles, the normal towards the viewer.
+struct Exit { Point2 at; Real z = 0; Point3 normal{0, 0, -1}; };
+
+/// The point `offset` from the pole (lenticular: from the axis): on the plane of the poles, or on the spherical or cylindrical
+/// surface of radius t (n - 1)/n. Nothing beyond its edge.
+std::optional<Exit> exit_at(const Description& d, Point2 pole, Point2 offset)
 {
-    const Real length = std::sqrt((q[0] - f[0]) * (q[0] - f[0]) + (q[1] - f[1]) * (q[1] - f[1])
-                                  + d.thickness * d.thickness);
-    const Real sx = d.ior * (q[0] - f[0]) / length, sy = d.ior * (q[1] - f[1]) / length;
-    const Real rest = 1 - sx * sx - sy * sy;
-    if (rest <= 0) return std::nullopt;
-    const Real c = std::sqrt(rest);
-    return SheetRay{lens, {q[0] + sx * distance / c, q[1] + sy * distance / c}, {-sx, -sy, c}};
+    if (!curved(d)) return Exit{{pole[0] + offset[0], pole[1] + offset[1]}};
+    const Real radius = d.thickness * (d.ior - 1) / d.ior, r = std::hypot(offset[0], offset[1]);
+    if (r > radius) return std::nullopt;
+    const Real rise = std::sqrt(radius * radius - r * r);
+    return Exit{{pole[0] + offset[0], pole[1] + offset[1]}, radius - rise, {offset[0] / radius, offset[1] / radius, -rise / radius}};
+}
+
+/// Steps 2 to 4 from film point f through a point of the lens: Snell's law in its vector form.
+std::optional<SheetRay> refract(const Description& d, Real distance, Point2 f, const Exit& exit, Lens lens)
+{
+    const Real n = index(d);
+    Point3 u{exit.at[0] - f[0], exit.at[1] - f[1], exit.z - d.thickness};
+    const Real length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    Real cosine = 0;
+    for (int i = 0; i < 3; i++) u[i] /= length, cosine += u[i] * exit.normal[i];
+    const Real rest = 1 - n * n * (1 - cosine * cosine);
+    if (rest <= 0 || cosine <= 0) return std::nullopt;
+    Point3 w{};
+    for (int i = 0; i < 3; i++) w[i] = n * u[i] + (std::sqrt(rest) - n * cosine) * exit.normal[i];
+    if (w[2] >= 0) return std::nullopt;
+    const Real way = (distance + exit.z) / -w[2];
+    return SheetRay{lens, {exit.at[0] + w[0] * way, exit.at[1] + w[1] * way}, {-w[0], -w[1], -w[2]}};
 }
 
 bool horizontal_slit(const Description& d) { return std::fabs(d.slant) <= 45; }
 
-/// The point of the axis whose ray meets the slit, A_y = 0 or A_x = 0, by bisection along the axis.
-std::optional<SheetRay> slit_ray(const Description& d, Real distance, Point2 f, Lens lens)
+/// The ray of a line of a cylinder lens, v across from its axis, that meets the slit, A_y = eta or A_x = eta, by bisection along
+/// the line.
+std::optional<SheetRay> slit_ray(const Description& d, Real distance, Point2 f, Lens lens, Real v, Real eta)
 {
-    const Real angle = d.slant * pi / 180;
+    const Real angle = d.slant * pi / 180, n = index(d);
     const Point2 b{std::cos(angle), std::sin(angle)};
     const int e = horizontal_slit(d) ? 1 : 0; // the coordinate that the slit fixes
     Point2 a{-std::sin(angle), std::cos(angle)};
     if (a[e] < 0) a = {-a[0], -a[1]};
     const Point2 q0 = pole(d, lens);
     const Real h = (q0[0] - f[0]) * b[0] + (q0[1] - f[1]) * b[1];
-    const Point2 foot{f[0] + h * b[0], f[1] + h * b[1]};
-    const auto at = [&](Real tau) { return Point2{foot[0] + tau * a[0], foot[1] + tau * a[1]}; };
+    const auto line = exit_at(d, {f[0] + h * b[0], f[1] + h * b[1]}, {v * b[0], v * b[1]}); // where it is nearest to f
+    if (!line) return std::nullopt;
+    const auto at = [&](Real tau) {
+        Exit exit = *line;
+        exit.at[0] += tau * a[0], exit.at[1] += tau * a[1];
+        return exit;
+    };
     // Where the slit is missed: below (-1) or above (1); total reflection is infinitely far on its own side.
     const auto side = [&](Real tau) {
         const auto ray = refract(d, distance, f, at(tau), lens);
-        const Real value = ray ? ray->aperture_point[e] : at(tau)[e] - f[e];
+        const Real value = ray ? ray->aperture_point[e] - eta : curved(d) ? tau * a[e] : at(tau).at[e] - f[e];
         return value < 0 ? -1 : 1;
     };
     Real low, high;
-    if (d.ior > 1) {
-        const Real limit = d.thickness * d.thickness / (d.ior * d.ior - 1) - h * h;
-        if (limit <= 0) return std::nullopt;
+    if (n > 1) {
+        const Real depth = d.thickness - line->z, to_line = h + v;
+        const Real into = to_line * (line->normal[0] * b[0] + line->normal[1] * b[1]) - depth * line->normal[2];
+        const Real limit = into * into * n * n / (n * n - 1) - to_line * to_line - depth * depth;
+        if (into <= 0 || limit <= 0) return std::nullopt;
         high = std::sqrt(limit);
-        if (high * a[e] <= std::fabs(h * b[e])) return std::nullopt;
+        if (curved(d)) { // it may be sent sideways before it is totally reflected
+            if (!refract(d, distance, f, at(0), lens)) return std::nullopt;
+            const auto end = [&](Real fails) {
+                Real passes = 0;
+                for (int step = 0; step < 200; step++) {
+                    const Real middle = (passes + fails) / 2;
+                    (refract(d, distance, f, at(middle), lens) ? passes : fails) = middle;
+                }
+                return passes;
+            };
+            low = end(-high);
+            high = end(high);
+            if (side(low) > 0 || side(high) < 0) return std::nullopt;
+        } else if (high * a[e] <= std::fabs(h * b[e]))
+            return std::nullopt;
+        else
+            low = -high;
     } else {
         for (high = d.thickness + std::fabs(h); side(high) < 0 || side(-high) > 0; high *= 2) {}
+        low = -high;
     }
-    low = -high;
     for (int step = 0; step < 200; step++) {
         const Real middle = (low + high) / 2;
         if (middle <= low || middle >= high) break;
@@ -131,8 +179,9 @@ bool inside(Real ratio, Real& margin)
 Real search_reach(const Description& d, Real distance, Point2 f, Point2 size)
 {
     const Real straight = (std::hypot(f[0], f[1]) + std::hypot(size[0], size[1])) / (1 + distance / d.thickness);
-    if (d.ior <= 1) return straight + d.pitch;
-    return std::min(straight, d.thickness / std::sqrt(d.ior * d.ior - 1)) + d.pitch;
+    const Real n = index(d);
+    if (n <= 1) return straight + d.pitch;
+    return std::min(straight, d.thickness / std::sqrt(n * n - 1)) + d.pitch;
 }
 
 std::optional<SheetRay> closest(const Description& d, Real distance, Point2 f, Point2 size, Real& margin)
@@ -174,21 +223,122 @@ std::optional<SheetRay> accurate(const Description& d, Real distance, Point2 f, 
 
 std::optional<SheetRay> ray_through(const Description& d, Real distance, Point2 f, Lens lens)
 {
-    if (d.arrangement == "lenticular") return slit_ray(d, distance, f, lens);
-    return refract(d, distance, f, pole(d, lens), lens);
+    Description flat = d; // the pole's ray is the same for every model
+    if (curved(d)) flat.model = "extended_pinhole";
+    if (d.arrangement == "lenticular") return slit_ray(flat, distance, f, lens, 0, 0);
+    return refract(flat, distance, f, Exit{pole(d, lens)}, lens);
+}
+
+Point2 mirrored_in_lens(const Description& d, Point2 f, Lens lens)
+{
+    const Point2 q = pole(d, lens);
+    if (d.arrangement != "lenticular") return {2 * q[0] - f[0], 2 * q[1] - f[1]};
+    const Real angle = d.slant * pi / 180;
+    const Point2 b{std::cos(angle), std::sin(angle)};
+    const Real h = (q[0] - f[0]) * b[0] + (q[1] - f[1]) * b[1];
+    return {f[0] + 2 * h * b[0], f[1] + 2 * h * b[1]};
+}
+
+std::optional<SheetRay> beam_ray(const Description& d, Real distance, Point2 f, Lens lens, const LensPoint& point)
+{
+    const Point2 q = pole(d, lens);
+    const Real angle = d.slant * pi / 180;
+    const Point2 b{std::cos(angle), std::sin(angle)};
+    const bool lenticular = d.arrangement == "lenticular";
+    if (d.pseudoscopic) f = mirrored_in_lens(d, f, lens);
+    if (curved(d)) {
+        if (lenticular) return slit_ray(d, distance, f, lens, point.offset[0] * b[0] + point.offset[1] * b[1], point.eta);
+        const auto exit = exit_at(d, q, point.offset);
+        return exit ? refract(d, distance, f, *exit, lens) : std::nullopt;
+    }
+    auto ray = lenticular ? slit_ray(d, distance, f, lens, 0, point.eta) : refract(d, distance, f, Exit{q}, lens);
+    if (ray) ray->aperture_point[0] += point.offset[0], ray->aperture_point[1] += point.offset[1];
+    return ray;
+}
+
+std::vector<LensPoint> hybrid_points(const Description& d)
+{
+    const Real angle = d.slant * pi / 180, half = d.pitch / 2;
+    const Point2 b{half * std::cos(angle), half * std::sin(angle)}, a{-b[1], b[0]};
+    if (d.arrangement == "lenticular") return {{}, {{-b[0], -b[1]}}, {b}};
+    return {{}, {{-b[0], -b[1]}}, {b}, {{-a[0], -a[1]}}, {a}};
+}
+
+std::vector<Real> hybrid_weights(const Description& d)
+{
+    const auto light = [](Real place) { return std::cos(std::atan(4 * place)); };
+    std::vector<Real> weights(hybrid_points(d).size(), light(1));
+    weights[0] = light(0);
+    Real sum = 0;
+    for (const Real weight : weights) sum += weight;
+    for (Real& weight : weights) weight /= sum;
+    return weights;
+}
+
+namespace {
+
+/// The slit's height where the pole's ray passes the aperture.
+Real slit_height(const Description& d, const SheetRay& ray)
+{
+    if (d.arrangement != "lenticular" || !d.aperture) return 0;
+    const int e = horizontal_slit(d) ? 1 : 0;
+    const Real across = (*d.aperture)[e], along = ray.aperture_point[1 - e] / ((*d.aperture)[1 - e] / 2);
+    return d.shape == "ellipse" ? across * std::sqrt(std::max<Real>(0, 1 - along * along)) : across;
+}
+
+/// Whether a point at `offset` from a lens's pole is nearer to no other lens.
+bool in_cell(const Description& d, Point2 offset)
+{
+    Description unmoved = d;
+    unmoved.offset = {0, 0};
+    const Real own = lens_distance(unmoved, offset, {0, 0});
+    bool nearest = true;
+    each_lens(unmoved, offset, own, [&](Lens lens) { nearest = nearest && lens_distance(unmoved, offset, lens) >= own; });
+    return nearest;
+}
+
+} // namespace
+
+std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int j, int count, const std::function<Numbers()>& next)
+{
+    std::vector<SheetRay> rays;
+    Real margin = 1;
+    const auto centre = film_ray(d, distance, film_from_pixel(d, i + 0.5L, j + 0.5L), margin);
+    if (!centre) return rays;
+    const Real width = d.subpixels == "none" ? 1 : 1 / 3.0L, angle = d.slant * pi / 180;
+    const bool lenticular = d.arrangement == "lenticular", pole_only = d.beam_samples == 1 || (d.beam_samples == 0 && !curved(d)
+        && !(lenticular && slit_height(d, {{}, {0, 0}, {}}) > 0));
+    for (int tries = 0; int(rays.size()) < count && tries < 1000 * count; tries++) {
+        const Numbers x = next();
+        const Point2 moved = d.pixel_samples > 1 ? Point2{(x[0] - 0.5L) * width, x[1] - 0.5L} : Point2{0, 0};
+        const Point2 f = film_from_pixel(d, i + 0.5L + moved[0], j + 0.5L + moved[1]);
+        const auto own = d.pixel_samples > 1 ? film_ray(d, distance, f, margin) : centre;
+        if (!own || own->lens.first != centre->lens.first || own->lens.second != centre->lens.second) continue;
+        LensPoint point;
+        if (!pole_only) {
+            // The square about the lens is larger than any cell; a cylinder is as wide as its pitch.
+            const Real u = (x[2] - 0.5L) * 2 * d.pitch, v = lenticular ? 0 : (x[3] - 0.5L) * 2 * d.pitch;
+            point.offset = {u * std::cos(angle) - v * std::sin(angle), u * std::sin(angle) + v * std::cos(angle)};
+            if (!in_cell(d, point.offset)) continue;
+            point.eta = (x[3] - 0.5L) * slit_height(d, *own);
+        }
+        if (const auto ray = beam_ray(d, distance, f, centre->lens, point)) rays.push_back(*ray);
+    }
+    return rays;
 }
 
 Point2 film_from_pixel(const Description& d, Real px, Real py)
 {
     const Point2 pixel = d.pixel_pitch ? *d.pixel_pitch : Point2{25.4L / d.dpi[0], 25.4L / d.dpi[1]};
-    return {(px - d.width / 2.0L) * pixel[0], (d.height / 2.0L - py) * pixel[1]};
+    const Real shift = d.subpixels == "none" ? 0 : (d.subpixels == "rgb" ? d.channel - 1 : 1 - d.channel) / 3.0L;
+    return {(px + shift - d.width / 2.0L) * pixel[0], (d.height / 2.0L - py) * pixel[1]};
 }
 
 Point2 aperture_size(const Description& d, Real distance)
 {
     if (d.aperture) return *d.aperture;
     const auto filling = [&](Real cell) {
-        const Real half = cell / 2, sine = d.ior * half / std::hypot(half, d.thickness);
+        const Real half = cell / 2, sine = index(d) * half / std::hypot(half, d.thickness);
         if (sine >= 1) throw std::invalid_argument("no finite aperture fills this sheet");
         return 2 * distance * sine / std::sqrt(1 - sine * sine);
     };

@@ -2,7 +2,7 @@
 // straddle.inc with what depends on where a ray starts and on the rest of POV-Ray: Effect says which. Millimetres; the aperture's
 // centre is at the origin and the sheet 25 mm before it, because a mesh_camera's location has to stay 0.
 #version 3.7;
-#declare Fog = 1; #declare Media = 2; #declare Photons = 3; #declare Radiosity = 4; #declare Inside = 5; #declare Partly = 6;
+#declare Fog = 1; #declare Media = 2; #declare Photons = 3; #declare Radiosity = 4; #declare Inside = 5;
 #declare Fading = 7; #declare Sky = 8; #declare Dull = 9;
 global_settings {
   assumed_gamma 1 max_trace_level 8
@@ -13,7 +13,7 @@ global_settings {
   #end
 }
 #declare Placement = transform { translate z * 25 }
-#declare Floor = -9.713; // below the aperture: what contains a part of it has its own test
+#declare Floor = -9.713; // below the aperture: what contains a part of it is in containers.pov
 #include "camera.inc"
 #include "straddle.inc"
 #switch (Effect)
@@ -35,9 +35,6 @@ global_settings {
 #case (Inside)
   box { <-60, -60, -7>, <60, 60, 4.3> pigment { rgbt <0.9, 1, 0.95, 1> } finish { ambient 0 diffuse 0 } rotate <5, 8, 0>
     interior { ior 1.25 } }
-#break
-#case (Partly)
-  box { <-60, -60, -7>, <0.3, 60, 4.3> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.15 } }
 #break
 #case (Fading) // a medium that contains the whole aperture and dims what is seen through it
   box { <-60, -60, -7>, <60, 60, 12> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Error against run time: renders a ladder of settings, three scenes behind two sheets, and measures each frame and its
+// replayed view against a converged frame of both samplings (doc/error-against-time.md).
+#include "bench/error_against_time.h"
+
+#include "integral/io/file_bytes.h"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <regex>
+
+namespace {
+
+namespace options = boost::program_options;
+namespace files = std::filesystem;
+using namespace integral;
+using namespace integral::bench;
+
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+std::string all_scenes()
+{
+    std::string text;
+    for (const std::string& name : scene_names())
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+options::options_description make_options()
+{
+    options::options_description all("Options");
+    all.add_options()
+        ("output,o", options::value<std::string>()->value_name("FOLDER"),
+         "where the table, the plots and the frames are written")
+        ("quick", "fewer settings and smaller frames: about a minute instead of a quarter of an hour")
+        ("scene", options::value<std::vector<std::string>>()->value_name("NAME"),
+         ("only this one, of " + all_scenes() + "; may be given again").c_str())
+        ("size", options::value<std::string>()->value_name("WxH"),
+         "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with --quick)")
+        ("renderer", options::value<std::string>()->value_name("FILE"),
+         "povray-integral (default: the one built beside this program)")
+        ("scenes", options::value<std::string>()->value_name("FOLDER"),
+         "the scenes (default: bench/scenes of this build's source)")
+        ("help", "print this");
+    return all;
+}
+
+/// Where this program stands: BUILD/bench.
+files::path own_folder() { return files::read_symlink("/proc/self/exe").parent_path(); }
+
+std::vector<std::string> chosen_scenes(const options::variables_map& arguments)
+{
+    if (!arguments.count("scene"))
+        return scene_names();
+    const auto chosen = arguments["scene"].as<std::vector<std::string>>();
+    for (const std::string& name : chosen)
+        if (std::count(scene_names().begin(), scene_names().end(), name) == 0)
+            throw UsageError("--scene " + name + ": the scenes are " + all_scenes());
+    return chosen;
+}
+
+void set_size(Renderer& renderer, const options::variables_map& arguments)
+{
+    const bool quick = arguments.count("quick");
+    renderer.width = quick ? 120 : 240;
+    renderer.height = quick ? 80 : 160;
+    if (!arguments.count("size"))
+        return;
+    const std::string text = arguments["size"].as<std::string>();
+    std::smatch match;
+    const auto legal = [](int side) { return side >= 60 && side <= 2000 && side % 10 == 0; };
+    if (std::regex_match(text, match, std::regex("([0-9]{1,4})x([0-9]{1,4})"))) {
+        renderer.width = std::stoi(match[1]);
+        renderer.height = std::stoi(match[2]);
+        if (legal(renderer.width) && legal(renderer.height))
+            return;
+    }
+    throw UsageError("--size " + text + ": WIDTHxHEIGHT is expected, each a multiple of 10 from 60 to 2000");
+}
+
+Renderer make_renderer(const options::variables_map& arguments, const std::string& folder)
+{
+    Renderer renderer;
+    set_size(renderer, arguments);
+    const auto path = [&](const char* option, const files::path& usual) {
+        return arguments.count(option) ? arguments[option].as<std::string>() : usual.lexically_normal().string();
+    };
+    renderer.program = path("renderer", own_folder() / "../bin/povray-integral");
+    renderer.scene_folder = path("scenes", own_folder() / "../../bench/scenes");
+    if (!files::exists(renderer.program))
+        throw UsageError(renderer.program + ": there is no renderer here; build it (make) or name it with --renderer");
+    if (!files::is_directory(renderer.scene_folder))
+        throw UsageError(renderer.scene_folder + ": there are no scenes here; name their folder with --scenes");
+    renderer.work_folder = folder + "/frames";
+    return renderer;
+}
+
+int run(const options::variables_map& arguments)
+{
+    if (!arguments.count("output"))
+        throw UsageError("-o FOLDER is missing");
+    const std::string folder = arguments["output"].as<std::string>();
+    const std::vector<std::string> scenes = chosen_scenes(arguments);
+    const Renderer renderer = make_renderer(arguments, folder);
+    files::create_directories(renderer.work_folder);
+    check_writable(folder + "/error-against-time.csv");
+
+    const auto say = [](const std::string& line) { std::cout << line << std::endl; };
+    std::vector<Panel> panels;
+    for (const std::string& scene : scenes)
+        for (const Sheet& sheet : sheets()) {
+            panels.push_back(measure(renderer, scene, sheet, arguments.count("quick"), say));
+            // what is finished is kept, should the rest be interrupted
+            write_file(folder + "/error-against-time.csv", csv(panels));
+            write_file(folder + "/fronts.md", fronts_table(panels));
+        }
+    write_plots(panels, folder);
+    const Honesty counts = honesty(panels);
+    std::cout << "The program's own interval of 95% holds the measured error in " << counts.held << " of " << counts.intervals
+              << " frames.\nWritten: error-against-time.csv, fronts.md and the plots in " << folder << std::endl;
+    return 0;
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+    const char* name = "error_against_time: ";
+    const options::options_description all = make_options();
+    try {
+        options::variables_map arguments;
+        options::store(options::command_line_parser(count, words).options(all).positional({}).run(), arguments);
+        options::notify(arguments);
+        if (arguments.count("help")) {
+            std::cout << "error_against_time [--quick] [--scene NAME] -o FOLDER\n\n" << all;
+            return 0;
+        }
+        return run(arguments);
+    } catch (const UsageError& error) {
+        std::cerr << name << error.what() << std::endl;
+        return 2;
+    } catch (const options::error& error) {
+        std::cerr << name << error.what() << std::endl;
+        return 2;
+    } catch (const OutputError& error) {
+        std::cerr << name << error.what() << std::endl;
+        return 4;
+    } catch (const files::filesystem_error& error) {
+        std::cerr << name << error.what() << std::endl;
+        return 4;
+    } catch (const std::exception& error) {
+        std::cerr << name << error.what() << std::endl;
+        return 1;
+    }
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The parts of bench/error_against_time: the ladder of settings, the renderer as a subprocess, what is measured, and
+// the report of it.
+#ifndef BENCH_ERROR_AGAINST_TIME_H
+#define BENCH_ERROR_AGAINST_TIME_H
+
+#include "integral/lightfield/frame.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace integral::bench {
+
+// ---- the ladder (error_against_time_ladder.cpp) ----
+
+struct Sheet {
+    std::string name;  ///< in file names
+    std::string title; ///< in plots
+    std::string words; ///< of the scene language
+};
+
+/// Settings of one kind are one series of the plots.
+enum class Family { one_ray, beam, pixel, both, antialias, model };
+constexpr Family families[] = {Family::one_ray, Family::beam,      Family::pixel,
+                               Family::both,    Family::antialias, Family::model};
+const char* title_of(Family);
+
+/// One rung: how a frame is sampled.
+struct Setting {
+    Family family;
+    std::string name;  ///< beside its point in the plots
+    std::string words; ///< of the integral camera
+    std::vector<std::string> options; ///< of the renderer
+    std::string full_name() const; ///< as a user would write it
+};
+
+const std::vector<std::string>& scene_names(); ///< files bench/scenes/NAME.pov
+const std::vector<Sheet>& sheets();
+/// The first is the plainest: one ray a pixel, mapping auto. The others' run times are multiples of its.
+std::vector<Setting> ladder(bool quick);
+/// The 4-D frame that errors are measured against, sampled from another seed than the ladder's frames.
+Setting reference_setting(bool quick);
+
+// ---- the renderer (error_against_time_renderer.cpp) ----
+
+struct RenderCost {
+    double seconds = 0;        ///< of rendering, by the clock, without parsing
+    double cpu_seconds = 0;    ///< the same, of the processor
+    long long camera_rays = 0; ///< that left the sheet
+    long long rays = 0;        ///< and all that these gave rise to but those to lights
+};
+
+/// The program under measurement.
+struct Renderer {
+    std::string program;      ///< povray-integral
+    std::string scene_folder; ///< bench/scenes
+    std::string work_folder;  ///< where frames and logs are written; must exist
+    int width = 0, height = 0; ///< pixels of the frames
+
+    /// Renders WORK/NAME.png on one thread, 16 bits a sample. Without `camera` it is the scene's perspective picture,
+    /// `times` as wide and high. Throws std::runtime_error with the program's last words where it fails.
+    RenderCost render(const std::string& scene, const std::string& name, const std::optional<std::string>& camera,
+                      const std::vector<std::string>& options, int times = 1) const;
+    std::string picture(const std::string& name) const { return work_folder + "/" + name + ".png"; }
+};
+
+constexpr double dots_per_inch = 300;
+/// Words of a whole integral camera.
+std::string camera_words(const Sheet& sheet, const Setting& setting);
+
+// ---- measurements (error_against_time_measure.cpp) ----
+
+/// How far a replayed view is from another picture of what that eye should see.
+struct ViewFigures {
+    double psnr = 0, ssim = 0;
+};
+
+struct Measurement {
+    Setting setting;
+    RenderCost cost;              ///< the least seconds of all runs
+    int runs = 0;
+    double times = 0;             ///< cpu_seconds / those of the plainest setting
+    double rmse = 0, psnr = 0;    ///< of the frame against the reference
+    ViewFigures to_reference;     ///< of the view from the aperture's centre, against the reference frame's view
+    ViewFigures from_side;        ///< the same from near the aperture's right edge
+    ViewFigures to_perspective;   ///< of the view from the centre, against the scene's perspective picture from there
+    double own_error = 0;         ///< RMSE over the pixels that this setting lights, freed of the reference's own error
+    std::optional<ErrorEstimate> estimate; ///< the program's, of own_error
+    bool on_front_of_seconds = false, on_front_of_rays = false;
+};
+
+/// All of one scene behind one sheet.
+struct Panel {
+    std::string scene;
+    Sheet sheet;
+    int width = 0, height = 0; ///< pixels
+    Measurement reference;     ///< its estimate is its own error; its figures against itself are 0
+    std::vector<Measurement> rungs;
+    std::string name() const { return scene + "-" + sheet.name; }
+    double pixels() const { return double(width) * height; }
+};
+
+/// Renders and measures. `say` is told what is done, a line at a time.
+Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, bool quick,
+              const std::function<void(const std::string&)>& say);
+
+/// Of several settings, those that no other beats: of which none is at most as dear and at most as wrong. Costs within
+/// 5% and errors within 1% count as equal, and of equals the first stays.
+std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
+
+/// How often the program's interval holds own_error, over the settings of the reference's own lens model.
+struct Honesty {
+    int held = 0, intervals = 0;
+};
+bool judged_by_reference_model(const Setting& setting);
+bool holds(const Measurement& measurement);
+Honesty honesty(const std::vector<Panel>& panels);
+
+// ---- the report (error_against_time_report.cpp, _plots.cpp) ----
+
+std::string csv(const std::vector<Panel>& panels);
+std::string fronts_table(const std::vector<Panel>& panels); ///< Markdown
+/// FOLDER/SCENE-SHEET-FIGURE-against-COST.svg and .png, and FOLDER/fronts-against-COST and FOLDER/estimate.
+void write_plots(const std::vector<Panel>& panels, const std::string& folder);
+
+} // namespace integral::bench
+
+#endif

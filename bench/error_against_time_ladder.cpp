@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "bench/error_against_time.h"
+
+#include <stdexcept>
+
+namespace integral::bench {
+
+namespace {
+
+Setting beam(int samples)
+{
+    const std::string n = std::to_string(samples);
+    return {Family::beam, n, "beam_samples " + n, {}};
+}
+
+Setting pixel(int samples)
+{
+    const std::string n = std::to_string(samples);
+    return {Family::pixel, n, "pixel_samples " + n, {}};
+}
+
+Setting both(int pixel_samples, int beam_samples)
+{
+    return {Family::both, std::to_string(pixel_samples) + "x" + std::to_string(beam_samples),
+            "pixel_samples " + std::to_string(pixel_samples) + " beam_samples " + std::to_string(beam_samples), {}};
+}
+
+Setting mapping(const std::string& name)
+{
+    return {Family::one_ray, name, "lens_mapping " + name, {}};
+}
+
+Setting model(const std::string& name, const std::string& words)
+{
+    return {Family::model, name, "lens_model " + words, {}};
+}
+
+Setting antialias(const std::string& name, const std::vector<std::string>& options, const std::string& words = "")
+{
+    return {Family::antialias, name, words, options};
+}
+
+} // namespace
+
+const char* title_of(Family family)
+{
+    switch (family) {
+    case Family::one_ray: return "one ray, by lens_mapping";
+    case Family::beam: return "beam_samples N";
+    case Family::pixel: return "pixel_samples N";
+    case Family::both: return "pixel_samples N beam_samples M (NxM)";
+    case Family::antialias: return "POV-Ray's +A0.3 +R3";
+    case Family::model: return "other lens_model";
+    }
+    throw std::logic_error("unknown family");
+}
+
+std::string Setting::full_name() const
+{
+    std::string text = words;
+    for (const std::string& option : options)
+        text += (text.empty() ? "" : " ") + option;
+    return text;
+}
+
+const std::vector<std::string>& scene_names()
+{
+    static const std::vector<std::string> names = {"detail", "glass", "soft"};
+    return names;
+}
+
+const std::vector<Sheet>& sheets()
+{
+    static const std::vector<Sheet> all = {
+        {"lenticular", "1.27 mm lenticular", "lenticular pitch 1.27 thickness 3.08 ior 1.6"},
+        {"square", "1.124 mm square", "square pitch 1.124 thickness 3.23 ior 1.675"},
+    };
+    return all;
+}
+
+std::vector<Setting> ladder(bool quick)
+{
+    const std::vector<std::string> am1 = {"+A0.3", "+R3", "+AM1"}, am2 = {"+A0.3", "+R3", "+AM2"};
+    if (quick)
+        return {mapping("auto"), mapping("closest"), beam(4), beam(16), pixel(4), both(2, 2), both(4, 4),
+                antialias("AM1", am1), model("pinhole", "pinhole"), model("hybrid", "hybrid"),
+                model("full 16", "full beam_samples 16")};
+    return {
+        mapping("auto"), mapping("closest"), mapping("accurate"), mapping("exhaustive"),
+        beam(2), beam(3), beam(4), beam(8), beam(16), beam(64),
+        pixel(4), pixel(16),
+        both(2, 2), both(2, 4), both(4, 4), both(4, 8), both(8, 8),
+        antialias("AM1", am1), antialias("AM2", am2),
+        antialias("AM1 +A0.1", {"+A0.1", "+R3", "+AM1"}),
+        antialias("AM1 linear", {"+A0.3", "+R3", "+AM1", "Antialias_Gamma=1"}),
+        antialias("AM1 +R2 beam 4", {"+A0.3", "+R2", "+AM1"}, "beam_samples 4"),
+        antialias("AM1 beam 4", am1, "beam_samples 4"),
+        model("pinhole", "pinhole"), model("hybrid", "hybrid"), model("full 4", "full beam_samples 4"),
+        model("full 16", "full beam_samples 16"), model("full 4x4", "full pixel_samples 4 beam_samples 4"),
+    };
+}
+
+Setting reference_setting(bool quick)
+{
+    Setting setting = quick ? both(8, 32) : both(16, 64);
+    setting.name = "reference";
+    setting.options = {"Integral_Seed=20011"};
+    return setting;
+}
+
+std::string camera_words(const Sheet& sheet, const Setting& setting)
+{
+    return "lens_sheet { " + sheet.words + " } film { dpi " + std::to_string(int(dots_per_inch)) + " } " + setting.words;
+}
+
+} // namespace integral::bench

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "bench/error_against_time.h"
+
+#include "integral/io/image_file.h"
+#include "integral/optics/lens_mapping.h"
+#include "integral/replay/compare.h"
+#include "integral/replay/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace integral::bench {
+
+namespace {
+
+// A view's pixel is 5 of the film's across and down, 2.7 (square) or 3 (lenticular) to a lens: finer than the lenses, so
+// that what they blur is seen, and coarse enough that its 5 x 5 samples leave no error of their own.
+constexpr int film_pixels_a_view_pixel = 5;
+// Through the outermost lenses the eye looks past the film's edge: as much as a lens is left out all round.
+constexpr int view_margin = 3;
+constexpr double side = 0.45;           // of the aperture's width: where the view from its edge is taken
+constexpr int perspective_times = 4;    // the perspective picture's pixels to one of the film's: 20 to the view's
+constexpr double short_run = 0.3;       // seconds: below this a run is repeated within its round
+constexpr int rounds = 2, most_repeats = 3;
+
+/// A picture without its margin.
+Frame inner_part(const Image& image)
+{
+    Frame result{make_image<std::uint16_t>(image.width - 2 * view_margin, image.height - 2 * view_margin, 3, image.encoding), {}};
+    for (int y = 0; y < result.image.height; ++y)
+        for (int x = 0; x < result.image.width; ++x)
+            store_pixel(result.image, x, y, stored_pixel(image, x + view_margin, y + view_margin));
+    return result;
+}
+
+/// What is seen of a frame by an eye that is `aside` of the aperture's width right of its centre.
+Frame view_of(const Frame& frame, double aside = 0)
+{
+    View view;
+    view.eye = centre_eye(*frame.metadata);
+    view.eye.x += aside * frame.metadata->aperture.width;
+    view.width = frame.image.width / film_pixels_a_view_pixel;
+    view.height = frame.image.height / film_pixels_a_view_pixel;
+    view.samples = film_pixels_a_view_pixel;
+    return inner_part(*replay(frame, view, 1));
+}
+
+/// Means over squares of `block` x `block` pixels, in linear light.
+Image shrunk(const Image& image, int block)
+{
+    Image result = make_image<std::uint16_t>(image.width / block, image.height / block, 3, image.encoding);
+    const LinearReader read(image);
+    const float weight = 1.0f / float(block * block);
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            Color sum;
+            for (int j = 0; j < block; ++j)
+                for (int i = 0; i < block; ++i) {
+                    const Color c = read(x * block + i, y * block + j);
+                    sum = {sum.r + c.r * weight, sum.g + c.g * weight, sum.b + c.b * weight, 1};
+                }
+            store_linear(result, x, y, sum);
+        }
+    return result;
+}
+
+ViewFigures view_figures(const Frame& view, const Frame& wanted)
+{
+    const Comparison comparison = compare(view, wanted);
+    return {comparison.psnr, comparison.ssim};
+}
+
+/// Root mean square difference of the colours, over the pixels that the first frame's setting lights.
+double lit_rmse(const Frame& frame, const Frame& reference)
+{
+    const FrameMetadata& metadata = *frame.metadata;
+    const SheetOptics optics(metadata.sheet, metadata.aperture, metadata.render->model);
+    double squares = 0;
+    long long values = 0;
+    for (int y = 0; y < frame.image.height; ++y)
+        for (int x = 0; x < frame.image.width; ++x) {
+            if (!optics.map(film_from_pixel(metadata.film, {x + 0.5, y + 0.5}), metadata.render->mapping).ray)
+                continue;
+            const Color a = stored_pixel(frame.image, x, y), b = stored_pixel(reference.image, x, y);
+            for (const double difference : {double(a.r) - b.r, double(a.g) - b.g, double(a.b) - b.b})
+                squares += difference * difference;
+            values += 3;
+        }
+    return std::sqrt(squares / double(std::max(values, 1LL)));
+}
+
+/// The camera of a panel's settings, and its plainest setting's pictures to compare with.
+class Bench {
+public:
+    Bench(const Renderer& renderer, const std::string& scene, const Sheet& sheet)
+        : renderer_(renderer), scene_(scene), sheet_(sheet), name_(scene + "-" + sheet.name)
+    {
+    }
+
+    void make_wanted(Measurement& reference);
+    void time(Measurement& measurement) const;
+    void judge(Measurement& measurement) const;
+
+private:
+    RenderCost render(const Setting& setting, const std::string& name, bool audit) const
+    {
+        std::vector<std::string> options = setting.options;
+        options.push_back(audit ? "Integral_Audit=on" : "Integral_Audit=off");
+        return renderer_.render(scene_, name, camera_words(sheet_, setting), options);
+    }
+
+    const Renderer& renderer_;
+    std::string scene_;
+    Sheet sheet_;
+    std::string name_;
+    Frame reference_, reference_view_, reference_side_view_, perspective_;
+};
+
+void Bench::make_wanted(Measurement& reference)
+{
+    const std::string frame = name_ + "-reference", picture = name_ + "-perspective";
+    reference.cost = render(reference.setting, frame, true);
+    reference.runs = 1;
+    reference_ = read_frame_with_metadata(renderer_.picture(frame));
+    reference.estimate = reference_.metadata->render->error;
+    if (!reference.estimate || reference.estimate->method != ErrorMethod::split_halves)
+        throw std::runtime_error(renderer_.picture(frame) + ": does not tell its own error by its samples' halves");
+    reference_view_ = view_of(reference_);
+    reference_side_view_ = view_of(reference_, side);
+
+    renderer_.render(scene_, picture, std::nullopt, {}, perspective_times);
+    const Image flat = read_frame(renderer_.picture(picture)).image;
+    perspective_ = inner_part(shrunk(flat, perspective_times * film_pixels_a_view_pixel));
+    reference.to_perspective = view_figures(reference_view_, perspective_);
+}
+
+/// One round of timing: the least seconds of it and of those before.
+void Bench::time(Measurement& measurement) const
+{
+    double spent = 0;
+    for (int repeat = 0; repeat < most_repeats && (repeat == 0 || spent < short_run); ++repeat) {
+        const RenderCost cost = render(measurement.setting, name_ + "-timed", false);
+        const RenderCost least = measurement.cost;
+        spent += cost.cpu_seconds;
+        measurement.cost = cost;
+        if (measurement.runs++ > 0) {
+            measurement.cost.seconds = std::min(cost.seconds, least.seconds);
+            measurement.cost.cpu_seconds = std::min(cost.cpu_seconds, least.cpu_seconds);
+        }
+    }
+}
+
+void Bench::judge(Measurement& measurement) const
+{
+    render(measurement.setting, name_ + "-rung", true);
+    const Frame frame = read_frame_with_metadata(renderer_.picture(name_ + "-rung"));
+    const Comparison comparison = compare(frame, reference_);
+    measurement.rmse = comparison.rmse;
+    measurement.psnr = comparison.psnr;
+    const Frame view = view_of(frame);
+    measurement.to_reference = view_figures(view, reference_view_);
+    measurement.from_side = view_figures(view_of(frame, side), reference_side_view_);
+    measurement.to_perspective = view_figures(view, perspective_);
+    measurement.estimate = frame.metadata->render->error;
+    const double measured = lit_rmse(frame, reference_), floor = reference_.metadata->render->error->rms;
+    measurement.own_error = std::sqrt(std::max(0.0, measured * measured - floor * floor));
+}
+
+void mark_fronts(Panel& panel)
+{
+    std::vector<double> seconds, rays, errors;
+    for (const Measurement& rung : panel.rungs) {
+        seconds.push_back(rung.cost.cpu_seconds);
+        rays.push_back(double(rung.cost.camera_rays));
+        errors.push_back(rung.rmse);
+    }
+    const auto front_of_seconds = pareto_front(seconds, errors), front_of_rays = pareto_front(rays, errors);
+    for (std::size_t i = 0; i < panel.rungs.size(); ++i) {
+        panel.rungs[i].on_front_of_seconds = front_of_seconds[i];
+        panel.rungs[i].on_front_of_rays = front_of_rays[i];
+    }
+}
+
+} // namespace
+
+std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors)
+{
+    constexpr double same_cost = 1.05, same_error = 1.01;
+    std::vector<bool> front(costs.size(), true);
+    for (std::size_t i = 0; i < costs.size(); ++i)
+        for (std::size_t other = 0; other < costs.size() && front[i]; ++other) {
+            const bool no_worse = costs[other] <= same_cost * costs[i] && errors[other] <= same_error * errors[i];
+            const bool better = same_cost * costs[other] < costs[i] || same_error * errors[other] < errors[i];
+            front[i] = !(no_worse && (better || other < i));
+        }
+    return front;
+}
+
+Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, bool quick,
+              const std::function<void(const std::string&)>& say)
+{
+    Panel panel{scene, sheet, renderer.width, renderer.height, {}, {}};
+    Bench bench(renderer, scene, sheet);
+    panel.reference.setting = reference_setting(quick);
+    bench.make_wanted(panel.reference);
+    say(panel.name() + ": reference of " + panel.reference.setting.words + " in " +
+        std::to_string(panel.reference.cost.cpu_seconds) + " CPU seconds, its own error " +
+        std::to_string(panel.reference.estimate->rms));
+    for (const Setting& setting : ladder(quick))
+        panel.rungs.emplace_back().setting = setting;
+    for (int round = 0; round < rounds; ++round)
+        for (Measurement& rung : panel.rungs)
+            bench.time(rung);
+    const double plainest = panel.rungs.front().cost.cpu_seconds;
+    panel.reference.times = panel.reference.cost.cpu_seconds / plainest;
+    for (Measurement& rung : panel.rungs) {
+        bench.judge(rung);
+        rung.times = rung.cost.cpu_seconds / plainest;
+        char line[200];
+        std::snprintf(line, sizeof line, "  %-40s %8.3f s %7.2f x   RMSE %.4f   view %.1f dB   estimate %.4f",
+                      rung.setting.full_name().c_str(), rung.cost.cpu_seconds, rung.times, rung.rmse, rung.to_reference.psnr,
+                      rung.estimate ? rung.estimate->rms : 0.0);
+        say(line);
+    }
+    mark_fronts(panel);
+    return panel;
+}
+
+bool judged_by_reference_model(const Setting& setting) { return setting.family != Family::model; }
+
+bool holds(const Measurement& measurement)
+{
+    return measurement.estimate->low <= measurement.own_error && measurement.own_error <= measurement.estimate->high;
+}
+
+Honesty honesty(const std::vector<Panel>& panels)
+{
+    Honesty result;
+    for (const Panel& panel : panels)
+        for (const Measurement& rung : panel.rungs)
+            if (rung.estimate && judged_by_reference_model(rung.setting)) {
+                ++result.intervals;
+                result.held += holds(rung);
+            }
+    return result;
+}
+
+} // namespace integral::bench

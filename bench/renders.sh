@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# For the scripts of this folder: three scenes (trivial, 1500 glass balls with interiors, upstream's chess2), two sheets, and
+# what rendering them costs. To be sourced.
+set -eu
+top=$(cd "$(dirname "$0")/.." && pwd)
+povray=${POVRAY:-$top/build/bin/povray-integral}
+export POVINI=$top/tests/povray.ini
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+width=${WIDTH:-600} height=${HEIGHT:-400}
+
+cat > "$work/trivial.pov" <<'SCENE'
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <0, 0, -350> look_at 0 angle 8.3 right x*image_width/image_height }
+light_source { <-200, 300, -400> rgb 1 }
+sphere { 0, 15 pigment { rgb <0.8, 0.4, 0.2> } }
+plane { -z, -40 pigment { rgb 0.6 } }
+SCENE
+cat > "$work/glass.pov" <<'SCENE'
+#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }
+camera { location <0, 0, -350> look_at 0 angle 8.3 right x*image_width/image_height }
+light_source { <-200, 300, -400> rgb 1 }
+plane { -z, -40 pigment { checker rgb 0.9 rgb 0.4 scale 5 } }
+#declare R = seed(1);
+#for (I, 1, 1500)
+  sphere { <(rand(R) - 0.5)*60, (rand(R) - 0.5)*40, (rand(R) - 0.5)*40>, 0.4 + rand(R)
+           pigment { rgbt <0.9, 0.95, 1, 0.8> } finish { specular 0.4 } interior { ior 1.3 } }
+#end
+SCENE
+chess=$top/build/share/povray-integral-3.7/scenes/advanced/chess2.pov
+sed -e '/blur_samples/d' "$chess" > "$work/chess2.pov"
+
+sheets=("lenticular pitch 1.27 thickness 3.08 ior 1.6;" "square pitch 1.124 thickness 3.23 ior 1.675;")
+
+# run SCENE CAMERA [WRAPPER...]: renders at the options in $size; what was said is in $work/log. CAMERA is "SHEET;OTHER WORDS", or
+# nothing: the scene's own.
+run() {
+    local scene=$1 camera=$2; shift 2
+    "$@" "$povray" +I"$scene" +L"$top/build/share/povray-integral-3.7/scenes/advanced" +O"$work/out.png" -D -V +WT1 \
+        ${camera:+"Integral_Camera=lens_sheet { ${camera%%;*} } film { dpi 300 } ${camera#*;}"} Integral_Audit=off "${size[@]}" \
+        > "$work/log" 2>&1
+}
+seconds() { # seconds of CPU, user and system
+    local t; TIMEFORMAT='%U %S'; t=$( { time run "$1" "$2"; } 2>&1 ); echo "$t" | awk '{ printf "%.3f", $1 + $2 }'
+}
+instructions() {
+    run "$1" "$2" valgrind --tool=callgrind --callgrind-out-file=/dev/null
+    sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$work/log"
+}
+rays() { sed -n 's/^Rays: *\([0-9]*\) .*/\1/p' "$work/log" | tail -1; } # primary ones, of the integral camera
+per_ray() { # instructions a primary ray of a frame of 150 x 100 pixels: PER_RAY SCENE CAMERA [RAYS-OF-THE-PERSPECTIVE-CAMERA]
+    local full start n
+    size=(+W150 +H100); full=$(instructions "$1" "$2"); n=${3:-$(rays)}
+    size=(+W150 +H100 +SC2 +EC2 +SR2 +ER2); start=$(instructions "$1" "$2")
+    awk -v f="$full" -v s="$start" -v n="$n" 'BEGIN { printf "%.0f", (f - s) / n }'
+}
+

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/sheet_plots.h"
+
+#include "integral/cli/command.h"
+#include "integral/lightfield/lens_profile.h"
+#include "integral/lightfield/names.h"
+#include "integral/lightfield/sheet_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace integral {
+namespace {
+
+using Style = PlotSeries::Style;
+constexpr double gap = std::numeric_limits<double>::quiet_NaN(); // breaks a line
+
+std::string written(double value)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.5g", value);
+    return text;
+}
+
+std::string description(const LensSheet& sheet)
+{
+    return std::string(name_of(sheet.arrangement)) + ", pitch " + written(sheet.pitch) + " mm, thickness " +
+           written(sheet.thickness) + " mm, ior " + written(sheet.ior);
+}
+
+PlotSeries series(const std::string& label, Style style)
+{
+    PlotSeries s;
+    s.label = label;
+    s.style = style;
+    return s;
+}
+
+void add(PlotSeries& s, double x, std::optional<double> y)
+{
+    s.x.push_back(x);
+    s.y.push_back(y.value_or(gap));
+}
+
+/// A line across the plot at one height, or at one on either side of 0.
+PlotSeries level(const std::string& label, double from, double to, double y, bool both_sides = false)
+{
+    PlotSeries s = series(label, Style::dashed);
+    s.x = {from, to};
+    s.y = {y, y};
+    if (both_sides) {
+        s.x.insert(s.x.end(), {gap, from, to});
+        s.y.insert(s.y.end(), {gap, -y, -y});
+    }
+    return s;
+}
+
+/// Rays across a lens, for a figure that is smooth at a plot's size.
+int points_across(const LensSheet& sheet) { return sheet.arrangement == Arrangement::lenticular ? 1000 : 100; }
+
+void demand_surface(const LensSheet& sheet, const std::string& kind)
+{
+    if (has_surface(sheet))
+        return;
+    throw UsageError("--plot " + kind + ": a spherical lens of radius " + written(surface_radius(sheet)) +
+                     " mm, t(n-1)/n, is not as wide as the sheet's; a thicker sheet or a smaller pitch is needed");
+}
+
+Plot spread_plot(const FrameMetadata& g)
+{
+    const LensSheet& sheet = g.sheet;
+    demand_surface(sheet, "spread");
+    const Counted c = counted(g);
+    if (!(c.aperture > 0 && std::isfinite(c.aperture)))
+        throw UsageError("--plot spread: the capture aperture has no width; give --aperture W");
+    const double nearest = 0.5 * g.aperture.distance, farthest = 4 * g.aperture.distance;
+
+    Plot plot;
+    plot.title = "Micro-image width against distance (figure 3-26)";
+    plot.subtitle = description(sheet) + "; aperture " + written(c.aperture) + " mm wide";
+    plot.x.label = "distance of the aperture (mm)";
+    plot.y.label = "width of its micro-image (mm)";
+    plot.y.low = 0;
+    PlotSeries pinhole = series("pinhole (3-8)", Style::line);
+    PlotSeries extended = series("extended pinhole (3-9)", Style::line);
+    PlotSeries full = series("real lens, at half intensity (bars: at 9/10 and 1/10)", Style::points);
+    constexpr int steps = 140, measured_every = 7;
+    for (int i = 0; i <= steps; ++i) {
+        const double distance = nearest + (farthest - nearest) * i / steps;
+        add(pinhole, distance, pinhole_spread(sheet, distance, c.aperture));
+        add(extended, distance, micro_image_width(sheet, distance, c.aperture));
+        if (i % measured_every != 0)
+            continue;
+        if (const auto width = full_image_width(sheet, distance, c.aperture, points_across(sheet))) {
+            add(full, distance, width->at_half);
+            full.low.push_back(width->at_least);
+            full.high.push_back(width->at_most);
+        }
+    }
+    plot.series = {pinhole, extended, full, level("one lens", nearest, farthest, c.period)};
+    return plot;
+}
+
+Plot lens_plot(const FrameMetadata& g)
+{
+    const LensSheet& sheet = g.sheet;
+    demand_surface(sheet, "lens");
+    const double margin = 0.5 * sheet.pitch;
+    Plot plot;
+    plot.title = "A real lens against the extended pinhole, axis to margin";
+    plot.subtitle = description(sheet);
+    plot.x.label = "film point's distance from the lens's axis (mm)";
+    plot.y.label = "direction less the extended pinhole's (degrees)";
+    plot.x.low = 0;
+    plot.x.high = margin;
+    PlotSeries mean = series("mean of the lens's beam", Style::line);
+    PlotSeries spread = series("root mean square about it", Style::none);
+    PlotSeries all = series("98% of its rays", Style::none);
+    spread.band = all.band = true;
+    mean.colour = spread.colour = 0;
+    all.colour = 6;
+    constexpr int steps = 60;
+    for (int i = 0; i <= steps; ++i) {
+        const auto beam = full_beam_direction(sheet, margin * i / steps, points_across(sheet));
+        if (!beam)
+            continue;
+        add(mean, beam->film, beam->mean);
+        spread.low.push_back(beam->mean - beam->spread);
+        spread.high.push_back(beam->mean + beam->spread);
+        all.low.push_back(beam->lower);
+        all.high.push_back(beam->upper);
+    }
+    spread.x = all.x = mean.x;
+    spread.y = all.y = mean.y;
+    plot.series = {mean, spread, all};
+    if (const auto angle = pixel_angle(sheet, counted(g).pixel)) {
+        plot.series.push_back(level("half a pixel (4-4)", 0, margin, 0.5 * *angle, true));
+        plot.series.back().colour = 1;
+    }
+    return plot;
+}
+
+Plot sheets_plot()
+{
+    Plot plot;
+    plot.title = "Real lenses against the extended pinhole: the thesis's sheets";
+    plot.subtitle = "root mean square of the directions of a film point's rays less the extended pinhole's";
+    plot.x.label = "film point's place in its lens, from axis (0) to margin (1)";
+    plot.y.label = "direction error (degrees)";
+    plot.x.low = 0;
+    plot.x.high = 1;
+    plot.y.logarithmic = true;
+    for (const LensSheet& sheet : thesis_sheets()) {
+        PlotSeries errors = series(description(sheet), Style::line_and_points);
+        constexpr int steps = 20;
+        for (int i = 0; i <= steps; ++i)
+            if (const auto beam = full_beam_direction(sheet, 0.5 * sheet.pitch * i / steps, points_across(sheet)))
+                add(errors, double(i) / steps, beam->error());
+        plot.series.push_back(errors);
+    }
+    return plot;
+}
+
+Plot resolution_plot(const FrameMetadata& g, const Viewer& viewer)
+{
+    const LensSheet& sheet = g.sheet;
+    const double pixel = counted(g).pixel, d = g.aperture.distance;
+    const auto budget = depth_budget(sheet, pixel);
+    if (!budget)
+        throw UsageError("--plot resolution: (4-6) has no value for lenses that wide on a sheet that thin");
+    const double deepest = *std::max_element(viewer.depths.begin(), viewer.depths.end());
+    Plot plot;
+    plot.title = "Resolution against depth (figures 4-12 and 4-15)";
+    plot.subtitle = description(sheet) + "; " + written(mm_per_inch / pixel) + " dpi, seen from " + written(d) +
+                    " mm; depth budget " + written(*budget) + " mm";
+    plot.x.label = "distance from the sheet (mm)";
+    plot.y.label = "resolution (line pairs per inch)";
+    plot.x.low = 0;
+    plot.x.high = deepest;
+    plot.y.logarithmic = true;
+    PlotSeries pixels = series("pixels (4-6)", Style::line);
+    PlotSeries front = series("lenses, object before the sheet (4-7)", Style::line);
+    PlotSeries behind = series("lenses, behind it (4-7)", Style::line);
+    constexpr int steps = 200;
+    for (int i = 0; i <= steps; ++i) {
+        const double depth = deepest * i / steps;
+        if (i > 0)
+            add(pixels, depth, depth_resolution(sheet, pixel, depth));
+        if (depth <= 0.9 * d)
+            add(front, depth, observer_resolution(sheet.pitch, d, depth));
+        add(behind, depth, observer_resolution(sheet.pitch, d, -depth));
+    }
+    plot.series = {pixels, front, behind};
+    return plot;
+}
+
+} // namespace
+
+Plot sheet_plot(const std::string& kind, const FrameMetadata& g, const Viewer& viewer)
+{
+    if (kind == "spread")
+        return spread_plot(g);
+    if (kind == "lens")
+        return lens_plot(g);
+    if (kind == "sheets")
+        return sheets_plot();
+    if (kind == "resolution")
+        return resolution_plot(g, viewer);
+    throw UsageError("--plot " + kind + ": spread, lens, sheets or resolution is expected");
+}
+
+} // namespace integral

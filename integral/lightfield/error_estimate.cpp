@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/error_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+
+double OutputCurve::operator()(double value) const
+{
+    const double cut = value > 0 ? std::min(value, 1.0) : 0; // NaN: 0
+    return same_encoding(working, file) ? cut : encode(file, decode(working, cut));
+}
+
+namespace {
+
+double squared_difference(const OutputCurve& curve, const Light& a, const Light& b)
+{
+    double sum = 0;
+    for (std::size_t channel = 0; channel < a.size(); ++channel) {
+        const double difference = curve(a[channel]) - curve(b[channel]);
+        sum += difference * difference;
+    }
+    return sum / a.size();
+}
+
+} // namespace
+
+double audited_error(const OutputCurve& curve, const Light& pixel, const std::vector<Light>& samples)
+{
+    const double n = samples.size();
+    Light total{};
+    for (const Light& sample : samples)
+        for (std::size_t channel = 0; channel < total.size(); ++channel)
+            total[channel] += sample[channel];
+    const auto mean_without = [&](const Light& left_out, double count) {
+        Light mean;
+        for (std::size_t channel = 0; channel < mean.size(); ++channel)
+            mean[channel] = (total[channel] - left_out[channel]) / count;
+        return mean;
+    };
+    double without_one = 0; // mean over the samples of the error that the others give
+    for (const Light& sample : samples)
+        without_one += squared_difference(curve, pixel, mean_without(sample, n - 1)) / n;
+    return n * squared_difference(curve, pixel, mean_without(Light{}, n)) - (n - 1) * without_one;
+}
+
+double halves_error(const OutputCurve& curve, const Light& a, const Light& b, int first, int second)
+{
+    const double part = first / (double(first) + second);
+    Light mean;
+    for (std::size_t channel = 0; channel < mean.size(); ++channel)
+        mean[channel] = part * a[channel] + (1 - part) * b[channel];
+    return part * squared_difference(curve, a, mean) + (1 - part) * squared_difference(curve, b, mean);
+}
+
+void ErrorSums::add(double squared_error)
+{
+    ++pixels;
+    sum += squared_error;
+    sum_of_squares += squared_error * squared_error;
+    largest = std::max(largest, squared_error);
+}
+
+void ErrorSums::add(const ErrorSums& other)
+{
+    pixels += other.pixels;
+    sum += other.sum;
+    sum_of_squares += other.sum_of_squares;
+    largest = std::max(largest, other.largest);
+}
+
+namespace {
+
+/// A mean and how far the interval reaches from it.
+struct Mean { double value, reach; };
+
+Mean mean_of(const ErrorSums& sums, ErrorMethod method)
+{
+    constexpr double two_sided_95 = 1.959963984540054, bias = 0.1; // bias: part of the mean
+    const double n = sums.pixels, mean = sums.sum / n;
+    double variance = std::max(0.0, (sums.sum_of_squares - n * mean * mean) / (n - 1)) / n; // of the mean
+    if (method == ErrorMethod::split_halves)
+        variance *= 2;
+    return {mean, std::hypot(two_sided_95 * std::sqrt(variance), bias * mean)};
+}
+
+} // namespace
+
+std::optional<ErrorEstimate> estimate(const ErrorSums& sums, ErrorMethod method)
+{
+    if (sums.pixels < 2)
+        return std::nullopt;
+    const Mean mean = mean_of(sums, method);
+    ErrorSums once_more = sums;
+    if (sums.largest > 0)
+        once_more.add(sums.largest);
+    const Mean upper = mean_of(once_more, method);
+
+    ErrorEstimate result;
+    result.method = method;
+    result.pixels = sums.pixels;
+    result.rms = std::sqrt(std::max(0.0, mean.value));
+    if (mean.value > mean.reach)
+        result.low = result.rms * std::exp(-0.5 * mean.reach / mean.value);
+    if (upper.value > upper.reach)
+        result.high = std::sqrt(upper.value) * std::exp(0.5 * upper.reach / upper.value);
+    else // the same where the two meet
+        result.high = std::sqrt(std::max(0.0, upper.value + (std::exp(1.0) - 1) * upper.reach));
+    return result;
+}
+
+} // namespace integral

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/lens_profile.h"
+
+#include <algorithm>
+
+namespace integral {
+namespace {
+
+constexpr double degrees = 180 / 3.14159265358979323846;
+
+/// One lens on the axis. All light stays near the plane y = 0, in which a lenticular lens's slit is: how far
+/// `slit_distance` is makes no difference, but it must not be where the scene is.
+SheetOptics upright_lens(LensSheet sheet, double slit_distance)
+{
+    sheet.slant = 0;
+    sheet.offset = {};
+    return SheetOptics(sheet, {slit_distance, 1, 1, ApertureShape::rectangle}, LensModel::full);
+}
+
+/// The middles of equal parts of the cell.
+std::vector<LensPoint> cell_points(const Lattice& lattice, int points)
+{
+    const int rows = lattice.arrangement() == Arrangement::lenticular ? 1 : points;
+    std::vector<LensPoint> all;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < points; ++i)
+            all.push_back(cell_point(lattice, {(i + 0.5) / points, (j + 0.5) / rows}));
+    return all;
+}
+
+/// Where a number of lit intervals, given by their ends, overlap: the width of the part between the first and the last
+/// film point where `share` of the most that overlap do.
+double width_at(const std::vector<std::pair<double, int>>& ends, double share)
+{
+    int lit = 0, most = 0;
+    for (const auto& end : ends)
+        most = std::max(most, lit += end.second);
+    double first = 0, last = 0;
+    bool begun = false;
+    lit = 0;
+    for (const auto& end : ends) {
+        const bool before = lit >= share * most;
+        lit += end.second;
+        const bool after = lit >= share * most;
+        if (after && !before && !begun) {
+            first = end.first;
+            begun = true;
+        }
+        if (before && !after)
+            last = end.first;
+    }
+    return last - first;
+}
+
+double angle(Vec3 direction) { return std::atan2(-direction.x, -direction.z) * degrees; }
+
+} // namespace
+
+std::optional<ImageWidth> full_image_width(const LensSheet& sheet, double distance, double width, int points)
+{
+    if (!has_surface(sheet))
+        return std::nullopt;
+    const SheetOptics optics = upright_lens(sheet, 2 * distance);
+    // Each point of the lens lights the film between its own images of the two edges.
+    std::vector<std::pair<double, int>> ends; // film x, and how many more points light the film from there on
+    for (const LensPoint& point : cell_points(optics.lattice(), points)) {
+        const auto left = film_point_imaging(optics, {0.5 * width, 0, -distance}, {}, point);
+        const auto right = film_point_imaging(optics, {-0.5 * width, 0, -distance}, {}, point);
+        if (!left || !right)
+            continue;
+        ends.emplace_back(std::min(left->x, right->x), 1);
+        ends.emplace_back(std::max(left->x, right->x), -1);
+    }
+    if (ends.empty())
+        return std::nullopt;
+    std::sort(ends.begin(), ends.end());
+    return ImageWidth{width_at(ends, 0.5), width_at(ends, 0.1), width_at(ends, 0.9)};
+}
+
+std::optional<BeamDirection> full_beam_direction(const LensSheet& sheet, double film, int points)
+{
+    if (!has_surface(sheet))
+        return std::nullopt;
+    const SheetOptics optics = upright_lens(sheet, 1e3);
+    const auto pole = optics.ray_through({film, 0}, {});
+    if (!pole)
+        return std::nullopt;
+    BeamDirection beam;
+    beam.film = film;
+    beam.pole = angle(pole->direction);
+
+    const auto cell = cell_points(optics.lattice(), points);
+    std::vector<double> errors;
+    for (const LensPoint& point : cell)
+        if (const auto ray = beam_ray(optics, {film, 0}, {}, point))
+            errors.push_back(angle(ray->direction) - beam.pole);
+    if (errors.empty())
+        return std::nullopt;
+    for (const double error : errors)
+        beam.mean += error / errors.size();
+    double squares = 0;
+    for (const double error : errors)
+        squares += (error - beam.mean) * (error - beam.mean) / errors.size();
+    beam.spread = std::sqrt(squares);
+    std::sort(errors.begin(), errors.end());
+    beam.lower = errors[errors.size() / 100];
+    beam.upper = errors[errors.size() - 1 - errors.size() / 100];
+    beam.share = double(errors.size()) / cell.size();
+    return beam;
+}
+
+std::vector<LensSheet> thesis_sheets()
+{
+    std::vector<LensSheet> sheets(5);
+    const double figures[5][3] = {
+        {1.27, 3.08, 1.6}, {0.6, 2.65, 1.52}, {1.124, 3.23, 1.675}, {0.845, 2.37, 1.6}, {0.625, 1.24, 1.6}};
+    for (int i = 0; i < 5; ++i) {
+        sheets[i].arrangement = i == 0 ? Arrangement::lenticular : Arrangement::square;
+        sheets[i].pitch = figures[i][0];
+        sheets[i].thickness = figures[i][1];
+        sheets[i].ior = figures[i][2];
+    }
+    return sheets;
+}
+
+} // namespace integral

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/pixel_sampler.h"
+
+#include <array>
+#include <cstring>
+
+namespace integral {
+
+namespace {
+
+/// A bijection of 64-bit numbers that leaves no trace of their order (the finaliser of SplitMix64, Steele et al. 2014).
+std::uint64_t scrambled(std::uint64_t x)
+{
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+constexpr int dimensions_at_most = 4, bits_at_most = 31;
+using Columns = std::array<std::array<std::uint32_t, 32>, dimensions_at_most>;
+
+/// Sobol's sequence in four dimensions: the columns of its generator matrices. Its polynomials are 1, x + 1, x^2 + x + 1 and
+/// x^3 + x + 1; of the first columns, which are free, those that spread up to 128 points best over any two dimensions,
+/// and above all over the first and third and the second and fourth: along one axis, pixel and lens.
+Columns sobol_columns()
+{
+    constexpr std::uint32_t top = 1u << 31;
+    Columns c{};
+    c[1][0] = top;
+    c[2] = {top, (top >> 1) * 3};
+    c[3] = {top, top >> 1, (top >> 2) * 3};
+    for (int i = 0; i < 32; ++i) {
+        c[0][i] = top >> i;
+        if (i > 0)
+            c[1][i] = c[1][i - 1] ^ c[1][i - 1] >> 1;
+        if (i > 1)
+            c[2][i] = c[2][i - 2] ^ c[2][i - 2] >> 2 ^ c[2][i - 1];
+        if (i > 2)
+            c[3][i] = c[3][i - 3] ^ c[3][i - 3] >> 3 ^ c[3][i - 2];
+    }
+    return c;
+}
+
+const Columns columns = sobol_columns();
+
+/// A coordinate of point `index` of the sequence's first 2^bits, scrambled as a whole (Owen 1995): each of its bits
+/// is flipped or not by the flip of a coin, another one for each value of the bits above it. What is below them is random.
+double scrambled_coordinate(std::uint64_t key, int dimension, std::uint32_t index, int bits)
+{
+    std::uint32_t x = 0;
+    for (int bit = 0; index >> bit; ++bit)
+        if (index >> bit & 1)
+            x ^= columns[dimension][bit];
+    std::uint64_t flips = 0, above = 1, scrambled_x = 0; // above: 1, followed by the bits above the next one
+    unsigned coin = 0; // which of 64 for the values of up to 5 bits
+    for (int bit = 0; bit < bits; ++bit) {
+        if (bit % 6 == 0) {
+            flips = scrambled(key ^ above);
+            coin = 1;
+        }
+        const unsigned own = x >> (31 - bit) & 1;
+        scrambled_x = 2 * scrambled_x + (own ^ (flips >> coin & 1));
+        above = 2 * above + own;
+        coin = 2 * coin + own;
+    }
+    const double below = double(scrambled(key ^ ~std::uint64_t(index)) >> 43) * 0x1p-21;
+    return (scrambled_x + below) / double(std::uint64_t(1) << bits);
+}
+
+constexpr int search_limit = 64; // random points tried until one is the lens's own; the last is the centre
+
+} // namespace
+
+std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value) { return scrambled(seed ^ scrambled(value)); }
+
+PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
+    : camera_(camera), seed_(scrambled(seed))
+{
+    const SheetOptics& optics = camera.optics;
+    const bool hybrid = optics.model() == LensModel::hybrid;
+    if (hybrid)
+        hybrid_ = hybrid_points(optics.lattice());
+    const bool cell_is_flat = optics.sheet().arrangement == Arrangement::lenticular && !(camera.slit_height({0, 0}) > 0);
+    film_dimensions_ = camera.pixel_samples > 1 ? 2 : 0;
+    lens_dimensions_ = hybrid || camera.beam_samples == 1 ? 0 : cell_is_flat ? 1 : 2;
+    one_ray_ = film_dimensions_ + lens_dimensions_ == 0 && !hybrid && !camera.pseudoscopic
+            && camera.film.subpixels == Subpixels::none && optics.model() != LensModel::full;
+}
+
+Vec2 PixelSampler::within_lens(Vec2 centre, Vec2 point) const
+{
+    const auto map = [&](Vec2 at) { return camera_.optics.map(film_from_pixel(camera_.film, at), camera_.mapping); };
+    const MappedPoint own = map(centre), other = map(point);
+    return own.ray && other.ray && own.ray->lens == other.ray->lens ? point : centre;
+}
+
+bool PixelSampler::halves_tell_error() const
+{
+    constexpr int enough = 16; // of fewer, the curve of the encoding hides a part of the error
+    return film_dimensions_ > 0 && lens_dimensions_ > 0 && camera_.pixel_samples * camera_.beam_samples >= enough;
+}
+
+std::uint64_t PixelSampler::pixel_key(Vec2 centre) const
+{
+    // all of the centre's bits: anti-aliasing's samples of one pixel differ, too
+    const auto bits = [](double x) {
+        std::uint64_t image;
+        std::memcpy(&image, &x, sizeof image);
+        return image;
+    };
+    return random_bits(random_bits(seed_, bits(centre.x)), bits(centre.y));
+}
+
+double PixelSampler::random_shift(std::uint64_t key, std::uint64_t index, int dimension) const
+{
+    return double(random_bits(random_bits(key, index), std::uint64_t(dimension)) >> 11) * 0x1p-53;
+}
+
+Vec2 PixelSampler::channel_centre(Vec2 centre, int channel) const
+{
+    if (channel != PixelRay::all_channels)
+        centre.x += subpixel_shift(camera_.film.subpixels, channel);
+    return film_from_pixel(camera_.film, centre);
+}
+
+/// The film point at unit-square coordinates of the pixel's area (a third of it, if it has subpixels) about `film_point`.
+Vec2 PixelSampler::moved(Vec2 film_point, Vec2 unit) const
+{
+    const double width = camera_.film.subpixels == Subpixels::none ? 1 : 1 / 3.0;
+    return {film_point.x + (unit.x - 0.5) * width * camera_.film.pixel_pitch.x,
+            film_point.y + (unit.y - 0.5) * camera_.film.pixel_pitch.y};
+}
+
+/// Sample `index` of a channel: of two sets of points, each spread evenly, and independently of the other, over the
+/// dimensions that are sampled.
+PixelSampler::UnitPoint PixelSampler::even_point(std::uint64_t key, int index, int& half) const
+{
+    UnitPoint point;
+    half = 0;
+    const int dimensions = film_dimensions_ + lens_dimensions_;
+    if (dimensions == 0)
+        return point;
+    const int all = camera_.pixel_samples * (lens_dimensions_ > 0 ? camera_.beam_samples : 1);
+    const int first = all / 2;
+    half = index >= first;
+    const int within = half ? index - first : index, count = half ? all - first : first;
+    int bits = 0;
+    while (bits < bits_at_most && count > 1LL << bits)
+        ++bits;
+    std::array<double, dimensions_at_most> unit;
+    const std::uint64_t half_key = random_bits(key, half);
+    for (int k = 0; k < dimensions; ++k)
+        unit[k] = scrambled_coordinate(scrambled(half_key + k), k, within, bits);
+    if (film_dimensions_ > 0)
+        point.pixel = {unit[0], unit[1]};
+    if (lens_dimensions_ > 0)
+        point.lens.x = unit[film_dimensions_];
+    if (lens_dimensions_ > 1)
+        point.lens.y = unit[film_dimensions_ + 1];
+    return point;
+}
+
+void PixelSampler::append_ray(Vec2 film_point, const LensRay& pole_ray, const LensPoint& point, PixelRay ray,
+                              std::vector<PixelRay>& rays) const
+{
+    const SheetOptics& optics = camera_.optics;
+    std::optional<BeamRay> beam;
+    if (camera_.pseudoscopic)
+        beam = beam_ray(optics, mirrored_in_lens(optics, film_point, pole_ray.lens), pole_ray.lens, point);
+    else if (refracts_at_surface(optics.model()) || point.slit != 0)
+        beam = beam_ray(optics, film_point, pole_ray.lens, point);
+    else {
+        beam = pole_beam(pole_ray);
+        beam->point = beam->point + Vec3{point.offset.x, point.offset.y, 0};
+        beam->aperture_point = beam->aperture_point + point.offset;
+    }
+    if (!beam)
+        return;
+    ray.ray = *beam;
+    rays.push_back(ray);
+}
+
+void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
+                                  PixelOutcome& outcome) const
+{
+    const SheetOptics& optics = camera_.optics;
+    const Vec2 film_centre = channel_centre(centre, channel);
+    const MappedPoint mapped = optics.map(film_centre, camera_.mapping);
+    ++outcome.film_points;
+    outcome.outside_aperture += mapped.empty == Empty::outside_aperture;
+    outcome.total_reflection += mapped.empty == Empty::total_reflection;
+    if (!mapped.ray)
+        return;
+
+    const std::size_t before = rays.size();
+    const int samples = camera_.pixel_samples * (lens_dimensions_ > 0 ? camera_.beam_samples : 1);
+    const std::uint64_t channel_key = random_bits(key, std::uint64_t(channel + 1));
+    const auto append_samples = [&](bool over_area) {
+        bool own = false; // whether any sample is the lens's own
+        for (int index = 0; index < samples; ++index) {
+            PixelRay ray;
+            ray.channel = channel;
+            const UnitPoint unit = even_point(channel_key, index, ray.half);
+            Vec2 film_point = film_centre;
+            MappedPoint at = mapped;
+            if (over_area) {
+                film_point = moved(film_centre, unit.pixel);
+                at = optics.map(film_point, camera_.mapping);
+                if (!at.ray || at.ray->lens != mapped.ray->lens)
+                    continue; // another lens's, or nobody's
+            }
+            own = true;
+            if (hybrid_.empty())
+                append_ray(film_point, *at.ray,
+                           cell_point(optics.lattice(), unit.lens, camera_.slit_height(at.ray->aperture_point)), ray, rays);
+            for (const WeightedLensPoint& marginal : hybrid_) {
+                ray.weight = marginal.weight;
+                append_ray(film_point, *at.ray, marginal.point, ray, rays);
+            }
+        }
+        return own;
+    };
+    if (!append_samples(film_dimensions_ > 0))
+        append_samples(false);
+    const bool any = rays.size() > before;
+    outcome.imaged += any;
+    outcome.searched += any && mapped.searched;
+    outcome.total_reflection += !any;
+}
+
+PixelOutcome PixelSampler::append_rays(Vec2 centre, std::vector<PixelRay>& rays) const
+{
+    PixelOutcome outcome;
+    if (one_ray_) {
+        const MappedPoint mapped = camera_.optics.map(film_from_pixel(camera_.film, centre), camera_.mapping);
+        if (mapped.ray)
+            rays.push_back({pole_beam(*mapped.ray)});
+        outcome.film_points = 1;
+        outcome.imaged = mapped.ray.has_value();
+        outcome.searched = mapped.ray && mapped.searched;
+        outcome.outside_aperture = mapped.empty == Empty::outside_aperture;
+        outcome.total_reflection = mapped.empty == Empty::total_reflection;
+        return outcome;
+    }
+    const std::uint64_t key = pixel_key(centre);
+    if (camera_.film.subpixels == Subpixels::none)
+        append_channel(centre, PixelRay::all_channels, key, rays, outcome);
+    else
+        for (int channel = 0; channel < 3; ++channel)
+            append_channel(centre, channel, key, rays, outcome);
+    return outcome;
+}
+
+bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const
+{
+    const SheetOptics& optics = camera_.optics;
+    const std::size_t before = rays.size();
+    const bool divided = camera_.film.subpixels != Subpixels::none;
+    for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0); ++channel) {
+        const Vec2 film_centre = channel_centre(centre, channel);
+        const MappedPoint mapped = optics.map(film_centre, camera_.mapping);
+        if (!mapped.ray)
+            continue;
+        const std::uint64_t key = random_bits(random_bits(pixel_key(centre), std::uint64_t(channel + 1)), ~index);
+        const std::size_t own = rays.size();
+        for (int attempt = 0; attempt < search_limit && rays.size() == own; ++attempt) {
+            const auto random = [&](int dimension) { return random_shift(key, attempt, dimension); };
+            const bool last = attempt + 1 == search_limit;
+            const Vec2 film_point = last ? film_centre : moved(film_centre, {random(0), random(1)});
+            const MappedPoint at = optics.map(film_point, camera_.mapping);
+            if (!at.ray || at.ray->lens != mapped.ray->lens)
+                continue;
+            PixelRay ray;
+            ray.channel = channel;
+            append_ray(film_point, *at.ray, cell_point(optics.lattice(), {random(2), random(3)},
+                       camera_.slit_height(at.ray->aperture_point)), ray, rays);
+        }
+    }
+    return rays.size() > before;
+}
+
+} // namespace integral

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Which rays make up a pixel of the film: samples of its area and of its lens's cell, together the four dimensions of the
+// light that it stands for (optics.md section 3, thesis 4.3.8).
+#ifndef INTEGRAL_LIGHTFIELD_PIXEL_SAMPLER_H
+#define INTEGRAL_LIGHTFIELD_PIXEL_SAMPLER_H
+
+#include "integral/optics/camera.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace integral {
+
+/// One ray of a pixel. A channel's colour is the weighted mean, in linear light, over the rays of that channel.
+struct PixelRay {
+    static constexpr int all_channels = -1;
+    BeamRay ray;
+    double weight = 1;
+    int channel = all_channels; ///< or 0 red, 1 green, 2 blue, with a film of subpixels
+    int half = 0;               ///< 0 or 1: which of two independent sets of samples it belongs to
+};
+
+/// What became of a pixel's film points: one, or three with a film of subpixels. The last two add up to film_points - imaged.
+struct PixelOutcome {
+    int film_points = 0, imaged = 0;
+    int searched = 0;         ///< of the imaged, those whose lens the accurate search found
+    int outside_aperture = 0;
+    int total_reflection = 0; ///< also: no ray of the lens model got through
+};
+
+/// 64 bits that look random, of a seed and a value: the same for the same, and unlike for unlike ones.
+std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value);
+
+/// Chooses the rays of pixels. Immutable, shared by all threads; what it chooses depends on the pixel's centre and the seed
+/// alone.
+class PixelSampler {
+public:
+    /// Refers to `camera`, which must outlive it.
+    PixelSampler(const IntegralCamera& camera, std::uint64_t seed);
+
+    /// Appends the rays of the pixel (or sample of a pixel) whose centre is at `centre`, in pixels from the film's top
+    /// left corner: pixel_samples * beam_samples of them a channel (hybrid: pixel_samples times 3 or 5), fewer where samples
+    /// are dropped: those which another lens images, or none. Where all of them are, the centre stands in for
+    /// them. None where the centre images nothing.
+    PixelOutcome append_rays(Vec2 centre, std::vector<PixelRay>& rays) const;
+
+    /// Appends one ray (a channel) of the same pixel at random over both its area and the lens's cell, independent for
+    /// each `index`: the light whose mean is the converged 4-D reference. hybrid is judged by full.
+    /// (Where the lens has next to nothing of the pixel, the centre may stand in for its area.)
+    /// False where no light gets through the lens.
+    bool append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const;
+
+    /// The point of a pixel that anti-aliasing may sample for `point`, another of its points: the same, but the pixel's centre
+    /// where `point` belongs to another lens or to none, or the centre itself images nothing. All in pixels.
+    Vec2 within_lens(Vec2 centre, Vec2 point) const;
+
+    /// Whether append_rays samples all that the reference is the mean over, in two independent halves, so that their
+    /// difference tells the whole error: pixel_samples * beam_samples of 16 at least, and more than one of each.
+    bool halves_tell_error() const;
+
+private:
+    struct UnitPoint { Vec2 pixel{0.5, 0.5}, lens{0.5, 0.5}; };
+    UnitPoint even_point(std::uint64_t key, int index, int& half) const;
+    std::uint64_t pixel_key(Vec2 centre) const;
+    double random_shift(std::uint64_t key, std::uint64_t index, int dimension) const;
+    Vec2 channel_centre(Vec2 centre, int channel) const;
+    Vec2 moved(Vec2 film_point, Vec2 unit) const;
+    void append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
+                        PixelOutcome& outcome) const;
+    void append_ray(Vec2 film_point, const LensRay& pole_ray, const LensPoint& point, PixelRay ray,
+                    std::vector<PixelRay>& rays) const;
+
+    const IntegralCamera& camera_;
+    std::uint64_t seed_;
+    std::vector<WeightedLensPoint> hybrid_; ///< empty for other models
+    int film_dimensions_, lens_dimensions_; ///< over which append_rays spreads its samples
+    bool one_ray_; ///< a pixel, that of its centre through the pole
+};
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integralaudit.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/integralcamera.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/view.h"
+#include "base/integralpicture.h"
+
+#include <algorithm>
+#include <cmath>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+constexpr double usual_share = 0.005, picture_share = 0.05;
+constexpr long long least_pixels = 1000;
+
+std::uint64_t Key(int x, int y) { return (std::uint64_t(std::uint32_t(y)) << 32) | std::uint32_t(x); }
+
+}
+
+IntegralAudit::IntegralAudit(const IntegralBlock& block, std::uint64_t seed)
+    : optics(block.optics), output(block.error.output), share(block.error.share), picture(block.error.picture), seed(seed)
+{
+    if (share == 0 && !picture.empty())
+        share = picture_share;
+}
+
+void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours)
+{
+    std::lock_guard<std::mutex> lock(mutex);
+    std::size_t index = 0;
+    for (int y = rect.top; y <= int(rect.bottom); y++)
+        for (int x = rect.left; x <= int(rect.right) && index < colours.size(); x++)
+            Note_One(x, y, colours[index++]);
+}
+
+void IntegralAudit::Note(const std::vector<Vector2d>& positions, const std::vector<Colour>& colours)
+{
+    std::lock_guard<std::mutex> lock(mutex);
+    for (std::size_t index = 0; index < positions.size() && index < colours.size(); index++)
+        Note_One(int(positions[index].x()), int(positions[index].y()), colours[index]);
+}
+
+void IntegralAudit::Note_One(int x, int y, const Colour& colour)
+{
+    seen++;
+    const std::uint64_t hash = integral::random_bits(seed, Key(x, y));
+    if (hash > threshold)
+        return;
+    if (!optics->optics.map(integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5}), optics->mapping).ray)
+        return;
+    noted[Key(x, y)] = {hash, {colour.red(), colour.green(), colour.blue()}};
+    Thin_Out();
+}
+
+/// Keeps no more pixels than may have to be audited: twice the share of those seen, and enough for a small frame.
+void IntegralAudit::Thin_Out()
+{
+    const double most = std::max(200.0 * least_pixels, 2 * std::max(share, usual_share) * double(seen));
+    if (double(noted.size()) <= most)
+        return;
+    threshold /= 2;
+    for (auto pixel = noted.begin(); pixel != noted.end();)
+        pixel = pixel->second.hash > threshold ? noted.erase(pixel) : std::next(pixel);
+}
+
+void IntegralAudit::Choose()
+{
+    chosen = true;
+    begun = std::chrono::steady_clock::now();
+    const double kept = (double(threshold) + 1) / std::pow(2.0, 64); // part of all hashes
+    lit_pixels = std::round(noted.size() / kept);
+    const double wanted = share > 0 ? std::ceil(share * lit_pixels)
+                                    : std::max(double(least_pixels), std::ceil(usual_share * lit_pixels));
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> order; // hash, pixel
+    for (const auto& pixel : noted)
+        order.emplace_back(pixel.second.hash, pixel.first);
+    std::sort(order.begin(), order.end());
+    order.resize(std::min<std::size_t>(order.size(), std::size_t(wanted)));
+    for (const auto& entry : order)
+        pixels.push_back({int(std::uint32_t(entry.second)), int(entry.second >> 32), noted[entry.second].light});
+    noted.clear();
+}
+
+IntegralAudit::Pixel *IntegralAudit::Next()
+{
+    std::lock_guard<std::mutex> lock(mutex);
+    if (!chosen)
+        Choose();
+    return taken < pixels.size() ? &pixels[taken++] : NULL;
+}
+
+std::optional<integral::ErrorEstimate> IntegralAudit::Result()
+{
+    std::lock_guard<std::mutex> lock(mutex);
+    integral::ErrorSums sums;
+    for (const Pixel& pixel : pixels)
+        sums.add(pixel.squared_error);
+    auto error = integral::estimate(sums, integral::ErrorMethod::audit);
+    if (!error)
+        return error;
+    error->lit_pixels = (long long)(lit_pixels);
+    error->samples = samples;
+    picture_failed = !picture.empty() && !Write_Picture();
+    error->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return error;
+}
+
+/// Each square of the frame in the grey of its pixels' RMS error: squares of some 8 audited pixels, so that it can be seen
+/// where the error is.
+bool IntegralAudit::Write_Picture() const
+{
+    const integral::Film& film = optics->film;
+    const double area = double(film.width) * film.height;
+    const int side = std::max(1, int(std::ceil(std::sqrt(8 * area / pixels.size()))));
+    const int across = (film.width + side - 1) / side;
+    std::vector<integral::ErrorSums> squares(std::size_t(across) * ((film.height + side - 1) / side));
+    if (pixels.size() >= lit_pixels) // all of them: each for itself
+    {
+        std::vector<double> errors(std::size_t(area), 0.0);
+        for (const Pixel& pixel : pixels)
+            errors[std::size_t(pixel.y) * film.width + pixel.x] = std::sqrt(std::max(0.0, pixel.squared_error));
+        return pov_base::Write_Integral_Picture(picture, film.width, film.height, errors);
+    }
+    for (const Pixel& pixel : pixels)
+        squares[std::size_t(pixel.y / side) * across + pixel.x / side].add(pixel.squared_error);
+    std::vector<double> errors;
+    errors.reserve(std::size_t(area));
+    for (int y = 0; y < film.height; y++)
+        for (int x = 0; x < film.width; x++)
+        {
+            const integral::ErrorSums& square = squares[std::size_t(y / side) * across + x / side];
+            errors.push_back(square.pixels > 0 ? std::sqrt(std::max(0.0, square.sum / square.pixels)) : 0.0);
+        }
+    return pov_base::Write_Integral_Picture(picture, film.width, film.height, errors);
+}
+
+static IntegralAudit *Audit_Of(const Camera& camera)
+{
+    return camera.Integral ? camera.Integral->audit.get() : NULL;
+}
+
+void Note_Integral_Pixels(const Camera& camera, const POVRect& rect, const std::vector<Colour>& pixels)
+{
+    if (IntegralAudit *audit = Audit_Of(camera))
+        audit->Note(rect, pixels);
+}
+
+void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions, const std::vector<Colour>& colours)
+{
+    if (IntegralAudit *audit = Audit_Of(camera))
+        audit->Note(positions, colours);
+}
+
+int Integral_Audit_Tasks(const Camera& camera, int threads)
+{
+    return Audit_Of(camera) ? threads : 0;
+}
+
+IntegralAuditTask::IntegralAuditTask(ViewData *view)
+    : RenderTask(view),
+      audit(view->GetCamera().Integral->audit),
+      cooperate(*this),
+      trace(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel, view->GetSceneData()->parsedAdcBailout,
+            view->GetQualityFeatureFlags(), cooperate, media, radiosity),
+      media(GetViewDataPtr(), &trace, &photons),
+      radiosity(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings, view->GetRadiosityCache(),
+                cooperate, true, Vector3d(view->GetCamera().Location)),
+      photons(&view->GetSceneData()->mediaPhotonMap, view->GetSceneData()->photonSettings)
+{
+    GetViewDataPtr()->qualityFlags = view->GetQualityFeatureFlags();
+}
+
+void IntegralAuditTask::Run()
+{
+    radiosity.BeforeTile(0);
+    std::vector<integral::Light> samples(IntegralAudit::samples);
+    while (IntegralAudit::Pixel *pixel = audit->Next())
+    {
+        for (int index = 0; index < IntegralAudit::samples; index++)
+        {
+            Colour colour;
+            trace.Integral().Audit(index);
+            trace(pixel->x, pixel->y, GetViewData()->GetWidth(), GetViewData()->GetHeight(), colour);
+            samples[index] = {colour.red(), colour.green(), colour.blue()};
+            Cooperate();
+        }
+        pixel->squared_error = integral::audited_error(audit->Output(), pixel->rendered, samples);
+    }
+    radiosity.AfterTile();
+}
+
+/// What the audit traced is not the frame's: it stays out of POV-Ray's own statistics and render time.
+void IntegralAuditTask::Finish()
+{
+    GetViewDataPtr()->Stats() = RenderStatistics();
+    GetViewDataPtr()->timeType = SceneThreadData::kUnknownTime;
+    GetViewDataPtr()->realTime = ConsumedRealTime();
+    GetViewDataPtr()->cpuTime = ConsumedCPUTime();
+}
+
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A render's options that concern the integral camera.
+#ifndef POVRAY_BASE_INTEGRALOPTIONS_H
+#define POVRAY_BASE_INTEGRALOPTIONS_H
+
+#include <cstdint>
+#include <string>
+
+#include "integral/lightfield/error_estimate.h"
+
+class POVMS_Object;
+
+namespace pov_base
+{
+
+struct IntegralRenderOptions
+{
+    bool audit = true;              ///< Integral_Audit=off: no error estimate at all
+    double audit_share = 0;         ///< Integral_Audit=PERCENT as a fraction; 0: not given
+    std::uint64_t seed = 0;         ///< Integral_Seed=
+    std::string error_picture;      ///< Integral_Error_Image=; empty: none
+    bool antialias = false;         ///< +A
+    integral::OutputCurve output;   ///< from the renderer's values to those of the picture file
+};
+
+/// Throws std::invalid_argument with a sentence for the user.
+IntegralRenderOptions Read_Integral_Options(POVMS_Object& options);
+
+/// The sentence with which Read_Integral_Options would refuse the options; empty: it would not.
+std::string Problem_Of_Integral_Options(POVMS_Object& options);
+
+}
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A lens's cell: the points of it that the models send light through, and whether its surface reaches its edge.
+#include "integral/optics/lens_model.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace integral;
+
+namespace {
+
+const Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal};
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(optics_cells)
+
+BOOST_AUTO_TEST_CASE(cells_are_filled_evenly)
+{
+    // mean, second moments and area of the cell; (1/2, 1/2) is the pole; every point belongs to its own lens
+    constexpr int n = 300;
+    for (Arrangement arrangement : arrangements)
+        for (double slant : {0.0, 20.0, -67.0}) {
+            const LensSheet sheet{arrangement, 0.8, 3, 1.6, slant, {0.1, 0.2}};
+            const Lattice lattice(sheet);
+            const bool lenticular = arrangement == Arrangement::lenticular;
+            BOOST_TEST(length(cell_point(lattice, {0.5, 0.5}, 7).offset) == 0);
+            BOOST_TEST(cell_point(lattice, {0.5, 0.5}, 7).slit == 0);
+            double sums[6] = {}, farthest = 0;
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    const Vec2 unit{(i + 0.5) / n, (j + 0.5) / n};
+                    const LensPoint point = cell_point(lattice, unit, 7);
+                    const double x = dot(point.offset, lattice.across());
+                    const double y = lenticular ? point.slit : dot(point.offset, lattice.along());
+                    const double terms[] = {x, y, x * x, y * y, x * y, x * x * x};
+                    for (int k = 0; k < 6; ++k)
+                        sums[k] += terms[k] / (n * n);
+                    farthest = std::fmax(farthest, length(point.offset));
+                    const LensIndex lens{-4, lenticular ? 0 : 3};
+                    const Vec2 where = lattice.pole(lens) + point.offset;
+                    BOOST_TEST(lattice.distance(where, lens) <= lattice.distance(where, lattice.nearest(where)) + 1e-12);
+                    // area: the map's determinant, away from where the cell is folded together
+                    const double step = 1e-6;
+                    const LensPoint right = cell_point(lattice, unit + Vec2{step, 0}, 7);
+                    const LensPoint up = cell_point(lattice, unit + Vec2{0, step}, 7);
+                    const Vec2 u = right.offset - point.offset, v = up.offset - point.offset;
+                    const double area = lenticular ? length(u) * (up.slit - point.slit) : u.x * v.y - u.y * v.x;
+                    const double rows = arrangement == Arrangement::square ? 1 : std::sqrt(0.75);
+                    const double cell = lenticular ? 0.8 * 7 : 0.64 * rows;
+                    if (length(u) < 0.1 && length(v) < 0.1)
+                        BOOST_TEST(area / (step * step) == cell, boost::test_tools::tolerance(1e-6));
+                }
+            const double moment = arrangement == Arrangement::hexagonal ? 5.0 / 72 : 1.0 / 12;
+            BOOST_TEST(std::fabs(sums[0]) < 1e-3);
+            BOOST_TEST(std::fabs(sums[1]) < 1e-3);
+            BOOST_TEST(sums[2] == 0.64 * moment, boost::test_tools::tolerance(1e-3));
+            BOOST_TEST(sums[3] == (lenticular ? 49.0 : 0.64) * moment, boost::test_tools::tolerance(1e-3));
+            BOOST_TEST(std::fabs(sums[4]) < 1e-3);
+            BOOST_TEST(std::fabs(sums[5]) < 1e-3);
+            BOOST_TEST(farthest <= cell_circumradius(sheet));
+            BOOST_TEST(farthest > 0.98 * cell_circumradius(sheet));
+        }
+}
+
+BOOST_AUTO_TEST_CASE(hybrid_weights)
+{
+    // thesis 3.4.7's I at the pole and at the margin, normalised
+    for (Arrangement arrangement : arrangements) {
+        const Lattice lattice({arrangement, 1.27, 3.08, 1.6, 12, {0, 0}});
+        const auto points = hybrid_points(lattice);
+        const bool lenticular = arrangement == Arrangement::lenticular;
+        BOOST_TEST_REQUIRE(points.size() == (lenticular ? 3u : 5u));
+        double sum = 0;
+        Vec2 middle;
+        for (const auto& one : points) {
+            sum += one.weight;
+            middle = middle + one.point.offset;
+        }
+        BOOST_TEST(sum == 1, boost::test_tools::tolerance(1e-15));
+        BOOST_TEST(length(middle) < 1e-15);
+        BOOST_TEST(length(points[0].point.offset) == 0);
+        BOOST_TEST(std::fabs(points[0].weight - (lenticular ? 0.6734 : 0.5076)) < 5e-5);
+        for (std::size_t k = 1; k < points.size(); ++k) {
+            BOOST_TEST(std::fabs(points[k].weight - (lenticular ? 0.1633 : 0.1231)) < 5e-5);
+            BOOST_TEST(length(points[k].point.offset) == 0.635, boost::test_tools::tolerance(1e-14));
+            BOOST_TEST(std::fabs(dot(points[k].point.offset, k < 3 ? lattice.along() : lattice.across())) < 1e-15);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(which_sheets_have_a_surface)
+{
+    // R = t (n - 1)/n = 1.155 for the thesis's sheet; circumradii p/2, p/sqrt 2, p/sqrt 3
+    LensSheet sheet;
+    BOOST_TEST(surface_radius(sheet) == 1.155, boost::test_tools::tolerance(1e-12));
+    const double radii[] = {0.635, 0.898026, 0.733235};
+    for (Arrangement arrangement : arrangements) {
+        const double radius = radii[int(arrangement)];
+        sheet = LensSheet();
+        sheet.arrangement = arrangement;
+        BOOST_TEST(cell_circumradius(sheet) == radius, boost::test_tools::tolerance(1e-6));
+        BOOST_TEST(has_surface(sheet));
+        sheet.thickness = radius * 1.6 / 0.6 * 1.0001;
+        BOOST_TEST(has_surface(sheet));
+        sheet.thickness = radius * 1.6 / 0.6 * 0.9999;
+        BOOST_TEST(!has_surface(sheet));
+        sheet.thickness = 1e6;
+        sheet.ior = 1;
+        BOOST_TEST(!has_surface(sheet));
+    }
+    for (LensModel model : {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid, LensModel::full})
+        BOOST_TEST(modelled_sheet(LensSheet(), model).ior == (model == LensModel::pinhole ? 1 : 1.6));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
