@@ -9,7 +9,7 @@
 
 namespace integral {
 
-/// A set of points of one kind, joined by a line, marked, or both. A line is broken where points are left out.
+/// Points of one kind, joined by a line, marked, or both. A line is broken where points are left out.
 struct PlotSeries {
     enum class Style { line, points, line_and_points, dashed, none }; ///< none: its bars or band alone
     std::string label;                 ///< in the legend; empty: not there
@@ -18,7 +18,7 @@ struct PlotSeries {
     std::vector<std::string> names;    ///< a short text beside each point, or none
     Style style = Style::line;
     bool band = false;                 ///< low to high as a shaded band instead of bars
-    std::optional<int> colour;         ///< of a palette of 7 that ends in grey, >= 0; default: the series' place in the plot
+    std::optional<int> colour;         ///< in a palette of 7 that ends in grey, >= 0; default: the series' place
 };
 
 /// An axis; a range that is not given holds all points, rounded outwards to its ticks.
@@ -38,12 +38,12 @@ struct Plot {
 
 enum class PlotFormat { svg, png };
 
-/// The format that a file's name asks for. Throws std::invalid_argument for another ending than .svg or .png.
+/// The format that a file's name asks for. Throws std::invalid_argument where it ends in neither .svg nor .png.
 PlotFormat plot_format(const std::string& file);
 
-/// The plot as the bytes of a file: the same ones for the same plot, fonts and cairo. The legend stands above the points
-/// and so covers none. Text is UTF-8; in SVG it is drawn as outlines, which look alike everywhere.
-/// The series differ by colour (ones that the colour-blind can tell apart) and by mark.
+/// The plot as the bytes of a file: the same ones for the same plot, fonts and cairo. The legend stands above the
+/// points and so covers none. Text is UTF-8; in SVG it is drawn as outlines, which look alike everywhere.
+/// The series differ by mark and by colours that the colour-blind can tell apart.
 /// Throws std::invalid_argument where the plot contradicts itself (a range upside down, lists of unequal length).
 std::string plot_bytes(const Plot& plot, PlotFormat format);
 

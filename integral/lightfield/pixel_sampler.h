@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which rays make up a pixel of the film: samples of its area and of its lens's cell, together the four dimensions of the
-// light that it stands for (optics.md section 3, thesis 4.3.8).
+// Which rays make up a pixel of the film: samples of its area and of its lens's cell, together the four dimensions
+// of the light that it stands for (optics.md section 3, thesis 4.3.8).
 #ifndef INTEGRAL_LIGHTFIELD_PIXEL_SAMPLER_H
 #define INTEGRAL_LIGHTFIELD_PIXEL_SAMPLER_H
 
@@ -20,7 +20,8 @@ struct PixelRay {
     int half = 0;               ///< 0 or 1: which of two independent sets of samples it belongs to
 };
 
-/// What became of a pixel's film points: one, or three with a film of subpixels. The last two add up to film_points - imaged.
+/// What became of a pixel's film points: one, or three with a film of subpixels. The last two counts add up to
+/// film_points - imaged.
 struct PixelOutcome {
     int film_points = 0, imaged = 0;
     int searched = 0;         ///< of the imaged, those whose lens the accurate search found
@@ -31,31 +32,31 @@ struct PixelOutcome {
 /// 64 bits that look random, of a seed and a value: the same for the same, and unlike for unlike ones.
 std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value);
 
-/// Chooses the rays of pixels. Immutable, shared by all threads; what it chooses depends on the pixel's centre and the seed
-/// alone.
+/// Chooses the rays of pixels. Immutable, shared by all threads; what it chooses depends on the pixel's centre and
+/// the seed alone.
 class PixelSampler {
 public:
     /// Refers to `camera`, which must outlive it.
     PixelSampler(const IntegralCamera& camera, std::uint64_t seed);
 
-    /// Appends the rays of the pixel (or sample of a pixel) whose centre is at `centre`, in pixels from the film's top
-    /// left corner: pixel_samples * beam_samples of them a channel (hybrid: pixel_samples times 3 or 5), fewer where samples
-    /// are dropped: those which another lens images, or none. Where all of them are, the centre stands in for
-    /// them. None where the centre images nothing.
+    /// Appends the rays of the pixel (or sample of a pixel) whose centre is at `centre`, in pixels from the film's
+    /// top left corner: pixel_samples * beam_samples of them a channel (hybrid: pixel_samples times 3 or 5), less
+    /// the samples that another lens images, or none. Where that leaves no sample, the centre stands in for all.
+    /// No rays where the centre images nothing.
     PixelOutcome append_rays(Vec2 centre, std::vector<PixelRay>& rays) const;
 
-    /// Appends one ray (a channel) of the same pixel at random over both its area and the lens's cell, independent for
-    /// each `index`: the light whose mean is the converged 4-D reference. hybrid is judged by full.
-    /// (Where the lens has next to nothing of the pixel, the centre may stand in for its area.)
+    /// Appends one ray (a channel) of the same pixel, at random over both its area and the lens's cell, independent
+    /// for each `index`: the mean over all of them is the converged 4-D reference. hybrid is judged by full.
+    /// Where the lens has next to nothing of the pixel, the centre may stand in for its area.
     /// False where no light gets through the lens.
     bool append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const;
 
-    /// The point of a pixel that anti-aliasing may sample for `point`, another of its points: the same, but the pixel's centre
-    /// where `point` belongs to another lens or to none, or the centre itself images nothing. All in pixels.
+    /// Where anti-aliasing may sample a pixel that wants to be sampled at `point`: there; but at its centre where
+    /// `point` belongs to another lens or to none, or where the centre itself images nothing. All in pixels.
     Vec2 within_lens(Vec2 centre, Vec2 point) const;
 
-    /// Whether append_rays samples all that the reference is the mean over, in two independent halves, so that their
-    /// difference tells the whole error: pixel_samples * beam_samples of 16 at least, and more than one of each.
+    /// Whether append_rays samples all that the reference is the mean over, in two independent halves, so that
+    /// their difference tells the whole error: at least 16 samples, and more than one of both kinds.
     bool halves_tell_error() const;
 
 private:

@@ -10,11 +10,11 @@
 // pixel's spread (4-5) at that depth, widened by the cell. It is the mean over the points x_i that its rays meet. The
 // mean square of the difference is, over all such pictures and with f_j for the points of the whole,
 //     mean C(|x_i - x_j|) - 2 mean C(|x_i - f_j|) + mean C(|f_i - f_j|).
-// In a row of points w long and short against `detail` there is an edge with probability w/detail, anywhere alike. One
-// ray through the middle is then wrong by the part of the row on the edge's shorter side, at most a half: (w/detail)/12.
-// Of N rays, each at random in its own N-th, only the one with the edge can be wrong, by 1/N, with the variance u(1 - u)
-// of a toss: (w/detail)/(6 N^2); the renderer's two independent halves of N/2 make that (w/detail)/(3 N^2). In a long
-// row, points of the picture have nothing in common: 1/4 for one ray.
+// In a row of points w long and short against `detail` there is an edge with probability w/detail, anywhere alike.
+// One ray through the middle is then wrong by the part of the row on the edge's shorter side, at most a half:
+// (w/detail)/12. Of N rays, each at random in its own N-th, only the one with the edge can be wrong, by 1/N, with the
+// variance u(1 - u) of a toss: (w/detail)/(6 N^2); the renderer's two independent halves of N/2 make that
+// (w/detail)/(3 N^2). In a long row, points of the picture have nothing in common: 1/4 for one ray.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLING_FORECAST_H
 #define INTEGRAL_LIGHTFIELD_SAMPLING_FORECAST_H
 
@@ -35,10 +35,9 @@ struct SamplingForecast {
 /// The steps from one ray a pixel to the converged frame that users are shown: 1, 4, 4, 16 and 64 rays.
 std::vector<SamplingForecast> sampling_ladder();
 
-/// Fills in the empty `rms` of each of `settings`: for pixels behind the lens in the middle of `camera`'s film, by the
-/// renderer's own sampler (pixel_sampler.h). `depths` and `detail` in mm, > 0. The camera's own settings do not count, nor
-/// does its placement.
-/// False, with rms left empty, where none of those pixels images anything.
+/// Fills in the empty `rms` of each of `settings`, for pixels behind the lens in the middle of `camera`'s film and by
+/// the renderer's own sampler (pixel_sampler.h). `depths` and `detail` in mm, > 0. The camera's own samples and its
+/// placement do not count. False, with rms left empty, where none of those pixels images anything.
 bool forecast_errors(const IntegralCamera& camera, const std::vector<double>& depths, double detail,
                      std::vector<SamplingForecast>& settings);
 

@@ -31,10 +31,10 @@ inline BeamRay pole_beam(const LensRay& ray)
 /// Nothing: totally reflected at the surface, sent away from the viewer, or the slit cannot be reached.
 std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, LensIndex lens, const LensPoint& point);
 
-/// Inverse: the film point whose light, through that point of that lens, goes through `scene_point`
-/// (anywhere in the sheet frame but on the plane z of the lens's point or, lenticular, in the slit's).
-/// Nothing: no light can come through there from the film; or beam_ray has no ray of that film point, because
-/// its light has two ways to the slit.
+/// Inverse: the film point whose light, through that point of that lens, goes through `scene_point`, anywhere in
+/// the sheet frame but at the z of the lens's point and, with a lenticular sheet, in the plane of the slit.
+/// Nothing: no light from the film goes there through that point; or beam_ray gives another ray for the film
+/// point, whose light has two ways to the slit.
 std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
                                        const LensPoint& point = {});
 

@@ -63,7 +63,7 @@ struct IntegralCamera {
     int pixel_samples = 1, beam_samples = 1;
     bool pseudoscopic = false;
 
-    /// Height of a lenticular sheet's slit, mm, at a point of the aperture plane; 0 for other sheets.
+    /// Height (mm) of a lenticular sheet's slit at a point of the aperture plane; 0 for other sheets.
     double slit_height(Vec2 aperture_point) const;
 };
 
@@ -95,8 +95,8 @@ SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray);
 /// A parallelogram in the scene: centre + a*half_x + b*half_y, a and b in [-1, 1].
 struct StartRegion { Vec3 centre, half_x, half_y; };
 
-/// Where the sight lines of all rays of the pixels' beams start. Nothing: nowhere in particular (the rays of hybrid and full
-/// reach the aperture's plane anywhere).
+/// Where the sight lines of all rays of the pixels' beams start. Nothing: nowhere in particular, as the rays of
+/// hybrid and full may pass the aperture's plane anywhere.
 std::optional<StartRegion> start_region(const IntegralCamera& camera);
 
 /// The film point that a lens images where `film_point` would have to be for the sheet to show its scene

@@ -9,7 +9,8 @@ namespace integral {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double widest_search = 100; // pitches; apertures that are thousands of lenses wide have no end otherwise
+constexpr double farthest_film = 1e9;  // pitches: beyond, places within a lens are lost in rounding, and counts of lenses overflow
+constexpr double widest_search = 100; // pitches: a search through an aperture without limit would not end
 
 Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
 {
@@ -104,6 +105,8 @@ std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens)
 
 MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
 {
+    if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <= farthest_film * lattice_.pitch())) // not a number, too
+        return {std::nullopt, Empty::outside_aperture, mapping != LensMapping::closest};
     switch (mapping) {
     case LensMapping::closest:
         return map_closest(film_point);
@@ -145,10 +148,11 @@ double SheetOptics::distance_to_centre(Vec2 aperture_point) const
                        : length(aperture_point);
 }
 
-/// The point P of the sheet plane through which the film point sees the aperture's centre, to
-/// within `error` (mm). As a point's image lies P t/sqrt(n^2 d^2 + m P^2) beyond it,
-/// |film point| = P + that. The right side's slope in P is at least 1, so what is missing bounds the
-/// error; it is concave, so Newton's method from below stays below.
+/// The point of the sheet plane through which the film point sees the aperture's centre, to within `error` (mm).
+///
+/// The image of the centre through a pole at distance P from the axis lies P t/sqrt(n^2 d^2 + m P^2) beyond the
+/// pole, so that |film point| = P + that. The right side's slope in P is at least 1: what is missing bounds the
+/// error. It is concave: Newton's method from below stays below.
 Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
 {
     const double radius = length(film_point);
@@ -168,15 +172,15 @@ Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
     return (p / radius) * film_point;
 }
 
-/// Why no lens shows the film point to the aperture. If the nearest reflects its light totally, all others do.
+/// Why no lens shows the film point to the aperture: if the nearest one reflects its light totally, all others do.
 Empty SheetOptics::why_empty(Vec2 film_point) const
 {
     return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture : Empty::total_reflection;
 }
 
-/// Of the lenses within `radius` of `centre` that pass the aperture, the one whose aperture point is
-/// nearest to its centre, by the lattice's rule for ties: the first pass finds the least distance,
-/// the second chooses among the tied.
+/// Of the lenses within `radius` of `centre` whose rays pass the aperture, the one whose ray passes nearest to the
+/// aperture's centre. The first pass finds the least distance; the second chooses among the tied, by the lattice's
+/// rule.
 std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre, double radius) const
 {
     const auto each = [&](auto use) {
@@ -196,10 +200,10 @@ std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, 
     return best;
 }
 
-/// The map q -> A of lens offsets to aperture points, A = film point + q g(|q|) with
-/// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by g at least. So a lens whose A is
-/// within `reach` of the centre has its pole within reach/g of the point that sees the centre:
-/// nothing beyond that is looked at, and nothing within is left out.
+/// The map q -> A from lens offsets to aperture points, A = film point + q g(|q|) with
+/// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by at least the smallest g. A lens whose A is within
+/// `reach` of the aperture's centre therefore has its pole within reach/g of the point that sees the centre.
+/// Nothing beyond that is looked at (nor beyond widest_search), and nothing within is left out.
 MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
 {
     MappedPoint mapped;

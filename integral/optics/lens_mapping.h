@@ -14,17 +14,22 @@
 
 namespace integral {
 
-/// closest: the nearest pole, then the aperture check (3-11). accurate: the lens that images the
-/// aperture, of several the one nearest its centre. automatic: closest, and accurate only where
-/// the check fails. exhaustive: accurate by trying every lens; the oracle.
-/// accurate looks no farther than 100 pitches from the lens that sees the aperture's centre, exhaustive no farther than 1000
-/// from the film point: only apertures without limit one way and narrow the other, or far wider than fills a lens, reach beyond.
-enum class LensMapping { automatic, closest, accurate, exhaustive };
+/// How a film point finds its lens (optics.md section 4).
+///
+/// Every search has an end: accurate's 100 pitches from the lens that sees the aperture's centre, exhaustive's
+/// 1000 pitches from the film point. No aperture that a lens could fill reaches so far; one that does is hundreds
+/// of lenses wide, or without limit one way and narrow the other.
+enum class LensMapping {
+    automatic, ///< closest, and accurate only where closest's check fails
+    closest,   ///< the lens of the nearest pole, if its ray passes the aperture (3-11)
+    accurate,  ///< of the lenses whose rays pass the aperture, the one that passes nearest to its centre
+    exhaustive ///< accurate by trying every lens: the oracle
+};
 
-/// A film point's light beyond its lens. Sheet frame, mm.
+/// The pole ray of a film point: its light beyond the lens's pole. Sheet frame, mm.
 struct LensRay {
     LensIndex lens;
-    Vec2 pole;           ///< where it leaves the sheet plane z = 0 (on a lenticular lens's axis)
+    Vec2 pole;           ///< where it leaves, on z = 0; on a lenticular lens, the point of its axis that it leaves from
     Vec3 direction;      ///< unit, towards the viewer (z < 0)
     Vec2 aperture_point; ///< where it meets the aperture plane z = -distance
 };
@@ -36,17 +41,17 @@ enum class Empty { none, outside_aperture, total_reflection };
 struct MappedPoint {
     std::optional<LensRay> ray; ///< nothing: no ray is to be traced
     Empty empty = Empty::none;  ///< the reason, if so
-    bool searched = false;      ///< the rule failed its check, and the accurate search was run
+    bool searched = false;      ///< the lens was searched for, by accurate and exhaustive or as closest failed
 };
 
 /// The optics of a sheet, a film behind it and an aperture before it: immutable, and shared by
 /// every thread of a render.
 class SheetOptics {
 public:
-    /// Both must hold what their comments demand; see find_errors in camera.h for the checks.
+    /// `sheet` and `aperture` must be within the ranges of their comments; find_errors in camera.h checks them.
     SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensModel model = LensModel::extended_pinhole);
 
-    /// Lens and ray of a film point.
+    /// Lens and ray of a film point. One farther than 10^9 pitches from the sheet's centre images nothing.
     MappedPoint map(Vec2 film_point, LensMapping mapping) const;
 
     /// The ray from a film point through one given lens, whether or not it passes the aperture.
@@ -62,11 +67,11 @@ public:
     LensModel model() const { return model_; }
     const Aperture& aperture() const { return aperture_; }
     const Lattice& lattice() const { return lattice_; }
-    const Medium& medium() const { return medium_; } ///< as the model has it
+    const Medium& medium() const { return medium_; } ///< between film and poles, as the model has it
     const Slit& slit() const { return slit_; }       ///< meaningful for a lenticular sheet
 
 private:
-    struct Candidate; // a ray before its direction is worked out
+    struct Candidate; // a lens's pole ray, before its direction is worked out
     std::optional<Candidate> candidate(Vec2 film_point, LensIndex lens) const;
     LensRay complete(const Candidate&) const;
     std::optional<Candidate> best_within(Vec2 film_point, Vec2 centre, double radius) const;

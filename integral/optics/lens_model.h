@@ -9,10 +9,13 @@
 
 namespace integral {
 
-/// pinhole: a straight line through the pole, as if n were 1 (3-8). extended_pinhole: refracted at the
-/// pole (3-9). hybrid: the pole and the marginal points, refracted at the spherical surface (thesis 3.4.7).
-/// full: any points of the lens's cell, refracted at the spherical surface (thesis 3.4.3).
-enum class LensModel { pinhole, extended_pinhole, hybrid, full };
+/// What a film point's light does at its lens (optics.md section 3).
+enum class LensModel {
+    pinhole,          ///< goes straight through the pole, as if n were 1 (3-8)
+    extended_pinhole, ///< is refracted at the pole, by the sheet plane (3-9)
+    hybrid,           ///< is refracted by the curved surface, at the pole and at marginal points (thesis 3.4.7)
+    full              ///< is refracted by the curved surface, at any points of the lens's cell (thesis 3.4.3)
+};
 
 /// Whether a model's rays are refracted at the curved surface, point by point. The others send a film
 /// point's light out as one parallel beam.

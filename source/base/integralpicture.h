@@ -12,8 +12,8 @@ namespace pov_base
 /// Whether FILE can be written, as far as can be told beforehand.
 bool May_Write_Integral_Picture(const std::string& file);
 
-/// Writes width x height values, row by row, as linear light, 16 bits: FILE.exr as they are, any other name as PNG (sRGB).
-/// Values are cut to 0..1. Whole or not at all; false if it could not be written.
+/// Writes width x height values, row by row, as linear light with 16 bits: FILE.exr as they are, any other name as a PNG
+/// (sRGB). Values are cut to 0..1. Whole or not at all; false if it could not be written.
 bool Write_Integral_Picture(const std::string& file, int width, int height, const std::vector<double>& values);
 
 }

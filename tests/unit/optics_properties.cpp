@@ -517,6 +517,7 @@ BOOST_AUTO_TEST_CASE(hostile_values_are_answered)
                                     if (!mapped.ray)
                                         continue;
                                     ++imaged;
+                                    BOOST_TEST(far < 1e9);
                                     const LensRay& ray = *mapped.ray;
                                     for (double value : {ray.pole.x, ray.pole.y, ray.aperture_point.x, ray.aperture_point.y})
                                         BOOST_TEST(std::isfinite(value), s);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The audit of a rendered frame: a random part of its lit pixels is rendered anew, at independent samples of all that a
-// pixel stands for, and tells how far the frame is from its converged 4-D reference.
+// The audit of a rendered frame: a random part of its lit pixels is rendered anew, at independent samples of all that
+// a pixel stands for, and tells how far the frame is from its converged 4-D reference.
 #ifndef POVRAY_BACKEND_INTEGRALAUDIT_H
 #define POVRAY_BACKEND_INTEGRALAUDIT_H
 
@@ -27,7 +27,8 @@ namespace pov
 class Camera;
 struct IntegralBlock;
 
-/// The audit of one view. Its pixels are those of the smallest hashes of (seed, x, y): the same whatever the threads do.
+/// The audit of one view. Its pixels are those of the smallest hashes of (seed, x, y): the same in whatever order
+/// the threads work.
 class IntegralAudit
 {
     public:
@@ -88,7 +89,8 @@ class IntegralAudit
 
 /// To be called with each finished block of a view. No effect without an audit.
 void Note_Integral_Pixels(const Camera& camera, const POVRect& rect, const std::vector<Colour>& pixels);
-void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions, const std::vector<Colour>& colours);
+void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions,
+                          const std::vector<Colour>& colours);
 
 /// How many audit tasks a view with `threads` threads is to run once it is rendered.
 int Integral_Audit_Tasks(const Camera& camera, int threads);

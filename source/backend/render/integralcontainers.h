@@ -14,8 +14,8 @@ namespace pov
 class Ray;
 class SceneData;
 
-/// The objects of a scene that may contain the start of a camera ray; none where no interior among them makes a difference to
-/// a ray inside of it. Chosen once for a view, so that its rays are held against these alone.
+/// The objects of a scene that may contain the start of a camera ray; none if no interior among them makes a difference
+/// to a ray inside of it. Chosen once for a view, so that its rays are held against these alone.
 class IntegralContainers
 {
     public:
@@ -24,8 +24,8 @@ class IntegralContainers
         /// No ray starts inside of anything that matters.
         bool None() const { return candidates.empty(); }
 
-        /// POV-Ray's own search is to be used: with +BM2 the order of the objects is known to itself alone, and a ray that may
-        /// start anywhere is better looked for in a tree.
+        /// POV-Ray's own search is to be used: with +BM2 it alone knows the order of the objects, and for a ray that may
+        /// start anywhere its tree is faster.
         bool Left_To_POV() const { return left_to_pov && !None(); }
 
         int Number() const { return int(candidates.size()); }

@@ -35,8 +35,8 @@ class IntegralTracer
         /// From here on, each pixel is given by one random ray, number `index` of it, and is not counted.
         void Audit(std::uint64_t index) { audited = true; audit_index = index; }
 
-        /// The colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)` traces one ray as far as the camera
-        /// sees along it (scene units; 0 = without end). A pixel that images nothing is clear.
+        /// The colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)` traces one ray as far as the
+        /// camera sees along it (scene units; 0 = without end). A pixel that images nothing is clear.
         template <class Trace> void Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace);
 
     private:
@@ -58,7 +58,7 @@ class IntegralTracer
         std::shared_ptr<const IntegralBlock> block;
         IntegralContainers containers;
         TraceThreadData *thread = nullptr;
-        IntegralTally *tally = nullptr; ///< in the block's counts, if it keeps any (a clockless animation's cameras do not)
+        IntegralTally *tally = nullptr; ///< in the block's counts, if it keeps any
         std::vector<integral::PixelRay> rays; ///< of the pixel that is being traced
         std::uint64_t audit_index = 0;
         bool active = false, audited = false, counts_error = false;

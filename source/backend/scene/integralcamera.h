@@ -56,7 +56,7 @@ struct IntegralCounts
 struct IntegralErrorOptions
 {
     bool wanted = true;
-    double share = 0;                   ///< of the lit pixels to audit; 0: the usual 0.5%, and at least 1000 (5% for a picture)
+    double share = 0;                   ///< of the lit pixels to audit; 0: 0.5% (5% for a picture), and at least 1000
     integral::OutputCurve output;
     std::string picture;                ///< file of the error picture; empty: none
 };
