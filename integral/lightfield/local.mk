@@ -5,6 +5,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/encoding.h \
   integral/lightfield/error_estimate.cpp \
   integral/lightfield/error_estimate.h \
+  integral/lightfield/first_samples.cpp \
+  integral/lightfield/first_samples.h \
   integral/lightfield/frame.cpp \
   integral/lightfield/frame.h \
   integral/lightfield/frame_metadata.cpp \
@@ -19,6 +21,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/parallel.h \
   integral/lightfield/pixel_sampler.cpp \
   integral/lightfield/pixel_sampler.h \
+  integral/lightfield/refinement.cpp \
+  integral/lightfield/refinement.h \
   integral/lightfield/sampling_forecast.cpp \
   integral/lightfield/sampling_forecast.h \
   integral/lightfield/sheet_figures.cpp \

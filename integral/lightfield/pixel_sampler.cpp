@@ -84,15 +84,9 @@ PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
     const bool cell_is_flat = optics.sheet().arrangement == Arrangement::lenticular && !(camera.slit_height({0, 0}) > 0);
     film_dimensions_ = camera.pixel_samples > 1 ? 2 : 0;
     lens_dimensions_ = hybrid || camera.beam_samples == 1 ? 0 : cell_is_flat ? 1 : 2;
+    cell_dimensions_ = cell_is_flat ? 1 : 2;
     one_ray_ = film_dimensions_ + lens_dimensions_ == 0 && !hybrid && !camera.pseudoscopic
             && camera.film.subpixels == Subpixels::none && optics.model() != LensModel::full;
-}
-
-Vec2 PixelSampler::within_lens(Vec2 centre, Vec2 point) const
-{
-    const auto map = [&](Vec2 at) { return camera_.optics.map(film_from_pixel(camera_.film, at), camera_.mapping); };
-    const MappedPoint own = map(centre), other = map(point);
-    return own.ray && other.ray && own.ray->lens == other.ray->lens ? point : centre;
 }
 
 bool PixelSampler::halves_tell_error() const
@@ -227,6 +221,8 @@ void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key, s
     outcome.imaged += any;
     outcome.searched += any && mapped.searched;
     outcome.total_reflection += !any;
+    if (any && channel != 2)
+        outcome.lens = mapped.ray->lens;
 }
 
 PixelOutcome PixelSampler::append_rays(Vec2 centre, std::vector<PixelRay>& rays) const
@@ -238,6 +234,8 @@ PixelOutcome PixelSampler::append_rays(Vec2 centre, std::vector<PixelRay>& rays)
             rays.push_back({pole_beam(*mapped.ray)});
         outcome.film_points = 1;
         outcome.imaged = mapped.ray.has_value();
+        if (mapped.ray)
+            outcome.lens = mapped.ray->lens;
         outcome.searched = mapped.ray && mapped.searched;
         outcome.outside_aperture = mapped.empty == Empty::outside_aperture;
         outcome.total_reflection = mapped.empty == Empty::total_reflection;
@@ -278,6 +276,50 @@ bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index, std::vect
         }
     }
     return rays.size() > before;
+}
+
+PixelBeam PixelSampler::beam(Vec2 centre, bool alike) const
+{
+    PixelBeam beam;
+    beam.key = alike ? seed_ : pixel_key(centre);
+    const bool divided = camera_.film.subpixels != Subpixels::none;
+    for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0); ++channel) {
+        const Vec2 film_centre = channel_centre(centre, channel);
+        const auto lens_at = [&](double x, double y) {
+            return camera_.optics.map(moved(film_centre, {x, y}), camera_.mapping).ray;
+        };
+        const auto own = lens_at(0.5, 0.5);
+        if (!own)
+            continue;
+        const auto has = [&](double x, double y) {
+            const auto ray = lens_at(x, y);
+            return ray && ray->lens == own->lens;
+        };
+        const bool whole = has(0, 0) && has(0, 1) && has(1, 0) && has(1, 1);
+        beam.channels[beam.number++] = {channel, film_centre, own->lens, whole};
+    }
+    return beam;
+}
+
+void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index, std::vector<PixelRay>& rays) const
+{
+    const SheetOptics& optics = camera_.optics;
+    constexpr int bits = 12; // scrambled as a whole; further points are spread by the sequence itself
+    for (int k = 0; k < beam.number; ++k) {
+        const PixelBeam::Channel& own = beam.channels[k];
+        std::array<double, dimensions_at_most> unit{0.5, 0.5, 0.5, 0.5};
+        const std::uint64_t key = random_bits(beam.key, std::uint64_t(own.channel + 1));
+        for (int dimension = 0; dimension < 2 + cell_dimensions_; ++dimension)
+            unit[dimension] = scrambled_coordinate(scrambled(key + dimension), dimension, index, bits);
+        const Vec2 film_point = moved(own.film_centre, {unit[0], unit[1]});
+        const auto ray = own.whole ? optics.ray_through(film_point, own.lens) : optics.map(film_point, camera_.mapping).ray;
+        if (!ray || ray->lens != own.lens)
+            continue;
+        PixelRay sample;
+        sample.channel = own.channel;
+        append_ray(film_point, *ray, cell_point(optics.lattice(), {unit[2], unit[3]}, camera_.slit_height(ray->aperture_point)),
+                   sample, rays);
+    }
 }
 
 } // namespace integral

@@ -6,6 +6,7 @@
 
 #include "integral/optics/camera.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,20 @@ struct PixelOutcome {
     int searched = 0;         ///< of the imaged, those whose lens the accurate search found
     int outside_aperture = 0;
     int total_reflection = 0; ///< also: no ray of the lens model got through
+    LensIndex lens;           ///< of the imaged; with subpixels the middle one's, if it is imaged
+};
+
+/// A pixel and its lens, from which anti-aliasing draws sample after sample.
+struct PixelBeam {
+    struct Channel {
+        int channel;      ///< as in PixelRay
+        Vec2 film_centre; ///< mm
+        LensIndex lens;
+        bool whole;       ///< the lens has all of the pixel's area
+    };
+    std::array<Channel, 3> channels;
+    int number = 0;       ///< of channels that are imaged
+    std::uint64_t key = 0;
 };
 
 /// 64 bits that look random, of a seed and a value: the same for the same, and unlike for unlike ones.
@@ -51,9 +66,14 @@ public:
     /// False where no light gets through the lens.
     bool append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const;
 
-    /// Where anti-aliasing may sample a pixel that wants to be sampled at `point`: there; but at its centre where
-    /// `point` belongs to another lens or to none, or where the centre itself images nothing. All in pixels.
-    Vec2 within_lens(Vec2 centre, Vec2 point) const;
+    /// The beam of the pixel whose centre is at `centre`. `alike`: the samples are at the same places of every pixel,
+    /// else each pixel has its own.
+    PixelBeam beam(Vec2 centre, bool alike) const;
+
+    /// Appends one ray (a channel) of a beam: sample `index` of a sequence whose first 4^k points are spread evenly over
+    /// both the pixel's area and the lens's cell. hybrid is sampled as full.
+    /// None where the sample is another lens's, or no light gets through.
+    void append_sample(const PixelBeam& beam, std::uint32_t index, std::vector<PixelRay>& rays) const;
 
     /// Whether append_rays samples all that the reference is the mean over, in two independent halves, so that
     /// their difference tells the whole error: at least 16 samples, and more than one of both kinds.
@@ -75,6 +95,7 @@ private:
     std::uint64_t seed_;
     std::vector<WeightedLensPoint> hybrid_; ///< empty for other models
     int film_dimensions_, lens_dimensions_; ///< over which append_rays spreads its samples
+    int cell_dimensions_;                   ///< of a lens's cell: 1 where it is a line, else 2
     bool one_ray_; ///< a pixel, that of its centre through the pole
 };
 

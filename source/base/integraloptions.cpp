@@ -11,7 +11,9 @@
 #include "base/types.h"
 
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 
 // this must be the last file included
@@ -34,22 +36,61 @@ integral::Encoding Encoding_Of(int type, double gamma)
     return encoding;
 }
 
-void Read_Audit(std::string text, IntegralRenderOptions& result)
+/// Whether a text says yes, or no, as POV-Ray takes it; nothing: neither.
+std::optional<bool> Yes_Or_No(std::string text)
 {
     for (char& letter : text)
         letter = char(std::tolower((unsigned char)letter));
-    if (text.empty() || text == "on" || text == "true" || text == "yes")
-        return;
+    if (text == "on" || text == "true" || text == "yes")
+        return true;
     if (text == "off" || text == "false" || text == "no")
+        return false;
+    return std::nullopt;
+}
+
+/// The number that is all of a text, but for `unit` at its end; 0 if there is none.
+double Number_In(const std::string& text, const std::string& unit)
+{
+    char *end = NULL;
+    const double number = std::strtod(text.c_str(), &end);
+    return end != text.c_str() && (*end == '\0' || std::string(end) == unit) && std::isfinite(number) ? number : 0;
+}
+
+void Read_Sharing(const std::string& text, IntegralRenderOptions& result)
+{
+    if (text.empty() || text == "auto")
+        return;
+    if (const auto on = Yes_Or_No(text))
+        result.sharing = *on ? IntegralSharing::on : IntegralSharing::off;
+    else if (const double cells = Number_In(text, ""); cells >= 1 && cells <= 10000)
     {
-        result.audit = false;
+        result.sharing = IntegralSharing::on;
+        result.patches_in_beam = cells;
+    }
+    else
+        throw std::invalid_argument("Integral_Sharing=" + text + " is not auto, on, off or a number of patches in a pixel's beam, "
+                                    "from 1 to 10000");
+}
+
+/// Whether +A is to work in the light field.
+bool Read_Antialiasing(const std::string& text)
+{
+    if (!text.empty() && text != "light_field" && text != "pixels")
+        throw std::invalid_argument("Integral_Antialiasing=" + text + " is neither light_field nor pixels (POV-Ray's own)");
+    return text != "pixels";
+}
+
+void Read_Audit(const std::string& text, IntegralRenderOptions& result)
+{
+    if (text.empty())
+        return;
+    if (const auto on = Yes_Or_No(text))
+    {
+        result.audit = *on;
         return;
     }
-    char *end = NULL;
-    const double percent = std::strtod(text.c_str(), &end);
-    if (std::string(end) == "%")
-        end++;
-    if (end == text.c_str() || *end != '\0' || !(percent > 0 && percent <= 100))
+    const double percent = Number_In(text, "%");
+    if (!(percent > 0 && percent <= 100))
         throw std::invalid_argument("Integral_Audit=" + text + " is not on, off or a percentage of the lit pixels, greater than 0 "
                                     "and up to 100");
     result.audit_share = percent / 100;
@@ -62,13 +103,15 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
     IntegralRenderOptions result;
     const auto text = [&](POVMSType key) { return UCS2toASCIIString(options.TryGetUCS2String(key, "")); };
     Read_Audit(text(kIntegralAttrib_Audit), result);
+    Read_Sharing(text(kIntegralAttrib_Sharing), result);
     result.seed = std::uint64_t(std::int64_t(options.TryGetInt(kIntegralAttrib_Seed, 0)));
     result.error_picture = text(kIntegralAttrib_ErrorPicture);
     if (!result.error_picture.empty() && !result.audit)
         throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, which Integral_Audit=off leaves out");
     if (!result.error_picture.empty() && !May_Write_Integral_Picture(result.error_picture))
         throw std::invalid_argument("Integral_Error_Image=" + result.error_picture + " cannot be written there");
-    result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false);
+    result.light_field = Read_Antialiasing(text(kIntegralAttrib_Antialiasing));
+    result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
     result.output.working = Encoding_Of(options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),
                                         options.TryGetFloat(kPOVAttrib_WorkingGamma, DEFAULT_WORKING_GAMMA));

@@ -13,13 +13,19 @@ class POVMS_Object;
 namespace pov_base
 {
 
+/// Whether rays share their shading. automatic: where there is anti-aliasing and shading is dear.
+enum class IntegralSharing { automatic, on, off };
+
 struct IntegralRenderOptions
 {
     bool audit = true;              ///< Integral_Audit=off: no error estimate at all
     double audit_share = 0;         ///< Integral_Audit=PERCENT as a fraction; 0: not given
     std::uint64_t seed = 0;         ///< Integral_Seed=
+    IntegralSharing sharing = IntegralSharing::automatic; ///< Integral_Sharing=
+    double patches_in_beam = 16;    ///< Integral_Sharing=NUMBER
     std::string error_picture;      ///< Integral_Error_Image=; empty: none
-    bool antialias = false;         ///< +A
+    bool antialias = false;         ///< +A, by a method other than 0
+    bool light_field = true;        ///< Integral_Antialiasing=: not by pixels, as POV-Ray's own does
     integral::OutputCurve output;   ///< from the renderer's values to those of the picture file
 };
 

@@ -72,6 +72,11 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
     line("  containers sought:", count(kIntegralAttrib_ContainerSearches), rays);
     out->printf("%-19s %15d   of %d objects\n", "    among:", statistics.TryGetInt(kIntegralAttrib_Containers, 0),
                 statistics.TryGetInt(kIntegralAttrib_Objects, 0));
+    if (const double shared = count(kIntegralAttrib_SharedShadings))
+    {
+        out->printf("%-19s %15.0f\n", "Shared shadings:", shared);
+        line("  worked out:", count(kIntegralAttrib_PatchShadings), shared);
+    }
     out->printf("%-19s %15.3f", "Seconds:", seconds);
     if (seconds > 0)
         out->printf("   %.0f rays a second", rays / seconds);

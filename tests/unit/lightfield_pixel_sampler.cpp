@@ -150,28 +150,89 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
         }
 }
 
-BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_stay_within_the_pixel_s_lens)
+BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
 {
-    const IntegralCamera camera = camera_of(parameters_of(Arrangement::hexagonal), 70, 50);
-    const PixelSampler sampler(camera, 1);
-    int kept = 0, drawn_back = 0, empty = 0;
-    for_each_pixel(camera, false, [&](Vec2 centre) {
-        for (const Vec2 shift : {Vec2{0.4, 0.1}, Vec2{-0.3, 0.3}, Vec2{0, -0.45}}) {
-            const Vec2 sample = centre + shift, taken = sampler.within_lens(centre, sample);
-            const auto own = camera.optics.map(film_from_pixel(camera.film, centre), camera.mapping).ray;
-            const auto other = camera.optics.map(film_from_pixel(camera.film, sample), camera.mapping).ray;
-            const bool same = own && other && own->lens == other->lens;
-            const Vec2 expected = same ? sample : centre;
-            BOOST_TEST((taken.x == expected.x && taken.y == expected.y));
-            BOOST_TEST(rays_at(sampler, taken).empty() == !own);
-            kept += same;
-            drawn_back += own && !same;
-            empty += !own;
+    for (const Arrangement arrangement : arrangements)
+        for (const Subpixels subpixels : {Subpixels::none, Subpixels::rgb}) {
+            CameraParameters p = parameters_of(arrangement);
+            p.film.subpixels = subpixels;
+            const IntegralCamera camera = camera_of(p, 70, 50);
+            const PixelSampler sampler(camera, 1);
+            int whole_ones = 0, divided_ones = 0, empty = 0;
+            for_each_pixel(camera, false, [&](Vec2 centre) {
+                const PixelBeam beam = sampler.beam(centre, false);
+                std::array<int, 3> taken{};
+                for (std::uint32_t index = 0; index < 16; ++index) {
+                    std::vector<PixelRay> rays;
+                    sampler.append_sample(beam, index, rays);
+                    for (const PixelRay& ray : rays) {
+                        const int channel = std::max(ray.channel, 0);
+                        const Vec2 at{centre.x + subpixel_shift(subpixels, channel), centre.y};
+                        const LensIndex lens = lens_at(camera, at);
+                        const Origin origin = origin_of(camera, at, ray.ray, lens);
+                        ++taken[channel];
+                        BOOST_TEST(std::fabs(origin.film.x) <= (subpixels == Subpixels::none ? 0.5 : 1 / 6.0) + 1e-9);
+                        BOOST_TEST(std::fabs(origin.film.y) <= 0.5 + 1e-9);
+                        const auto mapped = camera.optics.map(film_from_pixel(camera.film, at + origin.film), camera.mapping).ray;
+                        BOOST_TEST((mapped && mapped->lens == lens));
+                    }
+                }
+                empty += beam.number == 0;
+                for (int k = 0; k < beam.number; ++k) {
+                    const int count = taken[std::max(beam.channels[k].channel, 0)];
+                    (beam.channels[k].whole ? whole_ones : divided_ones) += 1;
+                    if (beam.channels[k].whole)
+                        BOOST_TEST(count == 16);
+                    else
+                        BOOST_TEST(count < 17);
+                }
+            });
+            BOOST_TEST(whole_ones > 1000);
+            BOOST_TEST(divided_ones > 200);
+            BOOST_TEST((arrangement == Arrangement::hexagonal) == (empty > 0));
         }
-    });
-    BOOST_TEST(kept > 5000);
-    BOOST_TEST(drawn_back > 300);
-    BOOST_TEST(empty > 100);
+}
+
+BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_and_cell)
+{
+    for (const Arrangement arrangement : arrangements) {
+        const IntegralCamera camera = camera_of(parameters_of(arrangement));
+        const PixelSampler sampler(camera, 7);
+        const int dimensions = arrangement == Arrangement::lenticular ? 3 : 4;
+        int pixels = 0;
+        for_each_pixel(camera, true, [&](Vec2 centre) {
+            if (++pixels % 97)
+                return;
+            // Each prefix of 4^k points has each coordinate once in each of its 4^k parts.
+            for (const int count : {4, 16, 64}) {
+                std::vector<PixelRay> rays;
+                const PixelBeam beam = sampler.beam(centre, false);
+                for (int index = 0; index < count; ++index)
+                    sampler.append_sample(beam, index, rays);
+                BOOST_REQUIRE(int(rays.size()) == count);
+                for (int dimension = 0; dimension < (arrangement == Arrangement::hexagonal ? 2 : dimensions); ++dimension) {
+                    std::vector<int> parts(count);
+                    for (const Origin& at : origins(camera, centre, rays))
+                        ++parts[std::min(count - 1, std::max(0, int(unit_of(at)[dimension] * count)))];
+                    BOOST_TEST(*std::max_element(parts.begin(), parts.end()) <= 2); // a rounding may move one over
+                    BOOST_TEST(std::count(parts.begin(), parts.end(), 1) >= count - 2);
+                }
+            }
+        });
+        BOOST_TEST(pixels > 97);
+        const auto first = [&](Vec2 centre, bool alike, const PixelSampler& by) {
+            std::vector<PixelRay> rays;
+            by.append_sample(by.beam(centre, alike), 0, rays);
+            return origin_of(camera, centre, rays.at(0).ray, lens_at(camera, centre));
+        };
+        const Vec2 here{23.5, 18.5}, there{24.5, 18.5};
+        BOOST_REQUIRE(whole(camera, here));
+        BOOST_REQUIRE(whole(camera, there));
+        BOOST_TEST(first(here, false, sampler).film.x == first(here, false, PixelSampler(camera, 7)).film.x);
+        BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(here, false, PixelSampler(camera, 8)).film.x) > 1e-6);
+        BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(there, false, sampler).film.x) > 1e-6);
+        BOOST_TEST(std::fabs(first(here, true, sampler).film.x - first(there, true, sampler).film.x) < 1e-6);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(seed_and_pixel_alone_decide)

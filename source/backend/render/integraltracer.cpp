@@ -30,21 +30,26 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     tally = &block->counts->tallies.emplace_back();
     block->counts->containers = containers.Number();
     block->counts->objects = int(scene.objects.size());
+    surfaces.reset();
+    if (block->patches && block->patches->Of_Use() && (!block->shares_dear_shading_only || IntegralSurfaces::Pays(scene)))
+        surfaces.reset(new IntegralSurfaces(*block->patches, *tally, thread));
 }
 
 /// Film point -> lens -> rays through its lens, into `rays`. False where the pixel images nothing.
 bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 {
     const integral::PixelSampler& sampler = *block->sampler;
-    const integral::Vec2 pixel{std::floor(x + 0.5) + 0.5, std::floor(y + 0.5) + 0.5};
-    integral::Vec2 centre{x + 0.5, y + 0.5};
-    if (centre.x != pixel.x || centre.y != pixel.y) // a sample of POV-Ray's anti-aliasing
-        centre = sampler.within_lens(pixel, centre);
+    const integral::Vec2 centre{x + 0.5, y + 0.5};
     rays.clear();
-    if (audited)
+    if (mode == audit)
         return sampler.append_random_ray(centre, audit_index, rays);
 
-    const integral::PixelOutcome outcome = sampler.append_rays(centre, rays);
+    integral::PixelOutcome outcome;
+    if (mode == refinement)
+        sampler.append_sample(beam, sample_index, rays);
+    else
+        outcome = sampler.append_rays(centre, rays);
+    lens = outcome.lens;
     if (counted)
     {
         tally->film_points.Add(outcome.film_points);
@@ -56,6 +61,13 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
         tally->container_searches.Add(containers.None() ? 0 : rays.size());
     }
     return !rays.empty();
+}
+
+void IntegralTracer::Refine(int x, int y, bool alike)
+{
+    mode = refinement;
+    beam = block->sampler->beam({x + 0.5, y + 0.5}, alike);
+    refined = Light();
 }
 
 /// The one ray that sees along a beam's line what the viewer would.
@@ -70,13 +82,13 @@ void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pret
     length = line.length;
 }
 
-void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& light)
+void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)
 {
     rays[ray.half]++;
     for (int channel = 0; channel < 3; channel++)
         if (ray.channel == channel || ray.channel == integral::PixelRay::all_channels)
         {
-            sums[ray.half][channel] += light * ray.weight;
+            sums[ray.half][channel] += seen * ray.weight;
             weights[ray.half][channel] += ray.weight;
         }
 }

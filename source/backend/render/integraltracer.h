@@ -9,6 +9,7 @@
 
 #include "backend/frame.h"
 #include "backend/render/integralcontainers.h"
+#include "backend/render/integralsurfaces.h"
 #include "integral/lightfield/pixel_sampler.h"
 
 namespace pov
@@ -32,21 +33,41 @@ class IntegralTracer
         /// Whether POV-Ray is to look for the objects that a ray starts inside of.
         bool Search_Containers() const { return containers.Left_To_POV(); }
 
+        /// Where the thread's rays share their shading; nothing if they do not.
+        IntegralSurfaces *Surfaces() { return surfaces.get(); }
+
         /// From here on, each pixel is given by one random ray, number `index` of it, and is not counted.
-        void Audit(std::uint64_t index) { audited = true; audit_index = index; }
+        void Audit(std::uint64_t index) { mode = audit; audit_index = index; }
+
+        /// From here on, pixel (x, y), counted from 0, is given by single samples of its beam, to be chosen by Take.
+        /// `alike`: at the same places as in every pixel.
+        void Refine(int x, int y, bool alike);
+        void Take(std::uint32_t index) { sample_index = index; }
+
+        /// The mean of the samples that have been taken since Refine.
+        Colour Refined() const { return refined.Mean(2); }
+
+        /// Each pixel is given by the camera's own rays again.
+        void End_Refinement() { mode = camera_rays; }
+
+        /// Whether the last pixel, or sample, imaged anything; and the lens that did.
+        bool Imaged() const { return !rays.empty(); }
+        integral::LensIndex Lens() const { return lens; }
 
         /// The colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)` traces one ray as far as the
         /// camera sees along it (scene units; 0 = without end). A pixel that images nothing is clear.
         template <class Trace> void Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace);
 
     private:
+        enum Mode { camera_rays, audit, refinement };
+
         /// The light of a pixel's rays, mean by mean: of both halves of the samples, and of each colour channel.
         struct Light
         {
             Colour sums[2][3]; ///< [half][channel]: only red, green or blue of each counts, and a third of the others
             DBL weights[2][3] = {};
             int rays[2] = {};
-            void Add(const integral::PixelRay& ray, const Colour& light);
+            void Add(const integral::PixelRay& ray, const Colour& seen);
             /// Mean of one half, or of both (half 2).
             Colour Mean(int half) const;
         };
@@ -57,16 +78,22 @@ class IntegralTracer
 
         std::shared_ptr<const IntegralBlock> block;
         IntegralContainers containers;
+        std::unique_ptr<IntegralSurfaces> surfaces;
         TraceThreadData *thread = nullptr;
         IntegralTally *tally = nullptr; ///< in the block's counts, if it keeps any
-        std::vector<integral::PixelRay> rays; ///< of the pixel that is being traced
+        std::vector<integral::PixelRay> rays; ///< of the pixel, or sample, that is being traced
+        integral::LensIndex lens;             ///< whose rays they are
+        Mode mode = camera_rays;
         std::uint64_t audit_index = 0;
-        bool active = false, audited = false, counts_error = false;
+        integral::PixelBeam beam;             ///< of the pixel that is being refined
+        Light refined;                        ///< of its samples
+        std::uint32_t sample_index = 0;
+        bool active = false, counts_error = false;
 };
 
 template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace)
 {
-    const bool counted = !pretrace && !audited && tally;
+    const bool counted = !pretrace && mode != audit && tally;
     colour.clear();
     if (!Choose_Rays(x, y, counted))
     {
@@ -74,7 +101,7 @@ template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretr
         return;
     }
     DBL length;
-    if (rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
+    if (mode != refinement && rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
     {
         Ray ray;
         Make_Ray(ray, rays[0].ray, pretrace, length);
@@ -89,6 +116,8 @@ template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretr
         Make_Ray(ray, pixel_ray.ray, pretrace, length);
         trace(ray, length, seen);
         light.Add(pixel_ray, seen);
+        if (mode == refinement)
+            refined.Add(pixel_ray, seen);
     }
     colour = light.Mean(2);
     if (counted && counts_error)

@@ -4,6 +4,8 @@
 #include "backend/frame.h"
 #include "backend/scene/integralcamera.h"
 #include "backend/render/integralaudit.h"
+#include "backend/render/integralsampling.h"
+#include "backend/render/integralsurfaces.h"
 #include "backend/scene/camera.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
@@ -46,6 +48,13 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options);
         block->sampler = std::make_shared<integral::PixelSampler>(*block->optics, given.seed);
         block->error = {given.audit, given.audit_share, given.output, given.error_picture};
+        block->patches.reset();
+        block->shares_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
+        if (given.sharing == pov_base::IntegralSharing::on || (block->shares_dear_shading_only && given.antialias))
+            block->patches = std::make_shared<IntegralPatches>(*block->optics, given.patches_in_beam);
+        block->sampling.reset();
+        if (given.antialias && given.light_field)
+            block->sampling = std::make_shared<IntegralSampling>(*block->optics);
         // the halves know nothing of the samples that anti-aliasing adds, and make no picture
         block->audit.reset();
         if (given.audit && (given.antialias || !given.error_picture.empty() || !block->sampler->halves_tell_error()))
@@ -96,6 +105,8 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     set_total(kIntegralAttrib_TotalReflection, &IntegralTally::total_reflection);
     set_total(kIntegralAttrib_Rays, &IntegralTally::rays);
     set_total(kIntegralAttrib_ContainerSearches, &IntegralTally::container_searches);
+    set_total(kIntegralAttrib_SharedShadings, &IntegralTally::shared_shadings);
+    set_total(kIntegralAttrib_PatchShadings, &IntegralTally::patch_shadings);
     statistics.SetInt(kIntegralAttrib_Containers, counts.containers);
     statistics.SetInt(kIntegralAttrib_Objects, counts.objects);
 

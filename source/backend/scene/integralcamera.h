@@ -22,6 +22,8 @@ namespace pov
 
 class Camera;
 class IntegralAudit;
+class IntegralPatches;
+class IntegralSampling;
 
 /// A count that one thread adds to and others may read: no locked instruction is needed.
 class OwnCount
@@ -40,6 +42,7 @@ struct IntegralTally
     OwnCount film_points, imaged, searched, outside_aperture, total_reflection;
     OwnCount rays;       ///< traced
     OwnCount container_searches; ///< of these, those whose containers had to be looked for
+    OwnCount shared_shadings, patch_shadings; ///< surfaces that took a shared colour; of these, those for which it was worked out
     integral::ErrorSums errors;   ///< of the pixels whose halves were compared; to be read once the thread is done
 };
 
@@ -73,6 +76,9 @@ struct IntegralBlock
     // of a view that is being rendered:
     std::shared_ptr<const integral::PixelSampler> sampler;
     std::shared_ptr<IntegralCounts> counts;
+    std::shared_ptr<IntegralPatches> patches;   ///< nothing: each ray's shading is its own
+    bool shares_dear_shading_only = false;      ///< in them
+    std::shared_ptr<IntegralSampling> sampling; ///< nothing: no anti-aliasing
     std::shared_ptr<IntegralAudit> audit;  ///< nothing: no error is estimated by an audit
     IntegralErrorOptions error;
 };

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/first_samples.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace integral {
+
+namespace {
+
+constexpr double levels = 8192; // a colour of 1; the largest that is kept is 8
+
+int rounded(double x) { return int(std::lround(x)); }
+
+} // namespace
+
+double colour_distance(const ComparedColour& a, const ComparedColour& b)
+{
+    double sum = 0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        sum += std::fabs(a[k] - b[k]);
+    return sum;
+}
+
+FirstSamples::FirstSamples(const IntegralCamera& camera)
+    : width_(camera.film.width), height_(camera.film.height), entries_(std::size_t(width_) * height_)
+{
+    const Lattice& lattice = camera.optics.lattice();
+    const Vec2 pixel = camera.film.pixel_pitch, pole = lattice.pole({0, 0});
+    const auto add = [&](LensIndex forth_even, LensIndex forth_odd) {
+        const Vec2 way = lattice.pole(forth_even) - pole; // (0, 0) is in an even row
+        const int x = rounded(way.x / pixel.x), y = rounded(-way.y / pixel.y);
+        // back from an even row undoes the way forth from an odd one, if it leads into another row
+        const bool turns = forth_even.j != 0;
+        const int even = int(forth_even.i), odd = int(forth_odd.i), row = int(forth_even.j);
+        axes_.push_back({Step{{even, odd}, row, x, y}, Step{{turns ? -odd : -even, turns ? -even : -odd}, -row, -x, -y}});
+    };
+    add({1, 0}, {1, 0});
+    if (lattice.arrangement() == Arrangement::square)
+        add({0, 1}, {0, 1});
+    if (lattice.arrangement() == Arrangement::hexagonal) {
+        add({0, 1}, {1, 1});
+        add({-1, 1}, {0, 1});
+    }
+}
+
+void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex lens)
+{
+    Entry& entry = entries_[std::size_t(y) * width_ + x];
+    for (std::size_t k = 0; k < colour.size(); ++k)
+        entry.colour[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * levels, 65535)); // NaN: 0
+    entry.i = std::uint16_t(lens.i);
+    entry.j = std::uint16_t(lens.j);
+    entry.lit = true;
+}
+
+const FirstSamples::Entry* FirstSamples::at(int x, int y) const
+{
+    if (x < 0 || y < 0 || x >= width_ || y >= height_)
+        return nullptr;
+    const Entry& entry = entries_[std::size_t(y) * width_ + x];
+    return entry.lit ? &entry : nullptr;
+}
+
+/// The same, if it is behind that lens.
+const FirstSamples::Entry* FirstSamples::at(int x, int y, std::uint16_t i, std::uint16_t j) const
+{
+    const Entry* entry = at(x, y);
+    return entry && entry->i == i && entry->j == j ? entry : nullptr;
+}
+
+double FirstSamples::contrast(int x, int y) const
+{
+    const Entry* own = at(x, y);
+    if (!own)
+        return -1;
+    long most = -1;
+    const auto compare = [&](const Entry* a, const Entry* b) {
+        if (!a && !b)
+            return;
+        if (!a || !b)
+            a = b = a ? a : b;
+        long sum = 0;
+        for (std::size_t k = 0; k < own->colour.size(); ++k)
+            sum += std::labs(2L * own->colour[k] - a->colour[k] - b->colour[k]);
+        most = std::max(most, a == b ? sum / 2 : sum);
+    };
+    for_each_axis(*own, x, y, compare);
+    return most < 0 ? std::numeric_limits<double>::infinity() : double(most) / levels;
+}
+
+} // namespace integral

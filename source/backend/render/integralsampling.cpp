@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integralsampling.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/integralcamera.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/view.h"
+
+#include <algorithm>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+constexpr unsigned int block_side = 32;
+constexpr float pass_share = 0.5f; // of the progress that is shown
+
+integral::ComparedColour Compared(const GammaCurvePtr& gamma, const Colour& colour)
+{
+    const Colour encoded = GammaCurve::Encode(gamma, colour);
+    return {encoded.red(), encoded.green(), encoded.blue(), encoded.transm()};
+}
+
+IntegralSampling *Sampling_Of(const Camera& camera)
+{
+    return camera.Integral ? camera.Integral->sampling.get() : NULL;
+}
+
+}
+
+IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera)
+    : first(camera), width(camera.film.width), colours(std::size_t(width) * camera.film.height)
+{
+}
+
+bool IntegralSampling::Next_Block(const POVRect& area, POVRect& block)
+{
+    const unsigned int across = (area.GetWidth() + block_side - 1) / block_side, index = next++;
+    block.left = area.left + (index % across) * block_side;
+    block.top = area.top + (index / across) * block_side;
+    block.right = std::min(block.left + block_side - 1, area.right);
+    block.bottom = std::min(block.top + block_side - 1, area.bottom);
+    return block.top <= area.bottom;
+}
+
+int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int threads)
+{
+    return method > 0 && Sampling_Of(camera) ? threads : 0;
+}
+
+IntegralFirstPassTask::IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible)
+    : RenderTask(view),
+      gamma(gamma),
+      reproducible(reproducible),
+      cooperate(*this),
+      trace(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel, view->GetSceneData()->parsedAdcBailout,
+            view->GetQualityFeatureFlags(), cooperate, media, radiosity),
+      media(GetViewDataPtr(), &trace, &photons),
+      radiosity(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings, view->GetRadiosityCache(),
+                cooperate, true, Vector3d(view->GetCamera().Location)),
+      photons(&view->GetSceneData()->mediaPhotonMap, view->GetSceneData()->photonSettings)
+{
+    GetViewDataPtr()->qualityFlags = view->GetQualityFeatureFlags();
+}
+
+void IntegralFirstPassTask::Run()
+{
+    ViewData& view = *GetViewData();
+    IntegralSampling& sampling = *view.GetCamera().Integral->sampling;
+    const POVRect area = view.GetRenderArea();
+    POVRect block;
+    std::vector<Colour> pixels;
+    while (sampling.Next_Block(area, block))
+    {
+        radiosity.BeforeTile(reproducible ? block.top * view.GetWidth() + block.left : 0);
+        pixels.clear();
+        for (unsigned int y = block.top; y <= block.bottom; y++)
+            for (unsigned int x = block.left; x <= block.right; x++)
+            {
+                Colour& colour = sampling.At(x, y);
+                trace(x, y, view.GetWidth(), view.GetHeight(), colour);
+                GetViewDataPtr()->Stats()[Number_Of_Pixels]++;
+                if (trace.Integral().Imaged())
+                    sampling.first.set(x, y, Compared(gamma, colour), trace.Integral().Lens());
+                pixels.push_back(colour);
+                Cooperate();
+            }
+        radiosity.AfterTile();
+        GetViewDataPtr()->AfterTile();
+        view.CompletedRectangle(block, 0, pixels, 1, false, pass_share);
+        Cooperate();
+    }
+    view.SetHighestTraceLevel(trace.GetHighestTraceLevel());
+}
+
+void IntegralFirstPassTask::Finish()
+{
+    GetViewDataPtr()->timeType = SceneThreadData::kRenderTime;
+    GetViewDataPtr()->realTime = ConsumedRealTime();
+    GetViewDataPtr()->cpuTime = ConsumedCPUTime();
+}
+
+namespace
+{
+
+/// The second pass over one block.
+class BlockRefinement
+{
+    public:
+        BlockRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace, Trace::CooperateFunctor& cooperate,
+                        const IntegralRefinementOptions& options, IntegralSampling& sampling)
+            : view(view), thread(thread), trace(trace), cooperate(cooperate), options(options), sampling(sampling)
+        {
+        }
+
+        /// The block's pixels, row by row, to `pixels`.
+        void Run(const POVRect& of, std::vector<Colour>& pixels)
+        {
+            block = of;
+            pixels.clear();
+            waiting.clear();
+            refined.assign(block.GetArea(), false);
+            for (int y = block.top; y <= int(block.bottom); y++)
+                for (int x = block.left; x <= int(block.right); x++)
+                {
+                    pixels.push_back(sampling.At(x, y));
+                    if (sampling.first.contrast(x, y) >= options.rule.threshold)
+                        Want(x, y);
+                }
+            for (std::size_t next = 0; next < waiting.size(); next++)
+            {
+                const int x = waiting[next].first, y = waiting[next].second;
+                const bool busy = Refine(x, y, pixels[Index(x, y)]);
+                if (busy) // what is in this pixel's beam may have escaped its neighbours' first samples
+                    sampling.first.for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
+            }
+        }
+
+    private:
+        std::size_t Index(int x, int y) const { return std::size_t(y - block.top) * block.GetWidth() + (x - block.left); }
+
+        void Want(int x, int y)
+        {
+            if (x < int(block.left) || x > int(block.right) || y < int(block.top) || y > int(block.bottom) || refined[Index(x, y)])
+                return;
+            refined[Index(x, y)] = true;
+            waiting.emplace_back(x, y);
+        }
+
+        /// Whether the pixel's samples differ by as much as makes a pixel worth refining.
+        bool Refine(int x, int y, Colour& colour)
+        {
+            thread.Stats()[Number_Of_Pixels_Supersampled]++;
+            trace.Integral().Refine(x, y, !options.jitter);
+            integral::Refinement refinement(options.rule, sampling.first.contrast(x, y));
+            bool any = false;
+            std::uint32_t index = 0;
+            while (const int wanted = refinement.wanted())
+                for (int k = 0; k < wanted; k++)
+                {
+                    Colour seen;
+                    trace.Integral().Take(index++);
+                    trace(x, y, view.GetWidth(), view.GetHeight(), seen);
+                    if (trace.Integral().Imaged())
+                        refinement.add(Compared(options.gamma, seen));
+                    else
+                        refinement.add_none();
+                    any = any || trace.Integral().Imaged();
+                    thread.Stats()[Number_Of_Samples]++;
+                    cooperate();
+                }
+            if (any)
+                colour = trace.Integral().Refined();
+            trace.Integral().End_Refinement();
+            return refinement.scatter() >= options.rule.threshold;
+        }
+
+        ViewData& view;
+        ViewThreadData& thread;
+        TracePixel& trace;
+        Trace::CooperateFunctor& cooperate;
+        const IntegralRefinementOptions& options;
+        IntegralSampling& sampling;
+        POVRect block;
+        std::vector<bool> refined; ///< or waiting to be
+        std::vector<std::pair<int, int>> waiting;
+};
+
+}
+
+bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace, RadiosityFunction& radiosity,
+                          Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options)
+{
+    IntegralSampling *sampling = Sampling_Of(view.GetCamera());
+    if (!sampling)
+        return false;
+
+    BlockRefinement refinement(view, thread, trace, cooperate, options, *sampling);
+    POVRect block;
+    unsigned int serial;
+    std::vector<Colour> pixels;
+    while (view.GetNextRectangle(block, serial))
+    {
+        radiosity.BeforeTile(options.reproducible ? serial : 0);
+        refinement.Run(block, pixels);
+        radiosity.AfterTile();
+        thread.AfterTile();
+        view.CompletedRectangle(block, serial, pixels, 1, options.final, pass_share);
+        cooperate();
+    }
+    return true;
+}
+
+}

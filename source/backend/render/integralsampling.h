@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Anti-aliasing (+A) of an integral camera, in two passes: every pixel's first sample; then more of those pixels that
+// depart from their neighbours in the light field.
+#ifndef POVRAY_BACKEND_INTEGRALSAMPLING_H
+#define POVRAY_BACKEND_INTEGRALSAMPLING_H
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "backend/frame.h"
+#include "backend/render/rendertask.h"
+#include "backend/render/tracepixel.h"
+#include "backend/lighting/photons.h"
+#include "backend/lighting/radiosity.h"
+#include "backend/interior/media.h"
+#include "base/image/colourspace.h"
+#include "integral/lightfield/refinement.h"
+
+namespace pov
+{
+
+class Camera;
+
+/// What the first pass leaves to the second; 34 bytes a pixel.
+class IntegralSampling
+{
+    public:
+        explicit IntegralSampling(const integral::IntegralCamera& camera);
+
+        /// The next block of the first pass; false once all of `area` has been given out.
+        bool Next_Block(const POVRect& area, POVRect& block);
+
+        Colour& At(int x, int y) { return colours[std::size_t(y) * width + x]; }
+
+        integral::FirstSamples first;
+
+    private:
+        int width;
+        std::vector<Colour> colours;
+        std::atomic<unsigned int> next{0};
+};
+
+/// How many first-pass tasks a view with `threads` threads is to run before its frame is rendered: none without +A.
+int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int threads);
+
+/// One thread's share of the first pass, which shows the frame as it is without anti-aliasing.
+class IntegralFirstPassTask : public RenderTask
+{
+    public:
+        IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible);
+        virtual void Run();
+        virtual void Stopped() {}
+        virtual void Finish();
+
+    private:
+        class CooperateFunction : public Trace::CooperateFunctor
+        {
+            public:
+                explicit CooperateFunction(Task& t) : task(t) {}
+                virtual void operator()() { task.Cooperate(); }
+            private:
+                Task& task;
+        };
+
+        GammaCurvePtr gamma;
+        bool reproducible;
+        CooperateFunction cooperate;
+        TracePixel trace;
+        MediaFunction media;
+        RadiosityFunction radiosity;
+        PhotonGatherer photons;
+};
+
+/// What a TraceTask's options say of anti-aliasing.
+struct IntegralRefinementOptions
+{
+    integral::RefinementRule rule;
+    GammaCurvePtr gamma;
+    bool jitter, reproducible, final;
+};
+
+/// One thread's share of the second pass. False, with nothing done, if the view has had no first pass.
+bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace, RadiosityFunction& radiosity,
+                          Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options);
+
+}
+
+#endif

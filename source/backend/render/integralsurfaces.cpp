@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integralsurfaces.h"
+#include "backend/interior/interior.h"
+#include "backend/pattern/pattern.h"
+#include "backend/render/ray.h"
+#include "backend/render/trace.h"
+#include "backend/lighting/point.h"
+#include "backend/scene/integralcamera.h"
+#include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
+#include "backend/texture/texture.h"
+#include "integral/lightfield/pixel_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+constexpr int square_bits = 2, square = 1 << square_bits; // neighbouring patches, 4 x 4 of them, are neighbours in the table
+constexpr std::size_t row_length = square * square;
+constexpr std::uint64_t word_step = 0x9e3779b97f4a7c15u; // any odd number without a pattern
+constexpr int height_steps = 4; // patch sizes that a patch is high
+
+integral::Vec3 From_POV(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
+
+double Random(std::uint64_t bits) { return double(bits >> 11) * 0x1p-53; }
+
+/// An object's normal as POV-Ray's shading takes it.
+void Turn_Out(VECTOR normal, const ObjectBase *object)
+{
+    if (Test_Flag(object, INVERTED_FLAG))
+        for (int k = 0; k < 3; k++)
+            normal[k] = -normal[k];
+}
+
+double Against(const VECTOR normal, const Ray& ray)
+{
+    return normal[X] * ray.Direction[X] + normal[Y] * ray.Direction[Y] + normal[Z] * ray.Direction[Z];
+}
+
+}
+
+IntegralPatches::IntegralPatches(const integral::IntegralCamera& camera, double cells)
+    : camera(camera),
+      spread(camera.optics.medium().n * camera.film.pixel_pitch.x / camera.optics.sheet().thickness),
+      cells(cells),
+      scale(length(camera.placement.z)),
+      patches(slots),
+      locks(slots / row_length)
+{
+}
+
+/// A pixel's beam is as broad as its lens at the sheet, and spreads by the pixel's angle; along a cylindrical lens it is
+/// a pixel high there, and spreads from the aperture.
+int IntegralPatches::Level(const VECTOR point) const
+{
+    const integral::Placement& at = camera.placement;
+    const double z = std::fabs(dot(From_POV(point) - at.origin, at.z)) / (scale * scale);
+    const double pitch = camera.optics.sheet().pitch;
+    double area = pitch * pitch + z * spread * z * spread;
+    if (camera.optics.sheet().arrangement == integral::Arrangement::lenticular)
+        area = std::sqrt(area) * camera.film.pixel_pitch.y * (1 + z / camera.optics.aperture().distance);
+    return int(std::floor(std::log2(scale * scale * (area / cells))));
+}
+
+double IntegralPatches::Size(int level)
+{
+    return std::ldexp(level & 1 ? 1.4142135623730951 : 1.0, level >> 1);
+}
+
+bool IntegralPatches::Of_Use() const
+{
+    const integral::Vec3 sheet = camera.placement.origin;
+    const VECTOR point = {sheet.x, sheet.y, sheet.z};
+    return Size(Level(point)) > 1e-2;
+}
+
+bool IntegralPatches::Find(std::size_t slot, std::uint64_t key, Patch& patch) const
+{
+    std::atomic_flag& lock = locks[slot / row_length];
+    while (lock.test_and_set(std::memory_order_acquire)) {}
+    patch = patches[slot];
+    lock.clear(std::memory_order_release);
+    return patch.key == key;
+}
+
+void IntegralPatches::Store(std::size_t slot, const Patch& patch)
+{
+    std::atomic_flag& lock = locks[slot / row_length];
+    while (lock.test_and_set(std::memory_order_acquire)) {}
+    patches[slot] = patch;
+    lock.clear(std::memory_order_release);
+}
+
+IntegralSurfaces::IntegralSurfaces(IntegralPatches& patches, IntegralTally& tally, TraceThreadData *thread)
+    : patches(patches), tally(tally), thread(thread)
+{
+}
+
+bool IntegralSurfaces::Pays(const SceneData& scene)
+{
+    constexpr double enough = 4;
+    double shadow_rays = 0;
+    for (std::size_t k = 0; k < scene.lightSources.size(); k++)
+    {
+        const LightSource& light = *scene.lightSources[k];
+        shadow_rays += light.Area_Light ? std::min(enough, double(light.Area_Size1) * light.Area_Size2) : 1;
+    }
+    return scene.radiositySettings.radiosityEnabled || shadow_rays >= enough;
+}
+
+void IntegralSurfaces::Count(bool worked_out)
+{
+    tally.shared_shadings.Add(1);
+    tally.patch_shadings.Add(worked_out);
+}
+
+static bool Depends_On_Eye(const TPATTERN *pattern);
+
+static bool Depends_On_Eye(const BLEND_MAP *map)
+{
+    if (map == NULL || (map->Type != PIGMENT_TYPE && map->Type != NORMAL_TYPE))
+        return false;
+    for (int k = 0; k < map->Number_Of_Entries; k++)
+    {
+        const BLEND_MAP_ENTRY& entry = map->Blend_Map_Entries[k];
+        if (Depends_On_Eye(map->Type == PIGMENT_TYPE ? static_cast<const TPATTERN *>(entry.Vals.Pigment)
+                                                     : static_cast<const TPATTERN *>(entry.Vals.Tnormal)))
+            return true;
+    }
+    return false;
+}
+
+/// Whether the angle of incidence is in a pigment or a normal.
+static bool Depends_On_Eye(const TPATTERN *pattern)
+{
+    if (pattern == NULL)
+        return false;
+    return pattern->Type == AOI_PATTERN || Depends_On_Eye(pattern->Blend_Map)
+        || (pattern->Type == PIGMENT_PATTERN && Depends_On_Eye(pattern->Vals.Pigment));
+}
+
+static bool Is_Lit(const RGBColour& colour)
+{
+    return colour.red() != 0 || colour.green() != 0 || colour.blue() != 0;
+}
+
+IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const TEXTURE *texture)
+{
+    Kind kind = steady;
+    for (const TEXTURE *layer = texture; layer != NULL; layer = static_cast<const TEXTURE *>(layer->Next))
+    {
+        if (layer->Type == AOI_PATTERN || layer->Type == NO_PATTERN)
+            return own;
+        if (layer->Type == PLAIN_PATTERN)
+        {
+            const FINISH *finish = layer->Finish;
+            if (finish == NULL || layer->Pigment == NULL || (layer->Pigment->Flags & HAS_FILTER) != 0
+                || finish->Irid != 0 || finish->Crand != 0 || finish->UseSubsurface || Is_Lit(finish->Reflection_Max)
+                || Depends_On_Eye(layer->Pigment) || Depends_On_Eye(layer->Tnormal))
+                return own;
+            if (finish->Specular != 0 || finish->Phong != 0)
+                kind = glossy;
+        }
+        else if (layer->Type == BITMAP_PATTERN)
+            for (const TEXTURE *material = layer->Materials; material != NULL; material = material->Next_Material)
+                kind = std::max(kind, Kind_Of(material));
+        else if (layer->Blend_Map == NULL || layer->Blend_Map->Type != TEXTURE_TYPE)
+            return own;
+        else
+            for (int k = 0; k < layer->Blend_Map->Number_Of_Entries; k++)
+                kind = std::max(kind, Kind_Of(layer->Blend_Map->Blend_Map_Entries[k].Vals.Texture));
+    }
+    return texture == NULL ? own : kind;
+}
+
+IntegralSurfaces::Kind IntegralSurfaces::Known_Kind_Of(const TEXTURE *texture)
+{
+    const auto known = kinds.find(texture);
+    return known != kinds.end() ? known->second : kinds.emplace(texture, Kind_Of(texture)).first->second;
+}
+
+IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const Intersection& isect, bool inside)
+{
+    const ObjectBase *object = isect.Object;
+    if (!Test_Flag(object, MULTITEXTURE_FLAG) && object->Texture != NULL)
+        return Known_Kind_Of(inside && object->Interior_Texture != NULL ? object->Interior_Texture : object->Texture);
+    if (!Test_Flag(object, MULTITEXTURE_FLAG) && !Test_Flag(object, CUTAWAY_TEXTURES_FLAG))
+        return own;
+    Intersection met = isect;
+    WeightedTextureVector textures;
+    isect.Object->Determine_Textures(&met, inside, textures, thread);
+    Kind kind = textures.empty() ? own : steady;
+    for (WeightedTextureVector::iterator i(textures.begin()); i != textures.end(); i++)
+        kind = std::max(kind, Known_Kind_Of(i->texture));
+    return kind;
+}
+
+bool IntegralSurfaces::Locate(Intersection& isect, const Ray& ray, Place& place)
+{
+    if (ray.IsShadowTestRay() || ray.IsPhotonRay() || ray.IsRadiosityRay() || ray.IsPretraceRay() || ray.IsMonochromaticRay()
+        || ray.IsSubsurfaceRay())
+        return false;
+    const RayInteriorVector& interiors = ray.GetInteriors();
+    for (RayInteriorVector::const_iterator i(interiors.begin()); i != interiors.end(); i++)
+        if (!(*i)->media.empty())
+            return false;
+
+    VECTOR normal;
+    isect.Object->Normal(normal, &isect, thread);
+    Turn_Out(normal, isect.Object);
+    place.inside = Against(normal, ray) > 0;
+    const Kind kind = Kind_Of(isect, place.inside);
+    if (kind == own)
+        return false;
+
+    place.axis = std::fabs(normal[X]) >= std::fabs(normal[Y]) ? X : Y;
+    if (std::fabs(normal[Z]) > std::fabs(normal[place.axis]))
+        place.axis = Z;
+    place.positive = (normal[place.axis] > 0) != place.inside;
+    const int level = patches.Level(isect.IPoint);
+    place.size = IntegralPatches::Size(level);
+    std::uint64_t spot = level * 16 + place.axis * 4 + place.positive * 2 + place.inside, row = spot;
+    std::size_t column = 0;
+    for (int k = 0; k < 3; k++)
+    {
+        const double side = k == place.axis ? height_steps * place.size : place.size;
+        const double index = std::floor(isect.IPoint[k] / side);
+        if (!(std::fabs(index) < 1e15))
+            return false;
+        place.centre[k] = (index + 0.5) * side;
+        const std::int64_t cell = std::int64_t(index);
+        spot = spot * word_step + cell;
+        row = row * word_step + (k == place.axis ? cell : cell >> square_bits);
+        if (k != place.axis)
+            column = column * square + (cell & (square - 1));
+        place.direction[k] = 0;
+    }
+    if (kind == glossy)
+    {
+        double squares = 0;
+        for (int k = 0; k < 3; k++)
+        {
+            const double step = std::round(ray.Direction[k] / patches.Spread());
+            spot = spot * word_step + std::int64_t(step);
+            row = row * word_step + std::int64_t(step);
+            place.direction[k] = step * patches.Spread();
+            squares += place.direction[k] * place.direction[k];
+        }
+        for (int k = 0; k < 3; k++)
+            place.direction[k] /= std::sqrt(squares);
+    }
+    else
+        place.direction[place.axis] = place.positive ? -1 : 1;
+    place.spot = spot;
+    const auto address = [](const void *of) { return std::uint64_t(reinterpret_cast<std::uintptr_t>(of)); };
+    const std::uint64_t surface = address(isect.Object) * word_step + address(isect.Csg);
+    place.key = integral::random_bits(surface, spot) | 1;
+    place.slot = std::size_t(integral::random_bits(surface, row) % (IntegralPatches::slots / row_length)) * row_length + column;
+    return true;
+}
+
+/// The patch's point: where a line along its axis, at a random place of it, first meets the side that is seen.
+bool IntegralSurfaces::Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const
+{
+    const double sign = place.positive ? 1 : -1;
+    const double reach = (0.5 * height_steps + 2) * place.size;
+    ray.SetFlags(Ray::PrimaryRay);
+    for (int k = 0; k < 3; k++)
+    {
+        ray.Origin[k] = place.centre[k];
+        ray.Direction[k] = 0;
+    }
+    ray.Origin[place.axis] += sign * reach;
+    ray.Direction[place.axis] = -sign;
+    for (int k = 1; k < 3; k++)
+        ray.Origin[(place.axis + k) % 3] += (Random(integral::random_bits(place.spot, k)) - 0.5) * place.size;
+    if (!trace.FindIntersection(isect.Object, at, ray, 2 * reach))
+        return false;
+    at.Csg = isect.Csg;
+    for (int k = 0; k < 3; k++)
+    {
+        ray.Direction[k] = place.direction[k];
+        ray.Origin[k] = at.IPoint[k] - at.Depth * place.direction[k];
+    }
+    VECTOR normal;
+    at.Object->Normal(normal, &at, thread);
+    Turn_Out(normal, at.Object);
+    const bool inside = Against(normal, ray) > 0;
+    return inside == place.inside && (normal[place.axis] > 0) != inside == place.positive;
+}
+
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Which pixels anti-aliasing refines, and how far.
+#include "integral/lightfield/refinement.h"
+#include "tests/unit/pixel_origins.h"
+
+#include <random>
+
+using namespace pixel_origins;
+
+namespace {
+
+constexpr int width = 120, height = 90;
+
+/// A frame of 300 dpi behind lenses whose pitch is 15 pixels, or other, coloured by colour(place behind the lens in
+/// pitches, lens); pixels for which it returns nothing are empty.
+FirstSamples coloured(Arrangement arrangement, const std::function<std::optional<double>(Vec2, LensIndex)>& colour,
+                      IntegralCamera* made = nullptr, double pitch = 1.27)
+{
+    CameraParameters p = parameters_of(arrangement);
+    p.sheet.pitch = pitch;
+    p.sheet.offset = {};
+    p.film.pixel_pitch = {25.4 / 300, 25.4 / 300};
+    p.mapping = LensMapping::closest;
+    p.capture_aperture = Vec2{1e4, 1e4};
+    const IntegralCamera camera = camera_of(p, width, height);
+    FirstSamples samples(camera);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const Vec2 film_point = film_from_pixel(camera.film, {x + 0.5, y + 0.5});
+            const auto ray = camera.optics.map(film_point, LensMapping::closest).ray;
+            if (!ray)
+                continue;
+            const Vec2 pole = camera.optics.lattice().pole(ray->lens);
+            Vec2 place = (1 / p.sheet.pitch) * (film_point - pole);
+            if (arrangement == Arrangement::lenticular)
+                place.y = film_point.y / p.sheet.pitch;
+            if (const auto grey = colour(place, ray->lens))
+                samples.set(x, y, {*grey, *grey, *grey, 0}, ray->lens);
+        }
+    if (made)
+        *made = camera;
+    return samples;
+}
+
+double largest(const FirstSamples& samples, int margin = 0)
+{
+    double most = -1;
+    for (int y = margin; y < height - margin; ++y)
+        for (int x = margin; x < width - margin; ++x)
+            most = std::max(most, samples.contrast(x, y));
+    return most;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(lightfield_refinement)
+
+BOOST_AUTO_TEST_CASE(even_colours_have_no_contrast)
+{
+    for (const Arrangement arrangement : arrangements)
+        BOOST_TEST(largest(coloured(arrangement, [](Vec2, LensIndex) { return 0.7; })) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(lens_borders_do_not_count)
+{
+    // Each lens has the same ramp from 0.1 to 0.9: neighbours across a border differ by 0.8, and each pixel is what its
+    // neighbours behind the lens and in its direction let expect. Away from the frame's edge, where a ramp has one side.
+    for (const Arrangement arrangement : arrangements)
+        for (const double pitch : {1.27, 1.124, 0.845}) {
+            const auto ramp = [](Vec2 place, LensIndex) { return 0.5 + 0.8 * place.x; };
+            BOOST_TEST(largest(coloured(arrangement, ramp, nullptr, pitch), 20) < 3 * 2 * 0.8 * (25.4 / 300) / pitch,
+                       arrangement << " " << pitch);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(neighbours_of_either_kind_count)
+{
+    const auto is_between = [](const FirstSamples& samples, double low, double high) {
+        for (int y = 20; y < height - 20; ++y)
+            for (int x = 20; x < width - 20; ++x)
+                BOOST_TEST_REQUIRE((samples.contrast(x, y) >= low && samples.contrast(x, y) <= high), x << ", " << y);
+    };
+    for (const Arrangement arrangement : arrangements) {
+        // every other lens: a double step of 3 times 0.4 between a lens and both of its neighbours
+        const auto lenses = [](Vec2, LensIndex lens) { return lens.i & 1 ? 0.6 : 0.2; };
+        is_between(coloured(arrangement, lenses), 2.3, 2.5);
+    }
+    // one odd lens, pixel or row among others
+    for (const Arrangement arrangement : arrangements) {
+        IntegralCamera camera = camera_of(parameters_of(arrangement));
+        const auto one = coloured(arrangement, [](Vec2, LensIndex lens) { return lens == LensIndex{1, 0} ? 1.0 : 0.5; }, &camera);
+        for (int y = 20; y < height - 20; ++y)
+            for (int x = 20; x < width - 20; ++x) {
+                const auto lens = camera.optics.map(film_from_pixel(camera.film, {x + 0.5, y + 0.5}), LensMapping::closest).ray->lens;
+                if (lens == LensIndex{1, 0})
+                    BOOST_TEST((one.contrast(x, y) > 2.9 && one.contrast(x, y) < 3.1));
+                else
+                    BOOST_TEST((one.contrast(x, y) < 0.01 || std::fabs(one.contrast(x, y) - 1.5) < 0.01));
+            }
+    }
+    // an edge behind each lens: those two pixels beside it depart from a straight line
+    const auto edge = coloured(Arrangement::square, [](Vec2 place, LensIndex) { return place.x < 0 ? 0.0 : 1.0; });
+    int beside = 0;
+    for (int x = 20; x < width - 20; ++x)
+        beside += edge.contrast(x, 45) > 2.9;
+    BOOST_TEST(beside >= 2 * 4);
+    BOOST_TEST(beside <= 2 * 7);
+}
+
+BOOST_AUTO_TEST_CASE(empty_pixels_are_nobody_s_neighbours)
+{
+    // Only the middle of each lens is lit, as behind a narrow aperture; its colour is even.
+    const auto middle = [](Vec2 place, LensIndex) { return std::fabs(place.x) < 0.3 ? std::optional<double>(0.9) : std::nullopt; };
+    for (const Arrangement arrangement : arrangements) {
+        const FirstSamples samples = coloured(arrangement, middle);
+        BOOST_TEST(largest(samples) == 0);
+        int empty = 0;
+        for (int x = 0; x < width; ++x)
+            empty += samples.contrast(x, 45) == -1;
+        BOOST_TEST(empty > width / 4);
+    }
+    // a pixel without a neighbour
+    const FirstSamples alone = coloured(Arrangement::square, [](Vec2 place, LensIndex lens) {
+        return lens == LensIndex{0, 0} && std::fabs(place.x) < 0.02 && std::fabs(place.y) < 0.02 ? std::optional<double>(0.5) : std::nullopt;
+    });
+    BOOST_TEST(std::isinf(largest(alone)));
+}
+
+BOOST_AUTO_TEST_CASE(hostile_colours_are_kept_in_range)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    for (const double hostile : {nan, infinity, -infinity, 1e300, -1.0}) {
+        const FirstSamples samples = coloured(Arrangement::square, [&](Vec2, LensIndex lens) { return lens.i & 1 ? hostile : 0.5; });
+        BOOST_TEST(std::isfinite(largest(samples)));
+        BOOST_TEST(largest(samples) >= 1);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(method_1_takes_all_samples_at_once)
+{
+    for (const int depth : {1, 3, 9}) {
+        RefinementRule rule{1, 0.3, depth};
+        Refinement refinement(rule, 1);
+        BOOST_TEST(refinement.wanted() == depth * depth);
+        for (int k = 0; k < depth * depth; ++k)
+            k % 2 ? refinement.add({0.5, 0.5, 0.5, 0}) : refinement.add_none();
+        BOOST_TEST(refinement.wanted() == 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(method_2_goes_on_until_the_error_is_small)
+{
+    const auto samples_taken = [](const RefinementRule& rule, double contrast, auto next) {
+        Refinement refinement(rule, contrast);
+        int taken = 0;
+        while (const int wanted = refinement.wanted())
+            for (int k = 0; k < wanted; ++k, ++taken)
+                refinement.add(next());
+        return taken;
+    };
+    std::mt19937 random(1);
+    const auto even = [] { return ComparedColour{0.4, 0.4, 0.4, 0}; };
+    const auto coin = [&] { const double grey = random() & 1; return ComparedColour{grey, grey, grey, 0}; };
+    BOOST_TEST(samples_taken({2, 0.1, 4}, 0.1, even) == 4);
+    BOOST_TEST(samples_taken({2, 0.01, 4}, 3, even) > 4); // there must be something, though the first 4 have not seen it
+    int before = 0;
+    for (const double threshold : {1.0, 0.3, 0.1, 0.03}) {
+        const int taken = samples_taken({2, threshold, 9}, 3, coin);
+        BOOST_TEST(taken > before);
+        BOOST_TEST(1.5 / std::pow(double(taken), 0.7) < 1.2 * threshold); // (0.5 in each of three) / n^0.7
+        BOOST_TEST(1.5 / std::pow(double(taken) / 2, 0.7) > 0.8 * threshold);
+        before = taken;
+    }
+    BOOST_TEST(samples_taken({2, 0, 3}, 3, coin) == 64);
+    RefinementRule rule{2, 0.3, 3};
+    Refinement none(rule, 3);
+    int tried = 0;
+    for (; none.wanted(); ++tried)
+        none.add_none();
+    BOOST_TEST(tried == 64);
+    BOOST_TEST(std::isinf(none.standard_error()));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
