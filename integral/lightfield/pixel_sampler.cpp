@@ -250,6 +250,16 @@ PixelOutcome PixelSampler::append_rays(Vec2 centre, std::vector<PixelRay>& rays)
     return outcome;
 }
 
+std::optional<BeamRay> PixelSampler::pole_ray(Vec2 centre) const
+{
+    const Vec2 film_point = film_from_pixel(camera_.film, centre);
+    const auto ray = camera_.optics.map(film_point, camera_.mapping).ray;
+    std::vector<PixelRay> rays;
+    if (ray)
+        append_ray(film_point, *ray, {}, {}, rays);
+    return rays.empty() ? std::nullopt : std::optional(rays[0].ray);
+}
+
 bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const
 {
     const SheetOptics& optics = camera_.optics;

@@ -60,6 +60,9 @@ public:
     /// No rays where the centre images nothing.
     PixelOutcome append_rays(Vec2 centre, std::vector<PixelRay>& rays) const;
 
+    /// The ray of the pixel's centre through its lens's pole, by the lens model. Nothing where there is none.
+    std::optional<BeamRay> pole_ray(Vec2 centre) const;
+
     /// Appends one ray (a channel) of the same pixel, at random over both its area and the lens's cell, independent
     /// for each `index`: the mean over all of them is the converged 4-D reference. hybrid is judged by full.
     /// Where the lens has next to nothing of the pixel, the centre may stand in for its area.

@@ -137,6 +137,13 @@ double IntegralCamera::slit_height(Vec2 aperture_point) const
     return height * std::sqrt(std::max(0.0, (1 - along) * (1 + along)));
 }
 
+Vec3 sheet_from_scene(const Placement& p, Vec3 point)
+{
+    const Vec3 v = point - p.origin;
+    const double volume = dot(cross(p.x, p.y), p.z);
+    return {dot(cross(p.y, p.z), v) / volume, dot(cross(p.z, p.x), v) / volume, dot(cross(p.x, p.y), v) / volume};
+}
+
 IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int width, int height)
 {
     const auto errors = find_errors(p);
@@ -211,8 +218,8 @@ std::optional<StartRegion> start_region(const IntegralCamera& camera)
     const bool at_aperture = !camera.depth_range && !camera.pseudoscopic;
     const double front = at_aperture ? aperture.distance
                        : camera.pseudoscopic ? 0 : std::min(camera.depth_range->x, aperture.distance);
-    // a beam is as wide as its lens; and the edge of an aperture belongs to it
-    const double margin = (camera.beam_samples > 1 ? cell_circumradius(optics.sheet()) : 0) + 1e-3 * optics.sheet().pitch;
+    // a beam is as wide as its lens, whose cell anti-aliasing and audit sample; and the edge of an aperture belongs to it
+    const double margin = cell_circumradius(optics.sheet()) + 1e-3 * optics.sheet().pitch;
     Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
     if (!at_aperture) { // a ray's film point, pole and aperture point follow each other along x and along y
         half.x = std::max(half.x, 0.5 * camera.film.width * camera.film.pixel_pitch.x);

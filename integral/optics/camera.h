@@ -53,6 +53,9 @@ inline Vec3 scene_from_sheet(const Placement& p, Vec3 v)
     return p.origin + v.x * p.x + v.y * p.y + v.z * p.z;
 }
 
+/// Inverse of scene_from_sheet.
+Vec3 sheet_from_scene(const Placement& placement, Vec3 point);
+
 /// One integral camera, ready to render W x H pixels: immutable.
 struct IntegralCamera {
     SheetOptics optics;

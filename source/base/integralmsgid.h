@@ -9,6 +9,7 @@ enum
     kIntegralAttrib_Audit           = 'IgAu', ///< option Integral_Audit=: on, off or a percentage
     kIntegralAttrib_Seed            = 'IgSd', ///< option Integral_Seed=: of all random choices
     kIntegralAttrib_ErrorPicture    = 'IgEp', ///< option Integral_Error_Image=: file
+    kIntegralAttrib_DepthPicture    = 'IgDp', ///< option Integral_Depth_Image=: file
     kIntegralAttrib_Antialiasing    = 'IgAa', ///< option Integral_Antialiasing=: light_field or pixels
     kIntegralAttrib_Sharing         = 'IgSh', ///< option Integral_Sharing=: auto, on, off or a number of patches
     // statistics
@@ -39,6 +40,7 @@ enum
     { "Integral_Camera",      kIntegralAttrib_Camera,       kPOVMSType_UCS2String }, \
     { "Integral_Audit",       kIntegralAttrib_Audit,        kPOVMSType_UCS2String }, \
     { "Integral_Seed",        kIntegralAttrib_Seed,         kPOVMSType_Int }, \
+    { "Integral_Depth_Image", kIntegralAttrib_DepthPicture, kPOVMSType_UCS2String }, \
     { "Integral_Error_Image", kIntegralAttrib_ErrorPicture, kPOVMSType_UCS2String }, \
     { "Integral_Antialiasing", kIntegralAttrib_Antialiasing, kPOVMSType_UCS2String }, \
     { "Integral_Sharing",     kIntegralAttrib_Sharing,      kPOVMSType_UCS2String },

@@ -80,6 +80,18 @@ bool Read_Antialiasing(const std::string& text)
     return text != "pixels";
 }
 
+void Check_Depth_Picture(const std::string& file)
+{
+    const std::string ending = ".exr";
+#ifdef OPENEXR_MISSING
+    throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written: this program was built without OpenEXR");
+#endif
+    if (file.size() <= ending.size() || file.compare(file.size() - ending.size(), ending.size(), ending) != 0)
+        throw std::invalid_argument("Integral_Depth_Image=" + file + " is not an OpenEXR file: its name has to end in .exr");
+    if (!May_Write_Integral_Picture(file))
+        throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written there");
+}
+
 void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 {
     if (text.empty())
@@ -110,6 +122,9 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
         throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, which Integral_Audit=off leaves out");
     if (!result.error_picture.empty() && !May_Write_Integral_Picture(result.error_picture))
         throw std::invalid_argument("Integral_Error_Image=" + result.error_picture + " cannot be written there");
+    result.depth_picture = text(kIntegralAttrib_DepthPicture);
+    if (!result.depth_picture.empty())
+        Check_Depth_Picture(result.depth_picture);
     result.light_field = Read_Antialiasing(text(kIntegralAttrib_Antialiasing));
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 

@@ -24,6 +24,7 @@ struct IntegralRenderOptions
     IntegralSharing sharing = IntegralSharing::automatic; ///< Integral_Sharing=
     double patches_in_beam = 16;    ///< Integral_Sharing=NUMBER
     std::string error_picture;      ///< Integral_Error_Image=; empty: none
+    std::string depth_picture;      ///< Integral_Depth_Image=; empty: none
     bool antialias = false;         ///< +A, by a method other than 0
     bool light_field = true;        ///< Integral_Antialiasing=: not by pixels, as POV-Ray's own does
     integral::OutputCurve output;   ///< from the renderer's values to those of the picture file

@@ -6,11 +6,20 @@
 #include "base/fileinputoutput.h"
 #include "base/image/encoding.h"
 #include "base/image/image.h"
+#include "base/image/integralmetadata.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
+
+#ifndef OPENEXR_MISSING
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#endif
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -61,6 +70,44 @@ bool Write_Integral_Picture(const std::string& file, int width, int height, cons
     if (!good)
         std::remove(Beside(file).c_str());
     return good;
+}
+
+bool Write_Integral_Depth(const std::string& file, int width, int height, const std::vector<float>& depths)
+{
+#ifdef OPENEXR_MISSING
+    return false;
+#else
+    std::vector<float> z(depths), alpha(depths.size());
+    for (std::size_t index = 0; index < depths.size(); index++)
+    {
+        alpha[index] = std::isnan(depths[index]) ? 0.0f : 1.0f;
+        if (std::isnan(depths[index]))
+            z[index] = 0;
+    }
+    bool good = false;
+    try
+    {
+        Imf::Header header(width, height);
+        Set_Integral_EXR(header);
+        header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
+        header.channels().insert("A", Imf::Channel(Imf::FLOAT));
+        Imf::FrameBuffer buffer;
+        const std::size_t step = sizeof(float);
+        buffer.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(z.data()), step, step * width));
+        buffer.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(alpha.data()), step, step * width));
+        Imf::OutputFile output(Beside(file).c_str(), header);
+        output.setFrameBuffer(buffer);
+        output.writePixels(height);
+        good = true;
+    }
+    catch (const std::exception&)
+    {
+    }
+    good = good && std::rename(Beside(file).c_str(), file.c_str()) == 0;
+    if (!good)
+        std::remove(Beside(file).c_str());
+    return good;
+#endif
 }
 
 }

@@ -82,6 +82,9 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
         out->printf("   %.0f rays a second", rays / seconds);
     out->printf("\n");
     Print_Error(statistics, out);
+    if (statistics.Exist(kIntegralAttrib_DepthPicture))
+        out->printf("Warning: the depth frame could not be written to %s.\n",
+                    statistics.GetString(kIntegralAttrib_DepthPicture).c_str());
 }
 
 void Mark_Render_State(unsigned char *reserved, std::size_t size)

@@ -4,6 +4,7 @@
 #include "backend/frame.h"
 #include "backend/scene/integralcamera.h"
 #include "backend/render/integralaudit.h"
+#include "backend/render/integraldepth.h"
 #include "backend/render/integralsampling.h"
 #include "backend/render/integralsurfaces.h"
 #include "backend/scene/camera.h"
@@ -55,6 +56,9 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         block->sampling.reset();
         if (given.antialias && given.light_field)
             block->sampling = std::make_shared<IntegralSampling>(*block->optics);
+        block->depth.reset();
+        if (!given.depth_picture.empty())
+            block->depth = std::make_shared<IntegralDepth>(*block, given.depth_picture);
         // the halves know nothing of the samples that anti-aliasing adds, and make no picture
         block->audit.reset();
         if (given.audit && (given.antialias || !given.error_picture.empty() || !block->sampler->halves_tell_error()))
@@ -115,6 +119,8 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetFloat(kIntegralAttrib_Seconds, pov_base::IntegralFrame::Seconds());
     if (camera.Integral->audit && camera.Integral->audit->Picture_Failed())
         statistics.SetString(kIntegralAttrib_ErrorPicture, camera.Integral->error.picture.c_str());
+    if (camera.Integral->depth && !camera.Integral->depth->Write())
+        statistics.SetString(kIntegralAttrib_DepthPicture, camera.Integral->depth->File().c_str());
     if (error)
     {
         statistics.SetFloat(kIntegralAttrib_Error, error->rms);

@@ -22,6 +22,7 @@ namespace pov
 
 class Camera;
 class IntegralAudit;
+class IntegralDepth;
 class IntegralPatches;
 class IntegralSampling;
 
@@ -80,6 +81,7 @@ struct IntegralBlock
     bool shares_dear_shading_only = false;      ///< in them
     std::shared_ptr<IntegralSampling> sampling; ///< nothing: no anti-aliasing
     std::shared_ptr<IntegralAudit> audit;  ///< nothing: no error is estimated by an audit
+    std::shared_ptr<IntegralDepth> depth;       ///< nothing: no depth frame
     IntegralErrorOptions error;
 };
 

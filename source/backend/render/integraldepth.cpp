@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integraldepth.h"
+#include "backend/render/ray.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/integralcamera.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/view.h"
+#include "base/integralpicture.h"
+
+#include <cmath>
+#include <limits>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+IntegralDepth::IntegralDepth(const IntegralBlock& block, const std::string& file)
+    : optics(block.optics),
+      sampler(block.sampler),
+      file(file),
+      depths(std::size_t(optics->film.width) * optics->film.height, std::numeric_limits<float>::quiet_NaN())
+{
+}
+
+bool IntegralDepth::Next_Row(int& row)
+{
+    row = next++;
+    return row < optics->film.height;
+}
+
+void IntegralDepth::Find_Row(int row, Trace& trace)
+{
+    const NoSomethingFlagRayObjectCondition seen;
+    const TrueRayObjectCondition any;
+    for (int x = 0; x < optics->film.width; x++)
+    {
+        const auto pole = sampler->pole_ray({x + 0.5, row + 0.5});
+        if (!pole)
+            continue;
+        const integral::SightLine line = integral::sight_line(*optics, *pole);
+        Ray ray;
+        Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
+        Make_Vector(ray.Direction, line.direction.x, line.direction.y, line.direction.z);
+        Intersection met;
+        if (line.length > 0)
+            met.Depth = line.length;
+        float& depth = depths[std::size_t(row) * optics->film.width + x];
+        depth = std::numeric_limits<float>::infinity();
+        if (trace.FindIntersection(met, ray, seen, any))
+            depth = float(integral::sheet_from_scene(optics->placement, line.origin + met.Depth * line.direction).z);
+    }
+}
+
+bool IntegralDepth::Write() const
+{
+    return pov_base::Write_Integral_Depth(file, optics->film.width, optics->film.height, depths);
+}
+
+int Integral_Depth_Tasks(const Camera& camera, int threads)
+{
+    return camera.Integral && camera.Integral->depth ? threads : 0;
+}
+
+IntegralDepthTask::IntegralDepthTask(ViewData *view)
+    : RenderTask(view),
+      depth(view->GetCamera().Integral->depth),
+      cooperate(*this),
+      trace(view->GetSceneData(), GetViewDataPtr(), view->GetQualityFeatureFlags(), cooperate, media, radiosity)
+{
+}
+
+void IntegralDepthTask::Run()
+{
+    int row;
+    while (depth->Next_Row(row))
+    {
+        depth->Find_Row(row, trace);
+        Cooperate();
+    }
+}
+
+/// Its rays are not the frame's: they stay out of POV-Ray's own statistics and render time.
+void IntegralDepthTask::Finish()
+{
+    GetViewDataPtr()->Stats() = RenderStatistics();
+    GetViewDataPtr()->timeType = SceneThreadData::kUnknownTime;
+    GetViewDataPtr()->realTime = ConsumedRealTime();
+    GetViewDataPtr()->cpuTime = ConsumedCPUTime();
+}
+
+}

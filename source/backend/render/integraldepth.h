@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The depth frame: how far from the sheet the first surface is that the viewer sees in each pixel.
+#ifndef POVRAY_BACKEND_INTEGRALDEPTH_H
+#define POVRAY_BACKEND_INTEGRALDEPTH_H
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "backend/frame.h"
+#include "backend/render/rendertask.h"
+#include "backend/render/trace.h"
+#include "integral/lightfield/pixel_sampler.h"
+
+namespace pov
+{
+
+class Camera;
+struct IntegralBlock;
+
+/// The depth frame of one view: of each pixel's centre, along the ray through its lens's pole. mm from the sheet's plane,
+/// greater than 0 behind it; infinite where there is no surface; NaN where the pixel images nothing.
+class IntegralDepth
+{
+    public:
+        IntegralDepth(const IntegralBlock& block, const std::string& file);
+
+        /// A row that no thread has taken yet; false once there is none.
+        bool Next_Row(int& row);
+
+        /// Works out a row's depths by `trace`.
+        void Find_Row(int row, Trace& trace);
+
+        /// Writes the file; false if that is not possible.
+        bool Write() const;
+
+        const std::string& File() const { return file; }
+
+    private:
+        std::shared_ptr<const integral::IntegralCamera> optics;
+        std::shared_ptr<const integral::PixelSampler> sampler;
+        std::string file;
+        std::vector<float> depths;
+        std::atomic<int> next{0};
+};
+
+/// How many depth tasks a view with `threads` threads is to run: none without Integral_Depth_Image=.
+int Integral_Depth_Tasks(const Camera& camera, int threads);
+
+/// One thread's share of the depth frame.
+class IntegralDepthTask : public RenderTask
+{
+    public:
+        explicit IntegralDepthTask(ViewData *view);
+        virtual void Run();
+        virtual void Stopped() {}
+        virtual void Finish();
+
+    private:
+        class CooperateFunction : public Trace::CooperateFunctor
+        {
+            public:
+                explicit CooperateFunction(Task& t) : task(t) {}
+                virtual void operator()() { task.Cooperate(); }
+            private:
+                Task& task;
+        };
+
+        std::shared_ptr<IntegralDepth> depth;
+        CooperateFunction cooperate;
+        Trace::MediaFunctor media;
+        Trace::RadiosityFunctor radiosity;
+        Trace trace;
+};
+
+}
+
+#endif
