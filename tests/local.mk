@@ -44,8 +44,10 @@ unit_sources = \
   tests/unit/optics_models.cpp \
   tests/unit/optics_oracle.h \
   tests/unit/optics_properties.cpp \
+  tests/unit/optics_properties.h \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h \
+  tests/unit/optics_symmetries.cpp \
   tests/unit/pixel_origins.h
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
@@ -55,7 +57,12 @@ build_tests_oracle_SOURCES = \
   tests/render/helpers/oracle_camera.cpp \
   tests/render/helpers/oracle_main.cpp \
   tests/render/helpers/oracle_optics.cpp
-build_tests_frames_SOURCES = tests/render/helpers/frames.cpp
+build_tests_frames_SOURCES = \
+  tests/render/helpers/frames.cpp \
+  tests/render/helpers/frames.h \
+  tests/render/helpers/frames_compare.cpp \
+  tests/render/helpers/frames_files.cpp \
+  tests/render/helpers/frames_oracle.cpp
 build_tests_frames_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'

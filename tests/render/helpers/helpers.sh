@@ -3,7 +3,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../../tap.sh"
 scenes=$TOP/tests/render/scenes
 oracle=$BUILD/tests/oracle frames=$BUILD/tests/frames
-[ -x "$oracle" ] && [ -x "$frames" ] && [ -z "$(find "$TOP/tests/render/helpers" -newer "$oracle" -name "*.[ch]*")$(find "$TOP/tests/render/helpers" -newer "$frames" -name "frames.cpp")" ] ||
+[ -x "$oracle" ] && [ -x "$frames" ] && [ -z "$(find "$TOP/tests/render/helpers" -newer "$oracle" -name "*.[ch]*")$(find "$TOP/tests/render/helpers" -newer "$frames" -name "frames*")" ] ||
     make -s -C "$BUILD/.." build/tests/oracle build/tests/frames > /dev/null
 jobs=$((4 * $(nproc 2>/dev/null || echo 2))) # a render of a small frame mostly waits
 export scenes oracle frames scratch
@@ -17,7 +17,7 @@ render() {
     [ -s "$output" ] || { echo "$program $* writes no $output"; return 1; }
 }
 
-# oracle_frame OUTPUT MESH-CAMERA WIDTHxHEIGHT OPTION...: the unmodified program's frame of those rays (one row higher: see frames.cpp).
+# oracle_frame OUTPUT MESH-CAMERA WIDTHxHEIGHT OPTION...: the unmodified program's frame of those rays (one row higher: see frames.h).
 # The scene includes camera.inc, which is taken from the folder that is made here. oracle_options: for the oracle alone.
 oracle_frame() {
     local output=$1 camera=$2 size=$3
