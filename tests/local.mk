@@ -51,7 +51,7 @@ unit_sources = \
   tests/unit/pixel_origins.h
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
-check_PROGRAMS += build/tests/oracle build/tests/frames
+check_PROGRAMS += build/tests/oracle build/tests/frames build/tests/depths
 build_tests_oracle_SOURCES = \
   tests/render/helpers/oracle.h \
   tests/render/helpers/oracle_camera.cpp \
@@ -65,8 +65,15 @@ build_tests_frames_SOURCES = \
   tests/render/helpers/frames_oracle.cpp
 build_tests_frames_LDADD = $(FRAME_LIBS)
 
+check_PROGRAMS += build/tests/depths
+build_tests_depths_SOURCES = \
+  tests/render/helpers/depths.cpp \
+  tests/render/helpers/frames.h \
+  tests/render/helpers/frames_files.cpp
+build_tests_depths_LDADD = $(FRAME_LIBS)
+
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-test_programs = build/tests/unit build/tests/centroid build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames
+test_programs = build/tests/unit build/tests/centroid build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths
 
 .PHONY: check-long
 check-local: $(test_programs) pristine

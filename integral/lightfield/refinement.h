@@ -9,8 +9,8 @@ namespace integral {
 
 /// What +AM, +A and +R say.
 struct RefinementRule {
-    int method = 1;         ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... and up to 4^depth, until the error is small
-    double threshold = 0.3; ///< contrast from which on a pixel is refined; method 2: its standard error, a colour distance
+    int method = 1;         ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... and up to 4^depth, while they are worth it
+    double threshold = 0.3; ///< contrast from which on a pixel is refined; method 2: also 3 times the least worth
     int depth = 3;          ///< 1 to 9
 };
 
@@ -32,8 +32,10 @@ public:
     /// The standard deviation of the samples, as a colour distance.
     double scatter() const;
 
-    /// The standard error of the mean of all samples so far, as a colour distance. Infinite if there are none.
-    double standard_error() const;
+    /// What one more sample is worth, a colour distance: the root of that by which the mean's squared error falls (but for a
+    /// constant factor). A frame's error is least, for a number of samples, where the last sample of every pixel is worth
+    /// the same. Infinite if there are no samples.
+    double worth() const;
 
 private:
     const RefinementRule& rule_;
