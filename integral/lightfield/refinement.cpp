@@ -18,7 +18,18 @@ constexpr double scatter_of_contrast = 0.4, weight_of_contrast = 4;
 // The squared error of n evenly spread samples of an edge falls with n^-1.4 over four dimensions, its slope with n^-2.4.
 constexpr double order = 1.2;
 
+// So that a threshold of 0.3 gives some 10 samples where black and white meet.
+constexpr double threshold_of_worth = 3;
+
 } // namespace
+
+double samples_at_edges(const RefinementRule& rule)
+{
+    if (rule.method == 1)
+        return double(rule.depth) * rule.depth;
+    const double contrast = 3, worth = rule.threshold / threshold_of_worth;
+    return std::min(std::ldexp(1.0, 2 * rule.depth), std::pow(scatter_of_contrast * contrast / worth, 1 / order));
+}
 
 Refinement::Refinement(const RefinementRule& rule, double contrast)
     : rule_(rule), contrast_(std::min(contrast, 3.0))
@@ -32,7 +43,7 @@ int Refinement::wanted() const
     if (tried_ == 0)
         return first_step;
     const int most = 1 << (2 * rule_.depth);
-    return tried_ < most && 3 * worth() > rule_.threshold ? tried_ : 0;
+    return tried_ < most && threshold_of_worth * worth() > rule_.threshold ? tried_ : 0;
 }
 
 void Refinement::add(const ComparedColour& colour)

@@ -14,6 +14,9 @@ struct RefinementRule {
     int depth = 3;          ///< 1 to 9
 };
 
+/// About how many samples the rule gives to a pixel in which black and white meet.
+double samples_at_edges(const RefinementRule& rule);
+
 /// The refinement of one pixel. To be asked for `wanted` samples, given them, and asked again.
 class Refinement {
 public:

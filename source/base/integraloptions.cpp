@@ -9,7 +9,9 @@
 #include "base/povmsgid.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
+#include "integral/lightfield/refinement.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -36,11 +38,16 @@ integral::Encoding Encoding_Of(int type, double gamma)
     return encoding;
 }
 
-/// Whether a text says yes, or no, as POV-Ray takes it; nothing: neither.
-std::optional<bool> Yes_Or_No(std::string text)
+std::string Lower_Case(std::string text)
 {
     for (char& letter : text)
         letter = char(std::tolower((unsigned char)letter));
+    return text;
+}
+
+/// Whether a text in lower case says yes, or no, as POV-Ray takes it; nothing: neither.
+std::optional<bool> Yes_Or_No(const std::string& text)
+{
     if (text == "on" || text == "true" || text == "yes")
         return true;
     if (text == "off" || text == "false" || text == "no")
@@ -80,6 +87,17 @@ bool Read_Antialiasing(const std::string& text)
     return text != "pixels";
 }
 
+/// About how many samples anti-aliasing gives to a pixel with an edge between black and white.
+double Samples_At_Edges(POVMS_Object& options)
+{
+    if (!options.TryGetBool(kPOVAttrib_Antialias, false))
+        return 1;
+    const integral::RefinementRule rule = {options.TryGetInt(kPOVAttrib_SamplingMethod, 1),
+                                           options.TryGetFloat(kPOVAttrib_AntialiasThreshold, 0.3f),
+                                           std::min(9, std::max(1, options.TryGetInt(kPOVAttrib_AntialiasDepth, 3)))};
+    return integral::samples_at_edges(rule);
+}
+
 void Check_Depth_Picture(const std::string& file)
 {
     const std::string ending = ".exr";
@@ -114,18 +132,20 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
 {
     IntegralRenderOptions result;
     const auto text = [&](POVMSType key) { return UCS2toASCIIString(options.TryGetUCS2String(key, "")); };
-    Read_Audit(text(kIntegralAttrib_Audit), result);
-    Read_Sharing(text(kIntegralAttrib_Sharing), result);
+    const auto word = [&](POVMSType key) { return Lower_Case(text(key)); };
+    Read_Audit(word(kIntegralAttrib_Audit), result);
+    Read_Sharing(word(kIntegralAttrib_Sharing), result);
     result.seed = std::uint64_t(std::int64_t(options.TryGetInt(kIntegralAttrib_Seed, 0)));
     result.error_picture = text(kIntegralAttrib_ErrorPicture);
     if (!result.error_picture.empty() && !result.audit)
         throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, which Integral_Audit=off leaves out");
     if (!result.error_picture.empty() && !May_Write_Integral_Picture(result.error_picture))
         throw std::invalid_argument("Integral_Error_Image=" + result.error_picture + " cannot be written there");
+    result.edge_samples = Samples_At_Edges(options);
     result.depth_picture = text(kIntegralAttrib_DepthPicture);
     if (!result.depth_picture.empty())
         Check_Depth_Picture(result.depth_picture);
-    result.light_field = Read_Antialiasing(text(kIntegralAttrib_Antialiasing));
+    result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
     result.output.working = Encoding_Of(options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),

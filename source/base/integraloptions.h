@@ -22,7 +22,8 @@ struct IntegralRenderOptions
     double audit_share = 0;         ///< Integral_Audit=PERCENT as a fraction; 0: not given
     std::uint64_t seed = 0;         ///< Integral_Seed=
     IntegralSharing sharing = IntegralSharing::automatic; ///< Integral_Sharing=
-    double patches_in_beam = 16;    ///< Integral_Sharing=NUMBER
+    double patches_in_beam = 0;     ///< Integral_Sharing=NUMBER; 0: as the samples ask for
+    double edge_samples = 1;        ///< that anti-aliasing gives to a pixel with an edge, about
     std::string error_picture;      ///< Integral_Error_Image=; empty: none
     std::string depth_picture;      ///< Integral_Depth_Image=; empty: none
     bool antialias = false;         ///< +A, by a method other than 0

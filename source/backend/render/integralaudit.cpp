@@ -162,11 +162,6 @@ void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& pos
         audit->Note(positions, colours);
 }
 
-int Integral_Audit_Tasks(const Camera& camera, int threads)
-{
-    return Audit_Of(camera) ? threads : 0;
-}
-
 IntegralAuditTask::IntegralAuditTask(ViewData *view)
     : RenderTask(view),
       audit(view->GetCamera().Integral->audit),

@@ -92,9 +92,6 @@ void Note_Integral_Pixels(const Camera& camera, const POVRect& rect, const std::
 void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions,
                           const std::vector<Colour>& colours);
 
-/// How many audit tasks a view with `threads` threads is to run once it is rendered.
-int Integral_Audit_Tasks(const Camera& camera, int threads);
-
 /// One thread's share of the audit.
 class IntegralAuditTask : public RenderTask
 {

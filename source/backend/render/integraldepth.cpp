@@ -61,11 +61,6 @@ bool IntegralDepth::Write() const
     return pov_base::Write_Integral_Depth(file, optics->film.width, optics->film.height, depths);
 }
 
-int Integral_Depth_Tasks(const Camera& camera, int threads)
-{
-    return camera.Integral && camera.Integral->depth ? threads : 0;
-}
-
 IntegralDepthTask::IntegralDepthTask(ViewData *view)
     : RenderTask(view),
       depth(view->GetCamera().Integral->depth),

@@ -45,9 +45,6 @@ class IntegralDepth
         std::atomic<int> next{0};
 };
 
-/// How many depth tasks a view with `threads` threads is to run: none without Integral_Depth_Image=.
-int Integral_Depth_Tasks(const Camera& camera, int threads);
-
 /// One thread's share of the depth frame.
 class IntegralDepthTask : public RenderTask
 {

@@ -55,10 +55,12 @@ int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int thr
     return method > 0 && Sampling_Of(camera) ? threads : 0;
 }
 
-IntegralFirstPassTask::IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible)
+IntegralFirstPassTask::IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible,
+                                             bool continued)
     : RenderTask(view),
       gamma(gamma),
       reproducible(reproducible),
+      continued(continued),
       cooperate(*this),
       trace(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel, view->GetSceneData()->parsedAdcBailout,
             view->GetQualityFeatureFlags(), cooperate, media, radiosity),
@@ -94,7 +96,8 @@ void IntegralFirstPassTask::Run()
             }
         radiosity.AfterTile();
         GetViewDataPtr()->AfterTile();
-        view.CompletedRectangle(block, 0, pixels, 1, false, pass_share);
+        if (!continued)
+            view.CompletedRectangle(block, 0, pixels, 1, false, pass_share);
         Cooperate();
     }
     view.SetHighestTraceLevel(trace.GetHighestTraceLevel());

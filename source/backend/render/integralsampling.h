@@ -48,7 +48,8 @@ int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int thr
 class IntegralFirstPassTask : public RenderTask
 {
     public:
-        IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible);
+        /// `continued`: some of the frame is there already, and its pixels are not to be shown as the first pass has them.
+        IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible, bool continued);
         virtual void Run();
         virtual void Stopped() {}
         virtual void Finish();
@@ -64,7 +65,7 @@ class IntegralFirstPassTask : public RenderTask
         };
 
         GammaCurvePtr gamma;
-        bool reproducible;
+        bool reproducible, continued;
         CooperateFunction cooperate;
         TracePixel trace;
         MediaFunction media;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -41,6 +42,21 @@ void Turn_Out(VECTOR normal, const ObjectBase *object)
     if (Test_Flag(object, INVERTED_FLAG))
         for (int k = 0; k < 3; k++)
             normal[k] = -normal[k];
+}
+
+/// A number for an object that does not depend on where it is in memory, and is rarely another object's as well.
+std::uint64_t Number_Of(const ObjectBase& object)
+{
+    std::uint64_t number = object.Type;
+    for (int k = 0; k < 3; k++)
+    {
+        const float corner = object.BBox.Lower_Left[k], size = object.BBox.Lengths[k];
+        std::uint32_t bits[2];
+        std::memcpy(&bits[0], &corner, sizeof corner);
+        std::memcpy(&bits[1], &size, sizeof size);
+        number = (number * word_step + bits[0]) * word_step + bits[1];
+    }
+    return number;
 }
 
 double Against(const VECTOR normal, const Ray& ray)
@@ -264,9 +280,8 @@ bool IntegralSurfaces::Locate(Intersection& isect, const Ray& ray, Place& place)
         place.direction[place.axis] = place.positive ? -1 : 1;
     place.spot = spot;
     const auto address = [](const void *of) { return std::uint64_t(reinterpret_cast<std::uintptr_t>(of)); };
-    const std::uint64_t surface = address(isect.Object) * word_step + address(isect.Csg);
-    place.key = integral::random_bits(surface, spot) | 1;
-    place.slot = std::size_t(integral::random_bits(surface, row) % (IntegralPatches::slots / row_length)) * row_length + column;
+    place.key = integral::random_bits(address(isect.Object) * word_step + address(isect.Csg), spot) | 1;
+    place.slot = std::size_t(integral::random_bits(Number_Of(*isect.Object), row) % (IntegralPatches::slots / row_length)) * row_length + column;
     return true;
 }
 

@@ -8,11 +8,13 @@
 #include "backend/render/integralsampling.h"
 #include "backend/render/integralsurfaces.h"
 #include "backend/scene/camera.h"
+#include "backend/scene/view.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
 #include "base/integraloptions.h"
 #include "base/povmscpp.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 // this must be the last file included
@@ -35,6 +37,13 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
     return std::make_shared<integral::IntegralCamera>(integral::make_camera(block.parameters, view, width, height));
 }
 
+/// Patches enough that what they leave out is little against what so many samples miss.
+static double Patches_In_Beam(const integral::IntegralCamera& optics, const pov_base::IntegralRenderOptions& given)
+{
+    const double samples = std::max(double(optics.pixel_samples) * optics.beam_samples, given.edge_samples);
+    return given.patches_in_beam > 0 ? given.patches_in_beam : std::max(16.0, 2 * samples);
+}
+
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)
 {
     if (!camera.Integral || !camera.Integral->integral)
@@ -52,7 +61,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         block->patches.reset();
         block->shares_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
         if (given.sharing == pov_base::IntegralSharing::on || (block->shares_dear_shading_only && given.antialias))
-            block->patches = std::make_shared<IntegralPatches>(*block->optics, given.patches_in_beam);
+            block->patches = std::make_shared<IntegralPatches>(*block->optics, Patches_In_Beam(*block->optics, given));
         block->sampling.reset();
         if (given.antialias && given.light_field)
             block->sampling = std::make_shared<IntegralSampling>(*block->optics);
@@ -88,6 +97,20 @@ static std::optional<integral::ErrorEstimate> Error_Of(const IntegralBlock& bloc
         error->samples = block.optics->pixel_samples * block.optics->beam_samples;
     }
     return error;
+}
+
+int Integral_Final_Tasks(const Camera& camera, int threads)
+{
+    return camera.Integral ? threads * ((camera.Integral->depth ? 1 : 0) + (camera.Integral->audit ? 1 : 0)) : 0;
+}
+
+RenderTask *New_Integral_Final_Task(ViewData *view, int index)
+{
+    const IntegralBlock& block = *view->GetCamera().Integral;
+    // every other one, if there are both kinds
+    if (block.depth && (index % 2 == 0 || !block.audit))
+        return new IntegralDepthTask(view);
+    return new IntegralAuditTask(view);
 }
 
 void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)

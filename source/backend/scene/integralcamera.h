@@ -25,6 +25,8 @@ class IntegralAudit;
 class IntegralDepth;
 class IntegralPatches;
 class IntegralSampling;
+class RenderTask;
+class ViewData;
 
 /// A count that one thread adds to and others may read: no locked instruction is needed.
 class OwnCount
@@ -92,6 +94,10 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
 /// To be called once a view's camera and size are settled: gives it optics and a sampler of its own and fresh
 /// counts, and announces its geometry to whoever writes the picture. No effect on other cameras.
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options);
+
+/// The tasks that a view is to run once it is rendered, `threads` of each kind: the depth frame and the audit.
+int Integral_Final_Tasks(const Camera& camera, int threads);
+RenderTask *New_Integral_Final_Task(ViewData *view, int index); ///< index from 0
 
 /// Adds the counts and the error to a view's statistics message, once it is rendered. No effect on other cameras.
 void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics);
