@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
             p.film.subpixels = subpixels;
             const IntegralCamera camera = camera_of(p, 70, 50);
             const PixelSampler sampler(camera, 1);
-            int whole_ones = 0, divided_ones = 0, empty = 0;
+            int whole_ones = 0, divided_ones = 0;
             for_each_pixel(camera, false, [&](Vec2 centre) {
                 const PixelBeam beam = sampler.beam(centre, false);
                 std::array<int, 3> taken{};
@@ -177,7 +177,12 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
                         BOOST_TEST((mapped && mapped->lens == lens));
                     }
                 }
-                empty += beam.number == 0;
+                int imaged = 0; // channels
+                for (int channel = 0; channel < (subpixels == Subpixels::none ? 1 : 3); ++channel) {
+                    const Vec2 at{centre.x + subpixel_shift(subpixels, channel), centre.y};
+                    imaged += camera.optics.map(film_from_pixel(camera.film, at), camera.mapping).ray.has_value();
+                }
+                BOOST_TEST(beam.number == imaged);
                 for (int k = 0; k < beam.number; ++k) {
                     const int count = taken[std::max(beam.channels[k].channel, 0)];
                     (beam.channels[k].whole ? whole_ones : divided_ones) += 1;
@@ -189,7 +194,6 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
             });
             BOOST_TEST(whole_ones > 1000);
             BOOST_TEST(divided_ones > 200);
-            BOOST_TEST((arrangement == Arrangement::hexagonal) == (empty > 0));
         }
 }
 
@@ -225,9 +229,9 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_and_cell)
             by.append_sample(by.beam(centre, alike), 0, rays);
             return origin_of(camera, centre, rays.at(0).ray, lens_at(camera, centre));
         };
-        const Vec2 here{23.5, 18.5}, there{24.5, 18.5};
-        BOOST_REQUIRE(whole(camera, here));
-        BOOST_REQUIRE(whole(camera, there));
+        std::vector<Vec2> whole_ones;
+        for_each_pixel(camera, true, [&](Vec2 centre) { whole_ones.push_back(centre); });
+        const Vec2 here = whole_ones.at(100), there = whole_ones.at(101);
         BOOST_TEST(first(here, false, sampler).film.x == first(here, false, PixelSampler(camera, 7)).film.x);
         BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(here, false, PixelSampler(camera, 8)).film.x) > 1e-6);
         BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(there, false, sampler).film.x) > 1e-6);
