@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Error against run time: renders a ladder of settings, three scenes behind two sheets, and measures each frame and its
+// Error against run time: renders a ladder of settings, six scenes behind two sheets, and measures each frame and its
 // replayed view against a converged frame of both samplings (doc/error-against-time.md).
 #include "bench/error_against_time.h"
 
@@ -38,11 +38,12 @@ options::options_description make_options()
     all.add_options()
         ("output,o", options::value<std::string>()->value_name("FOLDER"),
          "where the table, the plots and the frames are written")
-        ("quick", "fewer settings and smaller frames: about a minute instead of a quarter of an hour")
+        ("quick", "fewer settings and smaller frames: minutes instead of an hour")
+        ("samplers", "only the settings that compare anti-aliasing with brute force")
         ("scene", options::value<std::vector<std::string>>()->value_name("NAME"),
          ("only this one, of " + all_scenes() + "; may be given again").c_str())
         ("size", options::value<std::string>()->value_name("WxH"),
-         "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with --quick)")
+         "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with --quick or --samplers)")
         ("renderer", options::value<std::string>()->value_name("FILE"),
          "povray-integral (default: the one built beside this program)")
         ("scenes", options::value<std::string>()->value_name("FOLDER"),
@@ -67,9 +68,9 @@ std::vector<std::string> chosen_scenes(const options::variables_map& arguments)
 
 void set_size(Renderer& renderer, const options::variables_map& arguments)
 {
-    const bool quick = arguments.count("quick");
-    renderer.width = quick ? 120 : 240;
-    renderer.height = quick ? 80 : 160;
+    const bool small = arguments.count("quick") || arguments.count("samplers");
+    renderer.width = small ? 120 : 240;
+    renderer.height = small ? 80 : 160;
     if (!arguments.count("size"))
         return;
     const std::string text = arguments["size"].as<std::string>();
@@ -82,6 +83,11 @@ void set_size(Renderer& renderer, const options::variables_map& arguments)
             return;
     }
     throw UsageError("--size " + text + ": WIDTHxHEIGHT is expected, each a multiple of 10 from 60 to 2000");
+}
+
+Extent chosen_extent(const options::variables_map& arguments)
+{
+    return arguments.count("quick") ? Extent::quick : arguments.count("samplers") ? Extent::samplers : Extent::all;
 }
 
 Renderer make_renderer(const options::variables_map& arguments, const std::string& folder)
@@ -101,6 +107,14 @@ Renderer make_renderer(const options::variables_map& arguments, const std::strin
     return renderer;
 }
 
+std::string all_speedups(const std::vector<Panel>& panels)
+{
+    std::string text = speedups_summary(panels) + "\n";
+    for (const Panel& panel : panels)
+        text += speedups(panel);
+    return text;
+}
+
 int run(const options::variables_map& arguments)
 {
     if (!arguments.count("output"))
@@ -115,15 +129,20 @@ int run(const options::variables_map& arguments)
     std::vector<Panel> panels;
     for (const std::string& scene : scenes)
         for (const Sheet& sheet : sheets()) {
-            panels.push_back(measure(renderer, scene, sheet, arguments.count("quick"), say));
+            panels.push_back(measure(renderer, scene, sheet, chosen_extent(arguments), say));
+            say(speedups(panels.back()));
             // what is finished is kept, should the rest be interrupted
             write_file(folder + "/error-against-time.csv", csv(panels));
             write_file(folder + "/fronts.md", fronts_table(panels));
+            write_file(folder + "/eyes.csv", eyes_table(panels));
+            write_file(folder + "/speedups.md", all_speedups(panels));
         }
+    say(speedups_summary(panels));
     write_plots(panels, folder);
     const Honesty counts = honesty(panels);
-    std::cout << "The program's own interval of 95% holds the measured error in " << counts.held << " of " << counts.intervals
-              << " frames.\nWritten: error-against-time.csv, fronts.md and the plots in " << folder << std::endl;
+    std::cout << "The program's own interval of 95% holds the measured error in " << counts.held << " of "
+              << counts.intervals << " frames.\nWritten: error-against-time.csv, speedups.md, fronts.md, eyes.csv and the plots in "
+              << folder << std::endl;
     return 0;
 }
 
@@ -138,7 +157,7 @@ int main(int count, char** words)
         options::store(options::command_line_parser(count, words).options(all).positional({}).run(), arguments);
         options::notify(arguments);
         if (arguments.count("help")) {
-            std::cout << "error_against_time [--quick] [--scene NAME] -o FOLDER\n\n" << all;
+            std::cout << "error_against_time [--quick | --samplers] [--scene NAME] -o FOLDER\n\n" << all;
             return 0;
         }
         return run(arguments);

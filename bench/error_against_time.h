@@ -22,9 +22,9 @@ struct Sheet {
 };
 
 /// Settings of one kind are one series of the plots.
-enum class Family { one_ray, beam, pixel, both, antialias, model };
-constexpr Family families[] = {Family::one_ray, Family::beam,      Family::pixel,
-                               Family::both,    Family::antialias, Family::model};
+enum class Family { one_ray, beam, pixel, both, light_field, antialias, model };
+constexpr Family families[] = {Family::one_ray,     Family::beam,      Family::pixel, Family::both,
+                               Family::light_field, Family::antialias, Family::model};
 const char* title_of(Family);
 
 /// One rung: how a frame is sampled.
@@ -38,16 +38,21 @@ struct Setting {
 
 const std::vector<std::string>& scene_names(); ///< files bench/scenes/NAME.pov
 const std::vector<Sheet>& sheets();
+enum class Extent {
+    all,
+    samplers, ///< those that compare anti-aliasing with brute force, in the reference's lens model and mapping
+    quick
+};
 /// The first is the plainest: one ray a pixel, mapping auto. The others' run times are multiples of its.
-std::vector<Setting> ladder(bool quick);
+std::vector<Setting> ladder(Extent extent);
 /// The 4-D frame that errors are measured against, sampled from another seed than the ladder's frames.
-Setting reference_setting(bool quick);
+Setting reference_setting(Extent extent);
 
 // ---- the renderer (error_against_time_renderer.cpp) ----
 
 struct RenderCost {
-    double seconds = 0;        ///< of rendering, by the clock, without parsing
-    double cpu_seconds = 0;    ///< the same, of the processor
+    double seconds = 0;        ///< of tracing, by the clock
+    double cpu_seconds = 0;    ///< of the processor, without parsing: tracing and radiosity's pretrace
     long long camera_rays = 0; ///< that left the sheet
     long long rays = 0;        ///< and all that these gave rise to but those to lights
 };
@@ -77,6 +82,16 @@ struct ViewFigures {
     double psnr = 0, ssim = 0;
 };
 
+/// An eye in the aperture, mm from its centre.
+struct EyePosition {
+    double x = 0, y = 0;
+};
+/// 3 x 3 over the aperture; behind cylinders, which show nothing new along themselves, 9 in a row across it.
+constexpr int eye_count = 9;
+
+ViewFigures mean(const std::vector<ViewFigures>& views);
+ViewFigures least(const std::vector<ViewFigures>& views);
+
 struct Measurement {
     Setting setting;
     RenderCost cost;              ///< the least seconds of all runs
@@ -86,6 +101,7 @@ struct Measurement {
     ViewFigures to_reference;     ///< of the view from the aperture's centre, against the reference frame's view
     ViewFigures from_side;        ///< the same from near the aperture's right edge
     ViewFigures to_perspective;   ///< of the view from the centre, against the scene's perspective picture from there
+    std::vector<ViewFigures> from_eyes; ///< of the view from each of the panel's eyes, against the perspective picture from there
     double own_error = 0;         ///< RMSE over the pixels that this setting lights, freed of the reference's own error
     std::optional<ErrorEstimate> estimate; ///< the program's, of own_error
     bool on_front_of_seconds = false, on_front_of_rays = false;
@@ -96,6 +112,7 @@ struct Panel {
     std::string scene;
     Sheet sheet;
     int width = 0, height = 0; ///< pixels
+    std::vector<EyePosition> eyes;
     Measurement reference;     ///< its estimate is its own error; its figures against itself are 0
     std::vector<Measurement> rungs;
     std::string name() const { return scene + "-" + sheet.name; }
@@ -103,12 +120,21 @@ struct Panel {
 };
 
 /// Renders and measures. `say` is told what is done, a line at a time.
-Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, bool quick,
+Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, Extent extent,
               const std::function<void(const std::string&)>& say);
 
 /// Of several settings, those that no other beats: of which none is at most as dear and at most as wrong. Costs within
 /// 5% and errors within 1% count as equal, and of equals the first stays.
 std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
+
+/// A way to sample: the families of settings of which a user would take the best.
+using Sampler = std::vector<Family>;
+const Sampler& brute_force(); ///< so many samples for every pixel
+const Sampler& by_pixels();   ///< POV-Ray's own anti-aliasing
+
+/// The CPU seconds at which the sampler's front has that own_error: log(time) between its settings, over log(error).
+/// Nothing where its settings do not reach that error, or all err less. Only settings of mapping auto count.
+std::optional<double> seconds_at(const Panel& panel, const Sampler& sampler, double error);
 
 /// How often the program's interval holds own_error, over the settings of the reference's own lens model.
 struct Honesty {
@@ -122,6 +148,10 @@ Honesty honesty(const std::vector<Panel>& panels);
 
 std::string csv(const std::vector<Panel>& panels);
 std::string fronts_table(const std::vector<Panel>& panels); ///< Markdown
+/// Each anti-aliased setting's time beside that of brute force and of POV-Ray's anti-aliasing at the same error; Markdown.
+std::string speedups(const Panel& panel);
+std::string speedups_summary(const std::vector<Panel>& panels); ///< each panel's best
+std::string eyes_table(const std::vector<Panel>& panels);       ///< CSV: every view from every eye
 /// FOLDER/SCENE-SHEET-FIGURE-against-COST.svg and .png, and FOLDER/fronts-against-COST and FOLDER/estimate.
 void write_plots(const std::vector<Panel>& panels, const std::string& folder);
 

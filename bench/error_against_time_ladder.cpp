@@ -35,10 +35,52 @@ Setting model(const std::string& name, const std::string& words)
     return {Family::model, name, "lens_model " + words, {}};
 }
 
-Setting antialias(const std::string& name, const std::vector<std::string>& options, const std::string& words = "")
+/// In the light field. `rule`: +A, +R and +AM. `sharing`: what Integral_Sharing is, if not auto.
+Setting light_field(const std::string& name, std::vector<std::string> rule, const std::string& sharing = "")
 {
-    return {Family::antialias, name, words, options};
+    if (!sharing.empty())
+        rule.push_back("Integral_Sharing=" + sharing);
+    return {Family::light_field, name, "", rule};
 }
+
+/// POV-Ray's own methods, on the pixels' grid.
+Setting antialias(const std::string& name, std::vector<std::string> rule, const std::string& words = "")
+{
+    rule.push_back("Integral_Antialiasing=pixels");
+    return {Family::antialias, name, words, rule};
+}
+
+std::vector<Setting> light_field_settings()
+{
+    return {
+        light_field("0.3", {"+A0.3", "+R5", "+AM2"}), light_field("0.1", {"+A0.1", "+R5", "+AM2"}),
+        light_field("0.05", {"+A0.05", "+R5", "+AM2"}), light_field("0.03", {"+A0.03", "+R5", "+AM2"}),
+        light_field("0.02", {"+A0.02", "+R5", "+AM2"}), light_field("0.01", {"+A0.01", "+R5", "+AM2"}),
+        light_field("0.1 alone", {"+A0.1", "+R5", "+AM2"}, "off"),
+        light_field("0.03 alone", {"+A0.03", "+R5", "+AM2"}, "off"),
+        light_field("0.03 shared 4", {"+A0.03", "+R5", "+AM2"}, "4"),
+        light_field("0.01 shared 4", {"+A0.01", "+R5", "+AM2"}, "4"),
+        light_field("AM1 R3", {"+A0.1", "+R3", "+AM1"}), light_field("AM1 R5", {"+A0.1", "+R5", "+AM1"}),
+        light_field("AM1 R8", {"+A0.03", "+R8", "+AM1"}),
+    };
+}
+
+/// Methods 1 and 2, without and with samples of the lens's cell.
+std::vector<Setting> pixel_grid_settings()
+{
+    return {
+        antialias("AM1", {"+A0.3", "+R3", "+AM1"}), antialias("AM2", {"+A0.3", "+R3", "+AM2"}),
+        antialias("AM1 0.1", {"+A0.1", "+R3", "+AM1"}), antialias("AM1 0", {"+A0.0", "+R3", "+AM1"}),
+        antialias("AM2 0.1", {"+A0.1", "+R3", "+AM2"}), antialias("AM2 0", {"+A0.0", "+R3", "+AM2"}),
+        antialias("AM1 +R2 beam 4", {"+A0.3", "+R2", "+AM1"}, "beam_samples 4"),
+        antialias("AM1 beam 4", {"+A0.3", "+R3", "+AM1"}, "beam_samples 4"),
+        antialias("AM1 0.1 beam 4", {"+A0.1", "+R3", "+AM1"}, "beam_samples 4"),
+        antialias("AM1 0 beam 4", {"+A0.0", "+R3", "+AM1"}, "beam_samples 4"),
+        antialias("AM2 0.1 beam 4", {"+A0.1", "+R3", "+AM2"}, "beam_samples 4"),
+    };
+}
+
+void append(std::vector<Setting>& list, const std::vector<Setting>& more) { list.insert(list.end(), more.begin(), more.end()); }
 
 } // namespace
 
@@ -49,7 +91,8 @@ const char* title_of(Family family)
     case Family::beam: return "beam_samples N";
     case Family::pixel: return "pixel_samples N";
     case Family::both: return "pixel_samples N beam_samples M (NxM)";
-    case Family::antialias: return "POV-Ray's +A0.3 +R3";
+    case Family::light_field: return "+A in the light field";
+    case Family::antialias: return "POV-Ray's +A by pixels";
     case Family::model: return "other lens_model";
     }
     throw std::logic_error("unknown family");
@@ -65,7 +108,7 @@ std::string Setting::full_name() const
 
 const std::vector<std::string>& scene_names()
 {
-    static const std::vector<std::string> names = {"detail", "glass", "soft"};
+    static const std::vector<std::string> names = {"matte", "textured", "radiosity", "glass", "detail", "soft"};
     return names;
 }
 
@@ -78,31 +121,28 @@ const std::vector<Sheet>& sheets()
     return all;
 }
 
-std::vector<Setting> ladder(bool quick)
+std::vector<Setting> ladder(Extent extent)
 {
-    const std::vector<std::string> am1 = {"+A0.3", "+R3", "+AM1"}, am2 = {"+A0.3", "+R3", "+AM2"};
-    if (quick)
+    if (extent == Extent::quick)
         return {mapping("auto"), mapping("closest"), beam(4), beam(16), pixel(4), both(2, 2), both(4, 4),
-                antialias("AM1", am1), model("pinhole", "pinhole"), model("hybrid", "hybrid"),
-                model("full 16", "full beam_samples 16")};
-    return {
-        mapping("auto"), mapping("closest"), mapping("accurate"), mapping("exhaustive"),
-        beam(2), beam(3), beam(4), beam(8), beam(16), beam(64),
-        pixel(4), pixel(16),
-        both(2, 2), both(2, 4), both(4, 4), both(4, 8), both(8, 8),
-        antialias("AM1", am1), antialias("AM2", am2),
-        antialias("AM1 +A0.1", {"+A0.1", "+R3", "+AM1"}),
-        antialias("AM1 linear", {"+A0.3", "+R3", "+AM1", "Antialias_Gamma=1"}),
-        antialias("AM1 +R2 beam 4", {"+A0.3", "+R2", "+AM1"}, "beam_samples 4"),
-        antialias("AM1 beam 4", am1, "beam_samples 4"),
-        model("pinhole", "pinhole"), model("hybrid", "hybrid"), model("full 4", "full beam_samples 4"),
-        model("full 16", "full beam_samples 16"), model("full 4x4", "full pixel_samples 4 beam_samples 4"),
-    };
+                light_field("0.1", {"+A0.1", "+R4", "+AM2"}), light_field("0.1 alone", {"+A0.1", "+R4", "+AM2"}, "off"),
+                light_field("AM1 R3", {"+A0.1", "+R3", "+AM1"}), antialias("AM1", {"+A0.3", "+R3", "+AM1"}),
+                model("pinhole", "pinhole"), model("hybrid", "hybrid"), model("full 16", "full beam_samples 16")};
+    std::vector<Setting> result = {mapping("auto"), beam(2), beam(3), beam(4), beam(8), both(2, 2), both(2, 4), both(4, 4),
+                                   both(4, 8), both(8, 8)};
+    append(result, light_field_settings());
+    append(result, pixel_grid_settings());
+    if (extent == Extent::all)
+        append(result, {mapping("closest"), mapping("accurate"), mapping("exhaustive"), beam(16), beam(64), pixel(4), pixel(16),
+                        antialias("AM1 linear", {"+A0.3", "+R3", "+AM1", "Antialias_Gamma=1"}),
+                        model("pinhole", "pinhole"), model("hybrid", "hybrid"), model("full 4", "full beam_samples 4"),
+                        model("full 16", "full beam_samples 16"), model("full 4x4", "full pixel_samples 4 beam_samples 4")});
+    return result;
 }
 
-Setting reference_setting(bool quick)
+Setting reference_setting(Extent extent)
 {
-    Setting setting = quick ? both(8, 32) : both(16, 64);
+    Setting setting = extent == Extent::quick ? both(8, 32) : both(16, 64);
     setting.name = "reference";
     setting.options = {"Integral_Seed=20011"};
     return setting;

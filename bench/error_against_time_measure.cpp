@@ -21,9 +21,11 @@ constexpr int film_pixels_a_view_pixel = 5;
 // Through the outermost lenses the eye looks past the film's edge: as much as a lens is left out all round.
 constexpr int view_margin = 3;
 constexpr double side = 0.45;           // of the aperture's width: where the view from its edge is taken
-constexpr int perspective_times = 4;    // the perspective picture's pixels to one of the film's: 20 to the view's
+constexpr int perspective_times = 3;    // the perspective picture's pixels to one of the film's: 15 to the view's
 constexpr double short_run = 0.3;       // seconds: below this a run is repeated within its round
+constexpr double long_run = 1;          // seconds: above this one run is enough
 constexpr int rounds = 2, most_repeats = 3;
+constexpr double zone = 0.8;            // of the aperture: what the eyes are spread over
 
 /// A picture without its margin.
 Frame inner_part(const Image& image)
@@ -35,16 +37,31 @@ Frame inner_part(const Image& image)
     return result;
 }
 
-/// What is seen of a frame by an eye that is `aside` of the aperture's width right of its centre.
-Frame view_of(const Frame& frame, double aside = 0)
+/// What is seen of a frame from there.
+Frame view_of(const Frame& frame, const EyePosition& eye)
 {
     View view;
     view.eye = centre_eye(*frame.metadata);
-    view.eye.x += aside * frame.metadata->aperture.width;
+    view.eye.x += eye.x;
+    view.eye.y += eye.y;
     view.width = frame.image.width / film_pixels_a_view_pixel;
     view.height = frame.image.height / film_pixels_a_view_pixel;
     view.samples = film_pixels_a_view_pixel;
     return inner_part(*replay(frame, view, 1));
+}
+
+EyePosition eye_at_side(const Frame& frame) { return {side * frame.metadata->aperture.width, 0}; }
+
+std::vector<EyePosition> eyes_of(const Frame& frame)
+{
+    const Aperture& aperture = frame.metadata->aperture;
+    const bool row = frame.metadata->sheet.arrangement == Arrangement::lenticular;
+    const int across = row ? eye_count : 3;
+    std::vector<EyePosition> eyes;
+    for (int k = 0; k < eye_count; ++k)
+        eyes.push_back({aperture.width * zone * ((k % across + 0.5) / across - 0.5),
+                        row ? 0 : aperture.height * zone * (0.5 - (k / across + 0.5) / across)});
+    return eyes;
 }
 
 /// Means over squares of `block` x `block` pixels, in linear light.
@@ -99,7 +116,7 @@ public:
     {
     }
 
-    void make_wanted(Measurement& reference);
+    void make_wanted(Panel& panel);
     void time(Measurement& measurement) const;
     void judge(Measurement& measurement) const;
 
@@ -115,11 +132,36 @@ private:
     std::string scene_;
     Sheet sheet_;
     std::string name_;
+    /// The scene's perspective picture, from the eye if one is given, as coarse as a view.
+    Frame perspective(const std::string& name, const std::optional<EyePosition>& eye) const;
+    std::vector<ViewFigures> figures_from_eyes(const Frame& frame) const;
+
     Frame reference_, reference_view_, reference_side_view_, perspective_;
+    std::vector<EyePosition> eyes_;
+    std::vector<Frame> perspectives_; ///< from each of them
 };
 
-void Bench::make_wanted(Measurement& reference)
+Frame Bench::perspective(const std::string& name, const std::optional<EyePosition>& eye) const
 {
+    std::vector<std::string> options;
+    if (eye)
+        options = {"Declare=Eye_X=" + std::to_string(eye->x), "Declare=Eye_Y=" + std::to_string(eye->y)};
+    renderer_.render(scene_, name, std::nullopt, options, perspective_times);
+    const Image flat = read_frame(renderer_.picture(name)).image;
+    return inner_part(shrunk(flat, perspective_times * film_pixels_a_view_pixel));
+}
+
+std::vector<ViewFigures> Bench::figures_from_eyes(const Frame& frame) const
+{
+    std::vector<ViewFigures> result;
+    for (std::size_t k = 0; k < eyes_.size(); ++k)
+        result.push_back(view_figures(view_of(frame, eyes_[k]), perspectives_[k]));
+    return result;
+}
+
+void Bench::make_wanted(Panel& panel)
+{
+    Measurement& reference = panel.reference;
     const std::string frame = name_ + "-reference", picture = name_ + "-perspective";
     reference.cost = render(reference.setting, frame, true);
     reference.runs = 1;
@@ -127,18 +169,22 @@ void Bench::make_wanted(Measurement& reference)
     reference.estimate = reference_.metadata->render->error;
     if (!reference.estimate || reference.estimate->method != ErrorMethod::split_halves)
         throw std::runtime_error(renderer_.picture(frame) + ": does not tell its own error by its samples' halves");
-    reference_view_ = view_of(reference_);
-    reference_side_view_ = view_of(reference_, side);
+    reference_view_ = view_of(reference_, {});
+    reference_side_view_ = view_of(reference_, eye_at_side(reference_));
 
-    renderer_.render(scene_, picture, std::nullopt, {}, perspective_times);
-    const Image flat = read_frame(renderer_.picture(picture)).image;
-    perspective_ = inner_part(shrunk(flat, perspective_times * film_pixels_a_view_pixel));
+    perspective_ = perspective(picture, std::nullopt);
     reference.to_perspective = view_figures(reference_view_, perspective_);
+    panel.eyes = eyes_ = eyes_of(reference_);
+    for (std::size_t k = 0; k < eyes_.size(); ++k)
+        perspectives_.push_back(perspective(picture + "-" + std::to_string(k + 1), eyes_[k]));
+    reference.from_eyes = figures_from_eyes(reference_);
 }
 
 /// One round of timing: the least seconds of it and of those before.
 void Bench::time(Measurement& measurement) const
 {
+    if (measurement.runs > 0 && measurement.cost.cpu_seconds > long_run)
+        return;
     double spent = 0;
     for (int repeat = 0; repeat < most_repeats && (repeat == 0 || spent < short_run); ++repeat) {
         const RenderCost cost = render(measurement.setting, name_ + "-timed", false);
@@ -159,10 +205,11 @@ void Bench::judge(Measurement& measurement) const
     const Comparison comparison = compare(frame, reference_);
     measurement.rmse = comparison.rmse;
     measurement.psnr = comparison.psnr;
-    const Frame view = view_of(frame);
+    const Frame view = view_of(frame, {});
     measurement.to_reference = view_figures(view, reference_view_);
-    measurement.from_side = view_figures(view_of(frame, side), reference_side_view_);
+    measurement.from_side = view_figures(view_of(frame, eye_at_side(frame)), reference_side_view_);
     measurement.to_perspective = view_figures(view, perspective_);
+    measurement.from_eyes = figures_from_eyes(frame);
     measurement.estimate = frame.metadata->render->error;
     const double measured = lit_rmse(frame, reference_), floor = reference_.metadata->render->error->rms;
     measurement.own_error = std::sqrt(std::max(0.0, measured * measured - floor * floor));
@@ -198,17 +245,17 @@ std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vect
     return front;
 }
 
-Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, bool quick,
+Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, Extent extent,
               const std::function<void(const std::string&)>& say)
 {
-    Panel panel{scene, sheet, renderer.width, renderer.height, {}, {}};
+    Panel panel{scene, sheet, renderer.width, renderer.height, {}, {}, {}};
     Bench bench(renderer, scene, sheet);
-    panel.reference.setting = reference_setting(quick);
-    bench.make_wanted(panel.reference);
+    panel.reference.setting = reference_setting(extent);
+    bench.make_wanted(panel);
     say(panel.name() + ": reference of " + panel.reference.setting.words + " in " +
         std::to_string(panel.reference.cost.cpu_seconds) + " CPU seconds, its own error " +
         std::to_string(panel.reference.estimate->rms));
-    for (const Setting& setting : ladder(quick))
+    for (const Setting& setting : ladder(extent))
         panel.rungs.emplace_back().setting = setting;
     for (int round = 0; round < rounds; ++round)
         for (Measurement& rung : panel.rungs)
@@ -226,6 +273,62 @@ Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& s
     }
     mark_fronts(panel);
     return panel;
+}
+
+ViewFigures mean(const std::vector<ViewFigures>& views)
+{
+    ViewFigures sum;
+    for (const ViewFigures& view : views) {
+        sum.psnr += view.psnr / double(views.size());
+        sum.ssim += view.ssim / double(views.size());
+    }
+    return sum;
+}
+
+ViewFigures least(const std::vector<ViewFigures>& views)
+{
+    ViewFigures result = views.front();
+    for (const ViewFigures& view : views)
+        result = {std::min(result.psnr, view.psnr), std::min(result.ssim, view.ssim)};
+    return result;
+}
+
+const Sampler& brute_force()
+{
+    static const Sampler families = {Family::one_ray, Family::beam, Family::pixel, Family::both};
+    return families;
+}
+
+const Sampler& by_pixels()
+{
+    static const Sampler families = {Family::antialias};
+    return families;
+}
+
+std::optional<double> seconds_at(const Panel& panel, const Sampler& sampler, double error)
+{
+    std::vector<const Measurement*> all;
+    for (const Measurement& rung : panel.rungs) {
+        const Family family = rung.setting.family;
+        const bool counts = family != Family::one_ray || &rung == &panel.rungs.front();
+        if (counts && std::count(sampler.begin(), sampler.end(), family) > 0 && rung.own_error > 0)
+            all.push_back(&rung);
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Measurement* a, const Measurement* b) { return a->cost.cpu_seconds < b->cost.cpu_seconds; });
+    const Measurement* last = nullptr; // of the front, which still errs more
+    for (const Measurement* next : all) {
+        if (last && next->own_error >= last->own_error)
+            continue;
+        if (next->own_error <= error) {
+            if (!last)
+                return next->own_error == error ? std::optional<double>(next->cost.cpu_seconds) : std::nullopt;
+            const double along = std::log(last->own_error / error) / std::log(last->own_error / next->own_error);
+            return last->cost.cpu_seconds * std::pow(next->cost.cpu_seconds / last->cost.cpu_seconds, along);
+        }
+        last = next;
+    }
+    return std::nullopt;
 }
 
 bool judged_by_reference_model(const Setting& setting) { return setting.family != Family::model; }

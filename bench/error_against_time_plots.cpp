@@ -48,6 +48,10 @@ const Figure figures[] = {
      [](const Measurement& m) { return 1 - m.from_side.ssim; }, false, false},
     {"view-perspective-psnr", "The replayed view against the perspective picture", "PSNR of the view (dB)", false,
      [](const Measurement& m) { return m.to_perspective.psnr; }, true, true},
+    {"eyes-perspective-psnr", "The views from nine eyes against the perspective pictures", "mean PSNR of the views (dB)", false,
+     [](const Measurement& m) { return mean(m.from_eyes).psnr; }, true, true},
+    {"eyes-perspective-ssim", "The views from nine eyes against the perspective pictures", "1 \u2212 mean SSIM of the views", true,
+     [](const Measurement& m) { return 1 - mean(m.from_eyes).ssim; }, false, true},
     {"view-perspective-ssim", "The replayed view against the perspective picture", "1 \u2212 SSIM of the view", true,
      [](const Measurement& m) { return 1 - m.to_perspective.ssim; }, false, true},
 };

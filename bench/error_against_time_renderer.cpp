@@ -103,6 +103,8 @@ RenderCost Renderer::render(const std::string& scene, const std::string& name, c
                                  last_lines(said, 15));
     RenderCost cost;
     cost.cpu_seconds = number_in(said, "Trace Time:[^\\n]*\\n[^\\n]* with +([0-9.]+) CPU-seconds", log);
+    if (std::regex_search(said, std::regex("Radiosity Time:[^\\n]*seconds\\)")))
+        cost.cpu_seconds += number_in(said, "Radiosity Time:[^\\n]*\\n[^\\n]* with +([0-9.]+) CPU-seconds", log);
     cost.rays = (long long)(number_in(said, "\\nRays: +([0-9]+) +Saved:", log));
     if (!camera)
         return cost;

@@ -24,6 +24,12 @@ std::string number(double value, int digits = 6)
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
+void add_eyes(std::ostringstream& row, const Measurement& m)
+{
+    const ViewFigures middle = mean(m.from_eyes), worst = least(m.from_eyes);
+    row << number(middle.psnr) << ',' << number(worst.psnr) << ',' << number(middle.ssim) << ',' << number(worst.ssim) << ',';
+}
+
 void add_estimate(std::ostringstream& row, const std::optional<ErrorEstimate>& estimate)
 {
     if (estimate)
@@ -46,7 +52,9 @@ void add_row(std::ostringstream& row, const Panel& panel, const Measurement& m)
     add_cost(row, m);
     row << number(m.rmse) << ',' << number(m.psnr) << ',' << number(m.to_reference.psnr) << ',' << number(m.to_reference.ssim)
         << ',' << number(m.from_side.psnr) << ',' << number(m.from_side.ssim) << ',' << number(m.to_perspective.psnr)
-        << ',' << number(m.to_perspective.ssim) << ',' << number(m.own_error) << ',';
+        << ',' << number(m.to_perspective.ssim) << ',';
+    add_eyes(row, m);
+    row << number(m.own_error) << ',';
     add_estimate(row, m.estimate);
     row << ',' << (m.on_front_of_seconds ? 1 : 0) << ',' << (m.on_front_of_rays ? 1 : 0) << '\n';
 }
@@ -57,18 +65,113 @@ void add_reference(std::ostringstream& row, const Panel& panel)
     const Measurement& m = panel.reference;
     row << panel.scene << ',' << panel.sheet.name << ',' << quoted(m.setting.full_name()) << ",reference,";
     add_cost(row, m);
-    row << ",,,,,," << number(m.to_perspective.psnr) << ',' << number(m.to_perspective.ssim) << ",,";
+    row << ",,,,,," << number(m.to_perspective.psnr) << ',' << number(m.to_perspective.ssim) << ',';
+    add_eyes(row, m);
+    row << ',';
     add_estimate(row, m.estimate);
     row << ",,\n";
 }
 
+/// One number by another; a dash if there is none.
+std::string ratio(const std::optional<double>& seconds, double by)
+{
+    return seconds ? number(*seconds / by, 3) : "\u2013";
+}
+
+bool anti_aliased(const Measurement& m)
+{
+    return m.setting.family == Family::light_field || m.setting.family == Family::antialias;
+}
+
+/// The setting of a family that saves most against a sampler.
+struct Best {
+    const Measurement* of = nullptr;
+    double times = 0; ///< the sampler's time by its own
+};
+
+Best best_of(const Panel& panel, Family family, const Sampler& against)
+{
+    Best best;
+    for (const Measurement& rung : panel.rungs) {
+        if (rung.setting.family != family)
+            continue;
+        const auto seconds = seconds_at(panel, against, rung.own_error);
+        if (seconds && *seconds / rung.cost.cpu_seconds > best.times)
+            best = {&rung, *seconds / rung.cost.cpu_seconds};
+    }
+    return best;
+}
+
+std::string told(const Best& best)
+{
+    if (!best.of)
+        return "\u2013";
+    char text[200];
+    std::snprintf(text, sizeof text, "%.2f (`%s`, %.4f)", best.times, best.of->setting.full_name().c_str(), best.of->own_error);
+    return text;
+}
+
 } // namespace
+
+std::string speedups(const Panel& panel)
+{
+    std::ostringstream text;
+    text << "### " << panel.scene << ", " << panel.sheet.title << "\n\n"
+         << "| setting | seconds | RMSE of the lit pixels | brute force's time there | POV-Ray's +A's time there |\n"
+            "|---|---|---|---|---|\n";
+    for (const Measurement& rung : panel.rungs) {
+        if (!anti_aliased(rung))
+            continue;
+        const double seconds = rung.cost.cpu_seconds;
+        char line[300];
+        std::snprintf(line, sizeof line, "| `%s` | %.3f | %.4f | ", rung.setting.full_name().c_str(), seconds, rung.own_error);
+        text << line << ratio(seconds_at(panel, brute_force(), rung.own_error), seconds) << " | "
+             << (rung.setting.family == Family::light_field
+                     ? ratio(seconds_at(panel, by_pixels(), rung.own_error), seconds) : "") << " |\n";
+    }
+    text << "\nTimes are multiples of the setting's own: above 1 it is the faster. A dash: that error is not reached, or "
+            "all err less.\n\n";
+    return text.str();
+}
+
+std::string speedups_summary(const std::vector<Panel>& panels)
+{
+    std::ostringstream text;
+    text << "### The most that +A in the light field saves\n\n"
+         << "| scene, sheet | brute force's time by its (setting, RMSE) | POV-Ray's +A's time by its | brute force's by "
+            "POV-Ray's +A's |\n|---|---|---|---|\n";
+    for (const Panel& panel : panels)
+        text << "| " << panel.scene << ", " << panel.sheet.name << " | "
+             << told(best_of(panel, Family::light_field, brute_force())) << " | "
+             << told(best_of(panel, Family::light_field, by_pixels())) << " | "
+             << told(best_of(panel, Family::antialias, brute_force())) << " |\n";
+    return text.str();
+}
+
+std::string eyes_table(const std::vector<Panel>& panels)
+{
+    std::ostringstream text;
+    text << "scene,sheet,setting,eye_x_mm,eye_y_mm,psnr_db,ssim\n";
+    const auto rows = [&](const Panel& panel, const Measurement& m) {
+        for (std::size_t k = 0; k < m.from_eyes.size(); ++k)
+            text << panel.scene << ',' << panel.sheet.name << ',' << quoted(m.setting.full_name()) << ','
+                 << number(panel.eyes[k].x) << ',' << number(panel.eyes[k].y) << ',' << number(m.from_eyes[k].psnr) << ','
+                 << number(m.from_eyes[k].ssim) << '\n';
+    };
+    for (const Panel& panel : panels) {
+        rows(panel, panel.reference);
+        for (const Measurement& rung : panel.rungs)
+            rows(panel, rung);
+    }
+    return text.str();
+}
 
 std::string csv(const std::vector<Panel>& panels)
 {
     std::ostringstream text;
     text << "scene,sheet,setting,family,runs,seconds,cpu_seconds,times_one_ray,camera_rays,rays,rmse,psnr_db,"
             "view_psnr_db,view_ssim,side_view_psnr_db,side_view_ssim,view_perspective_psnr_db,view_perspective_ssim,"
+            "eyes_mean_psnr_db,eyes_least_psnr_db,eyes_mean_ssim,eyes_least_ssim,"
             "own_error,estimate,estimate_low,estimate_high,estimate_method,estimate_pixels,front_of_seconds,front_of_rays\n";
     for (const Panel& panel : panels) {
         add_reference(text, panel);

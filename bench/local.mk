@@ -25,6 +25,6 @@ build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIO
 
 .PHONY: error-against-time
 error-against-time: all build/bench/error_against_time
-	build/bench/error_against_time --scenes $(srcdir)/bench/scenes -o build/bench/error-against-time
+	build/bench/error_against_time --scenes $(srcdir)/bench/scenes --size 120x80 -o build/bench/error-against-time
 
 EXTRA_DIST += bench
