@@ -163,17 +163,8 @@ void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& pos
 }
 
 IntegralAuditTask::IntegralAuditTask(ViewData *view)
-    : RenderTask(view),
-      audit(view->GetCamera().Integral->audit),
-      cooperate(*this),
-      trace(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel, view->GetSceneData()->parsedAdcBailout,
-            view->GetQualityFeatureFlags(), cooperate, media, radiosity),
-      media(GetViewDataPtr(), &trace, &photons),
-      radiosity(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings, view->GetRadiosityCache(),
-                cooperate, true, Vector3d(view->GetCamera().Location)),
-      photons(&view->GetSceneData()->mediaPhotonMap, view->GetSceneData()->photonSettings)
+    : IntegralTask(view, false), audit(view->GetCamera().Integral->audit)
 {
-    GetViewDataPtr()->qualityFlags = view->GetQualityFeatureFlags();
 }
 
 void IntegralAuditTask::Run()
@@ -194,15 +185,6 @@ void IntegralAuditTask::Run()
         pixel->squared_error = integral::audited_error(audit->Output(), pixel->rendered, samples);
     }
     radiosity.AfterTile();
-}
-
-/// What the audit traced is not the frame's: it stays out of POV-Ray's own statistics and render time.
-void IntegralAuditTask::Finish()
-{
-    GetViewDataPtr()->Stats() = RenderStatistics();
-    GetViewDataPtr()->timeType = SceneThreadData::kUnknownTime;
-    GetViewDataPtr()->realTime = ConsumedRealTime();
-    GetViewDataPtr()->cpuTime = ConsumedCPUTime();
 }
 
 }

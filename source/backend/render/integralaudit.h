@@ -13,11 +13,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "backend/render/rendertask.h"
-#include "backend/render/tracepixel.h"
-#include "backend/lighting/photons.h"
-#include "backend/lighting/radiosity.h"
-#include "backend/interior/media.h"
+#include "backend/render/integraltask.h"
 #include "base/image/image.h"
 #include "integral/lightfield/error_estimate.h"
 
@@ -93,30 +89,14 @@ void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& pos
                           const std::vector<Colour>& colours);
 
 /// One thread's share of the audit.
-class IntegralAuditTask : public RenderTask
+class IntegralAuditTask : public IntegralTask
 {
     public:
         explicit IntegralAuditTask(ViewData *view);
         virtual void Run();
-        virtual void Stopped() {}
-        virtual void Finish();
 
     private:
-        class CooperateFunction : public Trace::CooperateFunctor
-        {
-            public:
-                explicit CooperateFunction(Task& t) : task(t) {}
-                virtual void operator()() { task.Cooperate(); }
-            private:
-                Task& task;
-        };
-
         std::shared_ptr<IntegralAudit> audit;
-        CooperateFunction cooperate;
-        TracePixel trace;
-        MediaFunction media;
-        RadiosityFunction radiosity;
-        PhotonGatherer photons;
 };
 
 }

@@ -62,10 +62,7 @@ bool IntegralDepth::Write() const
 }
 
 IntegralDepthTask::IntegralDepthTask(ViewData *view)
-    : RenderTask(view),
-      depth(view->GetCamera().Integral->depth),
-      cooperate(*this),
-      trace(view->GetSceneData(), GetViewDataPtr(), view->GetQualityFeatureFlags(), cooperate, media, radiosity)
+    : IntegralTask(view, false), depth(view->GetCamera().Integral->depth)
 {
 }
 
@@ -77,15 +74,6 @@ void IntegralDepthTask::Run()
         depth->Find_Row(row, trace);
         Cooperate();
     }
-}
-
-/// Its rays are not the frame's: they stay out of POV-Ray's own statistics and render time.
-void IntegralDepthTask::Finish()
-{
-    GetViewDataPtr()->Stats() = RenderStatistics();
-    GetViewDataPtr()->timeType = SceneThreadData::kUnknownTime;
-    GetViewDataPtr()->realTime = ConsumedRealTime();
-    GetViewDataPtr()->cpuTime = ConsumedCPUTime();
 }
 
 }

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "backend/render/rendertask.h"
-#include "backend/render/trace.h"
+#include "backend/render/integraltask.h"
 #include "integral/lightfield/pixel_sampler.h"
 
 namespace pov
@@ -46,29 +45,14 @@ class IntegralDepth
 };
 
 /// One thread's share of the depth frame.
-class IntegralDepthTask : public RenderTask
+class IntegralDepthTask : public IntegralTask
 {
     public:
         explicit IntegralDepthTask(ViewData *view);
         virtual void Run();
-        virtual void Stopped() {}
-        virtual void Finish();
 
     private:
-        class CooperateFunction : public Trace::CooperateFunctor
-        {
-            public:
-                explicit CooperateFunction(Task& t) : task(t) {}
-                virtual void operator()() { task.Cooperate(); }
-            private:
-                Task& task;
-        };
-
         std::shared_ptr<IntegralDepth> depth;
-        CooperateFunction cooperate;
-        Trace::MediaFunctor media;
-        Trace::RadiosityFunctor radiosity;
-        Trace trace;
 };
 
 }

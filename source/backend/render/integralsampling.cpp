@@ -57,19 +57,8 @@ int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int thr
 
 IntegralFirstPassTask::IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible,
                                              bool continued)
-    : RenderTask(view),
-      gamma(gamma),
-      reproducible(reproducible),
-      continued(continued),
-      cooperate(*this),
-      trace(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel, view->GetSceneData()->parsedAdcBailout,
-            view->GetQualityFeatureFlags(), cooperate, media, radiosity),
-      media(GetViewDataPtr(), &trace, &photons),
-      radiosity(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings, view->GetRadiosityCache(),
-                cooperate, true, Vector3d(view->GetCamera().Location)),
-      photons(&view->GetSceneData()->mediaPhotonMap, view->GetSceneData()->photonSettings)
+    : IntegralTask(view, true), gamma(gamma), reproducible(reproducible), continued(continued)
 {
-    GetViewDataPtr()->qualityFlags = view->GetQualityFeatureFlags();
 }
 
 void IntegralFirstPassTask::Run()
@@ -101,13 +90,6 @@ void IntegralFirstPassTask::Run()
         Cooperate();
     }
     view.SetHighestTraceLevel(trace.GetHighestTraceLevel());
-}
-
-void IntegralFirstPassTask::Finish()
-{
-    GetViewDataPtr()->timeType = SceneThreadData::kRenderTime;
-    GetViewDataPtr()->realTime = ConsumedRealTime();
-    GetViewDataPtr()->cpuTime = ConsumedCPUTime();
 }
 
 namespace

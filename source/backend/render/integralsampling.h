@@ -9,11 +9,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "backend/render/rendertask.h"
-#include "backend/render/tracepixel.h"
-#include "backend/lighting/photons.h"
-#include "backend/lighting/radiosity.h"
-#include "backend/interior/media.h"
+#include "backend/render/integraltask.h"
 #include "base/image/colourspace.h"
 #include "integral/lightfield/refinement.h"
 
@@ -45,32 +41,16 @@ class IntegralSampling
 int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int threads);
 
 /// One thread's share of the first pass, which shows the frame as it is without anti-aliasing.
-class IntegralFirstPassTask : public RenderTask
+class IntegralFirstPassTask : public IntegralTask
 {
     public:
         /// `continued`: some of the frame is there already, and its pixels are not to be shown as the first pass has them.
         IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible, bool continued);
         virtual void Run();
-        virtual void Stopped() {}
-        virtual void Finish();
 
     private:
-        class CooperateFunction : public Trace::CooperateFunctor
-        {
-            public:
-                explicit CooperateFunction(Task& t) : task(t) {}
-                virtual void operator()() { task.Cooperate(); }
-            private:
-                Task& task;
-        };
-
         GammaCurvePtr gamma;
         bool reproducible, continued;
-        CooperateFunction cooperate;
-        TracePixel trace;
-        MediaFunction media;
-        RadiosityFunction radiosity;
-        PhotonGatherer photons;
 };
 
 /// What a TraceTask's options say of anti-aliasing.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What our tasks of a view have in common: a tracer of their own, and whether what they trace counts as the frame's.
+#ifndef POVRAY_BACKEND_INTEGRALTASK_H
+#define POVRAY_BACKEND_INTEGRALTASK_H
+
+#include "backend/frame.h"
+#include "backend/render/rendertask.h"
+#include "backend/render/tracepixel.h"
+#include "backend/lighting/photons.h"
+#include "backend/lighting/radiosity.h"
+#include "backend/interior/media.h"
+
+namespace pov
+{
+
+class IntegralTask : public RenderTask
+{
+    public:
+        virtual void Stopped() {}
+        virtual void Finish();
+
+    protected:
+        /// `counted`: its rays and its time are the frame's; else they stay out of POV-Ray's own statistics.
+        IntegralTask(ViewData *view, bool counted);
+
+    private:
+        class CooperateFunction : public Trace::CooperateFunctor
+        {
+            public:
+                explicit CooperateFunction(Task& t) : task(t) {}
+                virtual void operator()() { task.Cooperate(); }
+            private:
+                Task& task;
+        };
+
+        bool counted;
+        CooperateFunction cooperate;
+
+    protected:
+        TracePixel trace;
+        MediaFunction media;
+        RadiosityFunction radiosity;
+
+    private:
+        PhotonGatherer photons;
+};
+
+}
+
+#endif
