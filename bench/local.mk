@@ -6,8 +6,9 @@ build_bench_optics_rays_SOURCES = bench/optics_rays.cpp
 build_bench_optics_rays_LDADD = $(LIBINTEGRAL_LIBS)
 
 .PHONY: bench
-bench: all build/bench/optics_rays
+bench: all pristine build/bench/optics_rays
 	build/bench/optics_rays
+	$(srcdir)/bench/start_and_end
 	$(srcdir)/bench/camera_cost
 	$(srcdir)/bench/mapping_cost
 

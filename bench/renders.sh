@@ -37,7 +37,7 @@ sheets=("lenticular pitch 1.27 thickness 3.08 ior 1.6;" "square pitch 1.124 thic
 run() {
     local scene=$1 camera=$2; shift 2
     "$@" "$povray" +I"$scene" +L"$top/build/share/povray-integral-3.7/scenes/advanced" +O"$work/out.png" -D -V +WT1 \
-        ${camera:+"Integral_Camera=lens_sheet { ${camera%%;*} } film { dpi 300 } ${camera#*;}"} Integral_Audit=off "${size[@]}" \
+        ${camera:+"Integral_Camera=lens_sheet { ${camera%%;*} } film { dpi 300 } ${camera#*;}" Integral_Audit=off} "${size[@]}" \
         > "$work/log" 2>&1
 }
 seconds() { # seconds of CPU, user and system
