@@ -245,11 +245,15 @@ RenderRecord render_from(const Object& object)
         render.pixel_samples = whole_at(object, "pixel_samples", 1, most_samples);
     if (object.has("beam_samples"))
         render.beam_samples = whole_at(object, "beam_samples", 1, most_samples);
-    if (object.has("pseudoscopic")) {
-        if (!object.at("pseudoscopic").is_boolean())
-            refuse(object.path_of("pseudoscopic"), "must be true or false");
-        render.pseudoscopic = object.at("pseudoscopic").get<bool>();
-    }
+    const auto flag = [&](const char* name) {
+        if (!object.has(name))
+            return false;
+        if (!object.at(name).is_boolean())
+            refuse(object.path_of(name), "must be true or false");
+        return object.at(name).get<bool>();
+    };
+    render.pseudoscopic = flag("pseudoscopic");
+    render.display_prefilter = flag("display_prefilter");
     if (object.has("error"))
         render.error = error_from(object_at(object, "error"));
     return render;
@@ -328,6 +332,8 @@ Json json_of(const RenderRecord& render)
                  {"seconds", render.seconds}};
     if (render.pseudoscopic)
         json["pseudoscopic"] = true;
+    if (render.display_prefilter)
+        json["display_prefilter"] = true;
     if (render.error)
         json["error"] = json_of(*render.error);
     return json;

@@ -19,7 +19,7 @@ struct RenderRecord {
     LensModel model = LensModel::extended_pinhole;
     LensMapping mapping = LensMapping::automatic;
     int pixel_samples = 1, beam_samples = 1;
-    bool pseudoscopic = false;
+    bool pseudoscopic = false, display_prefilter = false;
     double seconds = 0;                 ///< of rendering, where known
     std::optional<ErrorEstimate> error; ///< in the output encoding, where known
 };

@@ -121,9 +121,27 @@ Vec2 PixelSampler::channel_centre(Vec2 centre, int channel) const
 /// The film point at unit-square coordinates of the pixel's area (a third of it, if it has subpixels) about `film_point`.
 Vec2 PixelSampler::moved(Vec2 film_point, Vec2 unit) const
 {
+    if (camera_.display_prefilter)
+        unit = {tent_coordinate(unit.x), tent_coordinate(unit.y)};
     const double width = camera_.film.subpixels == Subpixels::none ? 1 : 1 / 3.0;
     return {film_point.x + (unit.x - 0.5) * width * camera_.film.pixel_pitch.x,
             film_point.y + (unit.y - 0.5) * camera_.film.pixel_pitch.y};
+}
+
+/// The pole ray of a film point of a pixel that `lens` images, if it is that lens's as well.
+std::optional<LensRay> PixelSampler::sample_ray(Vec2 film_point, LensIndex lens) const
+{
+    if (camera_.display_prefilter)
+        return camera_.optics.ray_through(film_point, lens);
+    const auto ray = camera_.optics.map(film_point, camera_.mapping).ray;
+    return ray && ray->lens == lens ? ray : std::nullopt;
+}
+
+LensPoint PixelSampler::lens_point(Vec2 unit, const LensRay& pole_ray) const
+{
+    const double slit_height = camera_.slit_height(pole_ray.aperture_point);
+    return camera_.display_prefilter ? tent_point(camera_.optics.lattice(), unit, slit_height)
+                                     : cell_point(camera_.optics.lattice(), unit, slit_height);
 }
 
 /// Sample `index` of a channel: of two sets of points, each spread evenly, and independently of the other, over the
@@ -196,21 +214,16 @@ void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key, s
             PixelRay ray;
             ray.channel = channel;
             const UnitPoint unit = even_point(channel_key, index, ray.half);
-            Vec2 film_point = film_centre;
-            MappedPoint at = mapped;
-            if (over_area) {
-                film_point = moved(film_centre, unit.pixel);
-                at = optics.map(film_point, camera_.mapping);
-                if (!at.ray || at.ray->lens != mapped.ray->lens)
-                    continue; // another lens's, or nobody's
-            }
+            const Vec2 film_point = over_area ? moved(film_centre, unit.pixel) : film_centre;
+            const auto at = over_area ? sample_ray(film_point, mapped.ray->lens) : mapped.ray;
+            if (!at)
+                continue; // another lens's, or nobody's
             own = true;
             if (hybrid_.empty())
-                append_ray(film_point, *at.ray,
-                           cell_point(optics.lattice(), unit.lens, camera_.slit_height(at.ray->aperture_point)), ray, rays);
+                append_ray(film_point, *at, lens_point(unit.lens, *at), ray, rays);
             for (const WeightedLensPoint& marginal : hybrid_) {
                 ray.weight = marginal.weight;
-                append_ray(film_point, *at.ray, marginal.point, ray, rays);
+                append_ray(film_point, *at, marginal.point, ray, rays);
             }
         }
         return own;
@@ -276,13 +289,12 @@ bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index, std::vect
             const auto random = [&](int dimension) { return random_shift(key, attempt, dimension); };
             const bool last = attempt + 1 == search_limit;
             const Vec2 film_point = last ? film_centre : moved(film_centre, {random(0), random(1)});
-            const MappedPoint at = optics.map(film_point, camera_.mapping);
-            if (!at.ray || at.ray->lens != mapped.ray->lens)
+            const auto at = sample_ray(film_point, mapped.ray->lens);
+            if (!at)
                 continue;
             PixelRay ray;
             ray.channel = channel;
-            append_ray(film_point, *at.ray, cell_point(optics.lattice(), {random(2), random(3)},
-                       camera_.slit_height(at.ray->aperture_point)), ray, rays);
+            append_ray(film_point, *at, lens_point({random(2), random(3)}, *at), ray, rays);
         }
     }
     return rays.size() > before;
@@ -305,7 +317,7 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike) const
             const auto ray = lens_at(x, y);
             return ray && ray->lens == own->lens;
         };
-        const bool whole = has(0, 0) && has(0, 1) && has(1, 0) && has(1, 1);
+        const bool whole = camera_.display_prefilter || (has(0, 0) && has(0, 1) && has(1, 0) && has(1, 1));
         beam.channels[beam.number++] = {channel, film_centre, own->lens, whole};
     }
     return beam;
@@ -313,7 +325,6 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike) const
 
 void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index, std::vector<PixelRay>& rays) const
 {
-    const SheetOptics& optics = camera_.optics;
     constexpr int bits = 12; // scrambled as a whole; further points are spread by the sequence itself
     for (int k = 0; k < beam.number; ++k) {
         const PixelBeam::Channel& own = beam.channels[k];
@@ -322,13 +333,12 @@ void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index, std
         for (int dimension = 0; dimension < 2 + cell_dimensions_; ++dimension)
             unit[dimension] = scrambled_coordinate(scrambled(key + dimension), dimension, index, bits);
         const Vec2 film_point = moved(own.film_centre, {unit[0], unit[1]});
-        const auto ray = own.whole ? optics.ray_through(film_point, own.lens) : optics.map(film_point, camera_.mapping).ray;
-        if (!ray || ray->lens != own.lens)
+        const auto ray = own.whole ? camera_.optics.ray_through(film_point, own.lens) : sample_ray(film_point, own.lens);
+        if (!ray)
             continue;
         PixelRay sample;
         sample.channel = own.channel;
-        append_ray(film_point, *ray, cell_point(optics.lattice(), {unit[2], unit[3]}, camera_.slit_height(ray->aperture_point)),
-                   sample, rays);
+        append_ray(film_point, *ray, lens_point({unit[2], unit[3]}, *ray), sample, rays);
     }
 }
 

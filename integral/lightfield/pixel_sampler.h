@@ -57,6 +57,7 @@ public:
     /// Appends the rays of the pixel (or sample of a pixel) whose centre is at `centre`, in pixels from the film's
     /// top left corner: pixel_samples * beam_samples of them a channel (hybrid: pixel_samples times 3 or 5), less
     /// the samples that another lens images, or none. Where that leaves no sample, the centre stands in for all.
+    /// With the display prefilter no sample is another lens's.
     /// No rays where the centre images nothing.
     PixelOutcome append_rays(Vec2 centre, std::vector<PixelRay>& rays) const;
 
@@ -89,6 +90,8 @@ private:
     double random_shift(std::uint64_t key, std::uint64_t index, int dimension) const;
     Vec2 channel_centre(Vec2 centre, int channel) const;
     Vec2 moved(Vec2 film_point, Vec2 unit) const;
+    std::optional<LensRay> sample_ray(Vec2 film_point, LensIndex lens) const;
+    LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;
     void append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
                         PixelOutcome& outcome) const;
     void append_ray(Vec2 film_point, const LensRay& pole_ray, const LensPoint& point, PixelRay ray,

@@ -54,7 +54,7 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
             c.require(in(extent, 0, 1e12), "capture_aperture", extent, "its width and height are in mm, 0 to 1e12");
     const char* const samples = "it is a whole number of points, 1 to 65536";
     c.require(in(p.beam_samples.value_or(1), 1, 65536), "beam_samples", p.beam_samples.value_or(1), samples);
-    c.require(in(p.pixel_samples, 1, 65536), "pixel_samples", p.pixel_samples, samples);
+    c.require(in(p.pixel_samples.value_or(1), 1, 65536), "pixel_samples", p.pixel_samples.value_or(1), samples);
     if (p.depth_range) {
         for (const double depth : {p.depth_range->x, p.depth_range->y})
             c.require(in(depth, 0, 1e12), "depth_range", depth, "front and back are in mm, positive");
@@ -100,11 +100,13 @@ std::vector<std::string> find_errors(const CameraParameters& p)
         errors.push_back(text.str());
     }
     constexpr double most_rays = 1 << 20;
-    if (double(p.pixel_samples) * p.beam_samples.value_or(default_beam_samples(p)) > most_rays)
+    if (double(p.pixel_samples.value_or(default_pixel_samples(p))) * p.beam_samples.value_or(default_beam_samples(p)) > most_rays)
         errors.push_back("pixel_samples times beam_samples are more than 1048576 rays a pixel: no computer has the time for that");
     if (p.model == LensModel::hybrid && p.beam_samples)
         errors.push_back("beam_samples does not go with lens_model hybrid, which has 3 or 5 rays of its own; lens_model full has as "
                          "many as beam_samples says");
+    if (p.display_prefilter && refracts_at_surface(p.model))
+        errors.push_back("display_prefilter is a filter of the ideal beam: it goes with lens_model extended_pinhole or pinhole");
     if (!p.capture_aperture && !filling_aperture(modelled_sheet(p.sheet, p.model), 1))
         errors.push_back("no aperture, however wide, fills these lenses (they are too wide for their thickness "
                          "and ior): give capture_aperture <width, height> in mm");
@@ -120,8 +122,10 @@ int default_beam_samples(const CameraParameters& p)
 {
     const bool slit_has_height = p.sheet.arrangement == Arrangement::lenticular && p.capture_aperture
                               && across_slit(p.sheet, *p.capture_aperture) > 0;
-    return p.model == LensModel::full || (slit_has_height && p.model != LensModel::hybrid) ? 16 : 1;
+    return p.model == LensModel::full || (slit_has_height && p.model != LensModel::hybrid) ? 16 : p.display_prefilter ? 4 : 1;
 }
+
+int default_pixel_samples(const CameraParameters& p) { return p.display_prefilter ? 4 : 1; }
 
 double IntegralCamera::slit_height(Vec2 aperture_point) const
 {
@@ -186,7 +190,8 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     placement.origin = view.location + view.sheet_distance_ratio * view.direction;
     placement.units_per_mm = k;
     return {SheetOptics(p.sheet, aperture, p.model), film, placement, p.mapping, p.depth_range,
-            p.pixel_samples, p.beam_samples.value_or(default_beam_samples(p)), p.pseudoscopic};
+            p.pixel_samples.value_or(default_pixel_samples(p)), p.beam_samples.value_or(default_beam_samples(p)), p.pseudoscopic,
+            p.display_prefilter};
 }
 
 SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray)
@@ -212,7 +217,7 @@ SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray)
 std::optional<StartRegion> start_region(const IntegralCamera& camera)
 {
     const SheetOptics& optics = camera.optics;
-    if (refracts_at_surface(optics.model()))
+    if (refracts_at_surface(optics.model()) || camera.display_prefilter)
         return std::nullopt;
     const Aperture& aperture = optics.aperture();
     const bool at_aperture = !camera.depth_range && !camera.pseudoscopic;

@@ -28,13 +28,18 @@ struct CameraParameters {
     LensModel model = LensModel::extended_pinhole;
     LensMapping mapping = LensMapping::automatic;
     std::optional<int> beam_samples;       ///< points of the lens's cell, 1 to 65536; default: default_beam_samples
-    int pixel_samples = 1;                 ///< points of the pixel's area, 1 to 65536; 1: its centre
+    std::optional<int> pixel_samples;      ///< points of the pixel's area, 1 to 65536; 1: its centre; default: default_pixel_samples
+    bool display_prefilter = false;        ///< points also of the neighbouring pixels and lenses, see IntegralCamera
     std::optional<Vec2> depth_range;       ///< mm seen in front of (up to the aperture) and behind the sheet; >= 0
     bool pseudoscopic = false;             ///< Lippmann's single-stage capture: inverted in depth
 };
 
-/// 16 where there is something to integrate over (the full model's lens, a slit's height), else 1: the pole.
+/// 16 where there is something to integrate over (the full model's lens, a slit's height), 4 for the display prefilter,
+/// else 1: the pole.
 int default_beam_samples(const CameraParameters& parameters);
+
+/// 4 for the display prefilter, else 1: the pixel's centre.
+int default_pixel_samples(const CameraParameters& parameters);
 
 /// The perspective camera that an integral camera starts from, in scene units.
 struct ViewFrame {
@@ -65,6 +70,10 @@ struct IntegralCamera {
     std::optional<Vec2> depth_range;
     int pixel_samples = 1, beam_samples = 1;
     bool pseudoscopic = false;
+    /// Samples are weighted by a tent, two pixels and two cells wide, about pixel and pole, in place of the box of one: a
+    /// low-pass at the bandwidth of the sheet, which takes what it cannot show (Zwicker et al. 2006, with a tent for their
+    /// ideal filter). All are of the pixel's own lens, as if its micro-image did not end.
+    bool display_prefilter = false;
 
     /// Height (mm) of a lenticular sheet's slit at a point of the aperture plane; 0 for other sheets.
     double slit_height(Vec2 aperture_point) const;
@@ -99,7 +108,7 @@ SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray);
 struct StartRegion { Vec3 centre, half_x, half_y; };
 
 /// Where the sight lines of all rays of the pixels' beams start. Nothing: nowhere in particular, as the rays of
-/// hybrid and full may pass the aperture's plane anywhere.
+/// hybrid, full and the display prefilter may pass the aperture's plane anywhere.
 std::optional<StartRegion> start_region(const IntegralCamera& camera);
 
 /// The film point that a lens images where `film_point` would have to be for the sheet to show its scene

@@ -48,6 +48,16 @@ LensPoint cell_point(const Lattice& lattice, Vec2 unit, double slit_height)
     return {(nearest.x * p) * lattice.across() + (nearest.y * p) * lattice.along()};
 }
 
+double tent_coordinate(double u) { return u < 0.5 ? std::sqrt(2 * u) - 0.5 : 1.5 - std::sqrt(2 * (1 - u)); }
+
+LensPoint tent_point(const Lattice& lattice, Vec2 unit, double slit_height)
+{
+    if (lattice.arrangement() == Arrangement::lenticular)
+        return cell_point(lattice, {tent_coordinate(unit.x), unit.y}, slit_height);
+    const double row = lattice.arrangement() == Arrangement::hexagonal ? std::sqrt(0.75) : 1, p = lattice.pitch();
+    return {((tent_coordinate(unit.x) - 0.5) * p) * lattice.across() + ((tent_coordinate(unit.y) - 0.5) * row * p) * lattice.along()};
+}
+
 std::vector<WeightedLensPoint> hybrid_points(const Lattice& lattice)
 {
     const bool lenticular = lattice.arrangement() == Arrangement::lenticular;

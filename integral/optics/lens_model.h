@@ -46,6 +46,14 @@ struct LensPoint {
 /// slit of height `slit_height` (mm).
 LensPoint cell_point(const Lattice& lattice, Vec2 unit, double slit_height = 0);
 
+/// A point of the lens and its neighbours at unit-square coordinates (u, v): of density a tent, that is 0 from one pitch away on,
+/// across the lens and, unless it is lenticular, along it (hexagonal: from one row spacing away on). The sum over all
+/// lenses is the same everywhere. Lenticular: v as in cell_point.
+LensPoint tent_point(const Lattice& lattice, Vec2 unit, double slit_height = 0);
+
+/// u in [0, 1) -> a coordinate in (-1/2, 3/2) whose density is a tent about 1/2; area-preserving.
+double tent_coordinate(double u);
+
 /// hybrid's points of a lens, the pole first, and their weights, which add up to 1: 3 points
 /// (lenticular) or 5, at I(0) = 1 and I(1) = cos(atan 4), normalised.
 struct WeightedLensPoint {

@@ -76,7 +76,7 @@ void IntegralFrame::Expect(const integral::IntegralCamera* camera)
     {
         std::string text = integral::to_json(Metadata_Of(*camera));
         for (const int choice : {int(camera->optics.model()), int(camera->mapping), camera->pixel_samples, camera->beam_samples,
-                                 int(camera->pseudoscopic)})
+                                 int(camera->pseudoscopic), int(camera->display_prefilter)})
             text += std::to_string(choice) + ' ';
         if (camera->depth_range)
             text += std::to_string(camera->depth_range->x) + ' ' + std::to_string(camera->depth_range->y);
@@ -97,6 +97,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera)
     state.metadata->render->pixel_samples = camera.pixel_samples;
     state.metadata->render->beam_samples = camera.beam_samples;
     state.metadata->render->pseudoscopic = camera.pseudoscopic;
+    state.metadata->render->display_prefilter = camera.display_prefilter;
     state.begun = Clock::now();
     state.ended.reset();
 }

@@ -341,7 +341,7 @@ BOOST_AUTO_TEST_CASE(what_becomes_of_film_points_adds_up)
         }
         ++cameras;
         const PixelSampler sampler(*camera, trial);
-        const std::size_t most = p.pixel_samples * (p.model == LensModel::hybrid ? 5 : *p.beam_samples);
+        const std::size_t most = *p.pixel_samples * (p.model == LensModel::hybrid ? 5 : *p.beam_samples);
         std::vector<PixelRay> rays;
         for_each_pixel(*camera, false, [&](Vec2 centre) {
             rays.clear();

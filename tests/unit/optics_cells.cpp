@@ -4,6 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <map>
+#include <utility>
+
 using namespace integral;
 
 namespace {
@@ -60,6 +63,46 @@ BOOST_AUTO_TEST_CASE(cells_are_filled_evenly)
             BOOST_TEST(farthest <= cell_circumradius(sheet));
             BOOST_TEST(farthest > 0.98 * cell_circumradius(sheet));
         }
+}
+
+BOOST_AUTO_TEST_CASE(tents_of_all_lenses_add_up_to_one)
+{
+    // how often points of the lenses about one fall into the squares of a grid over its cell
+    constexpr int n = 600, grid = 5;
+    for (Arrangement arrangement : {Arrangement::square, Arrangement::hexagonal})
+        for (double slant : {0.0, 33.0}) {
+            const Lattice lattice({arrangement, 0.8, 3, 1.6, slant, {0.1, 0.2}});
+            BOOST_TEST(length(tent_point(lattice, {0.5, 0.5}, 7).offset) == 0);
+            std::map<std::pair<int, int>, double> found;
+            double outermost[2] = {}, moments[2] = {};
+            const double row = arrangement == Arrangement::hexagonal ? std::sqrt(0.75) : 1;
+            const double size[2] = {0.8, 0.8 * row};
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    const Vec2 at = tent_point(lattice, {(i + 0.5) / n, (j + 0.5) / n}, 7).offset;
+                    const double part[2] = {dot(at, lattice.across()) / size[0], dot(at, lattice.along()) / size[1]};
+                    // The lenses' lattice taken out, what is left is where in a cell: odd rows are shifted.
+                    const double j_row = std::floor(part[1]);
+                    const double shift = arrangement == Arrangement::hexagonal && std::fmod(std::fabs(j_row), 2) == 1 ? 0.5 : 0;
+                    const double x = part[0] - shift, y = part[1];
+                    ++found[{int(std::floor((x - std::floor(x)) * grid)), int(std::floor((y - j_row) * grid))}];
+                    for (int k = 0; k < 2; ++k) {
+                        outermost[k] = std::fmax(outermost[k], std::fabs(part[k]));
+                        moments[k] += part[k] * part[k] / (n * n);
+                    }
+                }
+            BOOST_TEST(found.size() == std::size_t(grid * grid));
+            for (const auto& [square, number] : found)
+                BOOST_TEST(number / (n * n) == 1.0 / (grid * grid), boost::test_tools::tolerance(0.02));
+            for (int k = 0; k < 2; ++k) {
+                BOOST_TEST(moments[k] == 1.0 / 6, boost::test_tools::tolerance(1e-3)); // a tent's
+                BOOST_TEST(outermost[k] <= 1);
+                BOOST_TEST(outermost[k] > 0.95);
+            }
+        }
+    const Lattice cylinders({Arrangement::lenticular, 0.8, 3, 1.6, 12, {0, 0}});
+    BOOST_TEST(dot(tent_point(cylinders, {0.125, 0.75}, 7).offset, cylinders.across()) == -0.4, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(tent_point(cylinders, {0.125, 0.75}, 7).slit == 1.75);
 }
 
 BOOST_AUTO_TEST_CASE(hybrid_weights)

@@ -34,6 +34,7 @@ void IntegralGrammar::Apply_Option(IntegralBlock& block)
     if (given("lens_mapping")) to.mapping = from.mapping;
     if (given("beam_samples")) to.beam_samples = from.beam_samples;
     if (given("pixel_samples")) to.pixel_samples = from.pixel_samples;
+    if (given("display_prefilter")) to.display_prefilter = from.display_prefilter;
     if (given("pseudoscopic")) to.pseudoscopic = from.pseudoscopic;
     if (given("depth_range")) to.depth_range = from.depth_range;
     block.given.insert(option->given.begin(), option->given.end());

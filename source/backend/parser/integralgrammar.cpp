@@ -31,7 +31,7 @@ std::string List(const std::vector<std::string>& words)
 
 const std::vector<std::string> camera_words = {
     "lens_sheet", "film", "sheet_distance", "capture_aperture", "aperture_shape", "lens_model",
-    "lens_mapping", "beam_samples", "pixel_samples", "depth_range", "pseudoscopic" };
+    "lens_mapping", "beam_samples", "pixel_samples", "display_prefilter", "depth_range", "pseudoscopic" };
 
 }
 
@@ -180,6 +180,8 @@ bool IntegralGrammar::Parse_Word(IntegralBlock& block)
         p.beam_samples = Parse_Count(word.c_str());
     else if (word == "pixel_samples")
         p.pixel_samples = Parse_Count(word.c_str());
+    else if (word == "display_prefilter")
+        p.display_prefilter = true;
     else if (word == "depth_range")
         p.depth_range = Parse_Pair(false);
     else if (word == "pseudoscopic")

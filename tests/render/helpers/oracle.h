@@ -31,7 +31,7 @@ struct Description {
     struct Transform { std::string kind; Point3 value; };
     std::vector<Transform> transforms;      ///< rotate, scale, translate in order
     int beam_samples = 0, pixel_samples = 1; ///< beam_samples 0: not given
-    bool pseudoscopic = false;
+    bool pseudoscopic = false, display_prefilter = false;
 
     // What the oracle alone is told:
     std::optional<Real> start;              ///< mm before the sheet where its rays start; default: at the aperture
@@ -91,7 +91,7 @@ using Numbers = std::array<Real, 4>;
 
 /// `count` rays of the pixel (i, j), chosen by what `next` gives, over all that the description samples: the pixel's area with
 /// pixel_samples > 1, the lens's cell and the slit with beam_samples > 1 or by default. Those of another lens, of no lens
-/// and those totally reflected are replaced by others. None where the pixel's centre images nothing.
+/// and those totally reflected are replaced by others. With the display prefilter, tents twice as wide, and no lens is another. None where the pixel's centre images nothing.
 std::vector<SheetRay> pixel_rays(const Description&, Real distance, int i, int j, int count, const std::function<Numbers()>& next);
 
 /// Continuous pixel coordinates -> mm on the film, of the description's colour channel.

@@ -89,6 +89,7 @@ Description read_description(const std::vector<std::string>& words)
         else if (key == "units_per_mm") d.units_per_mm = scalar();
         else if (key == "beam_samples") d.beam_samples = int(scalar());
         else if (key == "pixel_samples") d.pixel_samples = int(scalar());
+        else if (key == "display_prefilter") d.display_prefilter = scalar() != 0;
         else if (key == "pseudoscopic") d.pseudoscopic = scalar() != 0;
         else if (key == "start") d.start = scalar();
         else if (key == "channel") d.channel = int(scalar());
@@ -147,6 +148,7 @@ std::string camera_text(const Description& d)
     if (d.model != "extended_pinhole") out << "  lens_model " << d.model << '\n';
     if (d.beam_samples > 0) out << "  beam_samples " << d.beam_samples << '\n';
     if (d.pixel_samples > 1) out << "  pixel_samples " << d.pixel_samples << '\n';
+    if (d.display_prefilter) out << "  display_prefilter\n";
     if (d.pseudoscopic) out << "  pseudoscopic\n";
     if (d.mapping != "auto") out << "  lens_mapping " << d.mapping << '\n';
     out << view_text(d) << "}\n";

@@ -297,6 +297,27 @@ bool in_cell(const Description& d, Point2 offset)
     return nearest;
 }
 
+/// A ray of the display prefilter: of a point around the pixel and a point around its lens, each coordinate's density a tent:
+/// where its cumulated density, on either side 1/2 - (1 - a)^2/2, is the number.
+std::optional<SheetRay> prefiltered(const Description& d, Real distance, Point2 pixel, const SheetRay& centre, bool pole_only,
+                                    const Numbers& x)
+{
+    const bool lenticular = d.arrangement == "lenticular";
+    std::array<Real, 4> at{}; // in pixels, and pitches of lenses or of their rows
+    for (int k = 0; k < 4; k++) {
+        const bool fixed = k < 2 ? d.pixel_samples == 1 : pole_only || (lenticular && k == 3);
+        if (fixed) continue;
+        const Real side = 2 * x[k] - 1;
+        at[k] = std::copysign(1 - std::sqrt(1 - std::fabs(side)), side);
+    }
+    const Real width = d.subpixels == "none" ? 1 : 1 / 3.0L, angle = d.slant * pi / 180;
+    const Point2 f = film_from_pixel(d, pixel[0] + at[0] * width, pixel[1] + at[1]);
+    const Real u = at[2] * d.pitch, v = at[3] * d.pitch * (d.arrangement == "hexagonal" ? std::sqrt(3.0L) / 2 : 1);
+    LensPoint point;
+    point.offset = {u * std::cos(angle) - v * std::sin(angle), u * std::sin(angle) + v * std::cos(angle)};
+    return beam_ray(d, distance, f, centre.lens, point);
+}
+
 } // namespace
 
 std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int j, int count, const std::function<Numbers()>& next)
@@ -309,6 +330,10 @@ std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int
     const bool lenticular = d.arrangement == "lenticular", pole_only = d.beam_samples == 1 || (d.beam_samples == 0 && !curved(d)
         && !(lenticular && slit_height(d, {{}, {0, 0}, {}}) > 0));
     for (int tries = 0; int(rays.size()) < count && tries < 1000 * count; tries++) {
+        if (d.display_prefilter) {
+            if (const auto ray = prefiltered(d, distance, {i + 0.5L, j + 0.5L}, *centre, pole_only, next())) rays.push_back(*ray);
+            continue;
+        }
         const Numbers x = next();
         const Point2 moved = d.pixel_samples > 1 ? Point2{(x[0] - 0.5L) * width, x[1] - 0.5L} : Point2{0, 0};
         const Point2 f = film_from_pixel(d, i + 0.5L + moved[0], j + 0.5L + moved[1]);
