@@ -3,24 +3,13 @@
 
 namespace integral {
 
-namespace {
-
-constexpr double inclusive = 1 + 1e-9; // the edge belongs to the aperture
-
-} // namespace
-
-bool contains(const Aperture& aperture, Vec2 point)
+/// Of the aperture's rectangle.
+bool within_ellipse(const Aperture& aperture, Vec2 point)
 {
-    const double half_width = 0.5 * aperture.width * inclusive;
-    const double half_height = 0.5 * aperture.height * inclusive;
-    if (!(std::fabs(point.x) <= half_width && std::fabs(point.y) <= half_height))
-        return false;
-    if (aperture.shape == ApertureShape::rectangle)
-        return true;
     const auto part = [](double coordinate, double half) {
         return std::isinf(half) || coordinate == 0 ? 0.0 : coordinate / half;
     };
-    const double u = part(point.x, half_width), v = part(point.y, half_height);
+    const double u = part(point.x, 0.5 * aperture.width * inclusive_edge), v = part(point.y, 0.5 * aperture.height * inclusive_edge);
     return u * u + v * v <= 1;
 }
 

@@ -19,8 +19,16 @@ struct Aperture {
     ApertureShape shape = ApertureShape::rectangle;
 };
 
+bool within_ellipse(const Aperture& aperture, Vec2 point);
+constexpr double inclusive_edge = 1 + 1e-9; // the edge belongs to the aperture
+
 /// Whether a point of the aperture plane is inside; the edge is, to 1e-9 of the extent.
-bool contains(const Aperture& aperture, Vec2 point);
+inline bool contains(const Aperture& aperture, Vec2 point)
+{
+    return std::fabs(point.x) <= 0.5 * aperture.width * inclusive_edge
+        && std::fabs(point.y) <= 0.5 * aperture.height * inclusive_edge
+        && (aperture.shape == ApertureShape::rectangle || within_ellipse(aperture, point));
+}
 
 /// Whether a lenticular sheet's slit lies along x (|slant| <= 45 degrees) or along y.
 bool slit_is_horizontal(const LensSheet& sheet);

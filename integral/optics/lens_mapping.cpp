@@ -2,6 +2,7 @@
 #include "integral/optics/lens_mapping.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace integral {
@@ -41,36 +42,45 @@ SheetOptics::SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensM
       medium_(sheet.thickness, modelled_sheet(sheet, model).ior),
       slit_(slit_of(sheet, lattice_, aperture.distance)),
       lenticular_(sheet.arrangement == Arrangement::lenticular),
-      slit_horizontal_(slit_is_horizontal(sheet))
+      slit_horizontal_(slit_is_horizontal(sheet)),
+      edges_(aperture)
 {
+    if (lenticular_)
+        (slit_horizontal_ ? edges_.height : edges_.width) = infinity;
+}
+
+/// Fills in `c`; false: totally reflected, or the slit is out of reach.
+inline bool SheetOptics::find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) const
+{
+    c.lens = lens;
+    c.pole = lattice_.pole(lens);
+    if (lenticular_) {
+        // The light leaves at the point of the axis from which it reaches the slit.
+        const auto ray = slit_ray(slit_, medium_, film_point, c.pole);
+        if (!ray)
+            return false;
+        c.pole = ray->point;
+        c.offset = ray->offset;
+        c.root = -ray->refracted.z;
+        c.aperture_point = ray->aperture_point;
+        return true;
+    }
+    c.offset = c.pole - film_point;
+    const double clear = clearance(medium_, c.offset);
+    if (!(clear > 0))
+        return false;
+    c.root = std::sqrt(clear);
+    c.aperture_point = c.pole + (medium_.n * aperture_.distance / c.root) * c.offset;
+    return true;
 }
 
 std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, LensIndex lens) const
 {
     Candidate c;
-    c.lens = lens;
-    c.pole = lattice_.pole(lens);
-    c.offset = c.pole - film_point;
-    if (lenticular_) {
-        // The light leaves at the point of the axis from which it reaches the slit.
-        const auto ray = slit_ray(slit_, medium_, film_point, c.pole);
-        if (!ray)
-            return std::nullopt;
-        c.pole = ray->point;
-        c.offset = ray->offset;
-        c.root = -ray->refracted.z;
-        c.aperture_point = ray->aperture_point;
-        return c;
-    }
-    const double clear = clearance(medium_, c.offset);
-    if (!(clear > 0))
-        return std::nullopt;
-    c.root = std::sqrt(clear);
-    c.aperture_point = c.pole + (medium_.n * aperture_.distance / c.root) * c.offset;
-    return c;
+    return find_candidate(film_point, lens, c) ? std::optional(c) : std::nullopt;
 }
 
-LensRay SheetOptics::complete(const Candidate& c) const
+inline LensRay SheetOptics::complete(const Candidate& c) const
 {
     const double inverse_length = 1 / std::sqrt(dot(c.offset, c.offset) + medium_.t * medium_.t);
     const double lateral = medium_.n * inverse_length;
@@ -79,13 +89,9 @@ LensRay SheetOptics::complete(const Candidate& c) const
             c.aperture_point};
 }
 
-bool SheetOptics::passes(Vec2 aperture_point) const
+inline bool SheetOptics::passes(Vec2 aperture_point) const
 {
-    if (!lenticular_)
-        return contains(aperture_, aperture_point);
-    Aperture along_slit = aperture_;
-    (slit_horizontal_ ? along_slit.height : along_slit.width) = infinity;
-    return contains(along_slit, aperture_point);
+    return contains(edges_, aperture_point);
 }
 
 double SheetOptics::aperture_circumradius() const
@@ -103,21 +109,37 @@ std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens)
     return complete(*c);
 }
 
+/// Into a MappedPoint as it is made.
+inline void SheetOptics::map_closest(Vec2 film_point, MappedPoint& mapped) const
+{
+    Candidate c;
+    if (!find_candidate(film_point, lattice_.nearest(film_point), c))
+        mapped.empty = Empty::total_reflection;
+    else if (!passes(c.aperture_point))
+        mapped.empty = Empty::outside_aperture;
+    else
+        mapped.ray.emplace(complete(c));
+}
+
 MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
 {
     if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <= farthest_film * lattice_.pitch())) // not a number, too
         return {std::nullopt, Empty::outside_aperture, mapping != LensMapping::closest};
     switch (mapping) {
-    case LensMapping::closest:
-        return map_closest(film_point);
+    case LensMapping::automatic:
+        break;
+    case LensMapping::closest: {
+        MappedPoint mapped;
+        map_closest(film_point, mapped);
+        return mapped;
+    }
     case LensMapping::accurate:
         return map_accurate(film_point);
     case LensMapping::exhaustive:
         return map_exhaustive(film_point);
-    case LensMapping::automatic:
-        break;
     }
-    MappedPoint mapped = map_closest(film_point);
+    MappedPoint mapped;
+    map_closest(film_point, mapped);
     if (mapped.ray)
         return mapped;
     const MappedPoint searched = map_accurate(film_point);
@@ -126,19 +148,6 @@ MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
         mapped.ray = searched.ray;
         mapped.empty = Empty::none;
     }
-    return mapped;
-}
-
-MappedPoint SheetOptics::map_closest(Vec2 film_point) const
-{
-    MappedPoint mapped;
-    const auto c = candidate(film_point, lattice_.nearest(film_point));
-    if (!c)
-        mapped.empty = Empty::total_reflection;
-    else if (!passes(c->aperture_point))
-        mapped.empty = Empty::outside_aperture;
-    else
-        mapped.ray = complete(*c);
     return mapped;
 }
 
@@ -179,24 +188,36 @@ Empty SheetOptics::why_empty(Vec2 film_point) const
 }
 
 /// Of the lenses within `radius` of `centre` whose rays pass the aperture, the one whose ray passes nearest to the
-/// aperture's centre. The first pass finds the least distance; the second chooses among the tied, by the lattice's
-/// rule.
+/// aperture's centre; of the tied, by the lattice's rule.
 std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre, double radius) const
 {
+    // All that pass are looked at twice: for the least distance, and for the tied. The first few are kept meanwhile.
+    std::array<Candidate, 8> kept;
+    std::size_t passing = 0;
     const auto each = [&](auto use) {
         lattice_.for_each_within(centre, radius, [&](LensIndex lens) {
-            const auto c = candidate(film_point, lens);
-            if (c && passes(c->aperture_point))
-                use(*c, distance_to_centre(c->aperture_point));
+            Candidate c;
+            if (find_candidate(film_point, lens, c) && passes(c.aperture_point))
+                use(c, distance_to_centre(c.aperture_point));
         });
     };
     double least = infinity;
-    each([&](const Candidate&, double distance) { least = std::min(least, distance); });
-    std::optional<Candidate> best;
     each([&](const Candidate& c, double distance) {
+        if (passing < kept.size())
+            kept[passing] = c;
+        ++passing;
+        least = std::min(least, distance);
+    });
+    std::optional<Candidate> best;
+    const auto choose = [&](const Candidate& c, double distance) {
         if (distance <= least + lattice_.tie_tolerance() && (!best || lattice_.preferred(c.lens, best->lens)))
             best = c;
-    });
+    };
+    if (passing > kept.size())
+        each(choose);
+    else
+        for (std::size_t k = 0; k < passing; ++k)
+            choose(kept[k], distance_to_centre(kept[k].aperture_point));
     return best;
 }
 

@@ -72,11 +72,12 @@ public:
 
 private:
     struct Candidate; // a lens's pole ray, before its direction is worked out
+    bool find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) const;
     std::optional<Candidate> candidate(Vec2 film_point, LensIndex lens) const;
     LensRay complete(const Candidate&) const;
     std::optional<Candidate> best_within(Vec2 film_point, Vec2 centre, double radius) const;
     Empty why_empty(Vec2 film_point) const;
-    MappedPoint map_closest(Vec2 film_point) const;
+    void map_closest(Vec2 film_point, MappedPoint& mapped) const;
     MappedPoint map_accurate(Vec2 film_point) const;
     MappedPoint map_exhaustive(Vec2 film_point) const;
     Vec2 pole_seeing_centre(Vec2 film_point, double& error) const;
@@ -91,6 +92,7 @@ private:
     Medium medium_;
     Slit slit_;
     bool lenticular_, slit_horizontal_;
+    Aperture edges_; ///< the aperture, without limit across a slit
 };
 
 } // namespace integral

@@ -8,14 +8,6 @@ namespace {
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 constexpr double hexagonal_row_spacing = 0.86602540378443864676; // sqrt(3)/2 pitches
 
-/// The nearest integer, halves to even, for |value| < 2^51: adding 1.5 * 2^52 leaves no bits for a
-/// fraction. (std::nearbyint is a call into the mathematics library, and this is the hot path.)
-double nearest_integer(double value)
-{
-    constexpr double no_fraction = 6755399441055744.0;
-    return (value + no_fraction) - no_fraction;
-}
-
 std::int64_t round_to_index(double value) { return static_cast<std::int64_t>(nearest_integer(value)); }
 
 } // namespace
@@ -34,23 +26,6 @@ Lattice::Lattice(const LensSheet& sheet)
       along_{-across_.y, across_.x},
       offset_(sheet.offset)
 {
-}
-
-Vec2 Lattice::lattice_from_sheet(Vec2 point) const
-{
-    const Vec2 from_offset = point - offset_;
-    return {dot(across_, from_offset), dot(along_, from_offset)};
-}
-
-Vec2 Lattice::pole(LensIndex lens) const
-{
-    double columns = static_cast<double>(lens.i);
-    if (arrangement_ == Arrangement::lenticular)
-        return offset_ + (columns * pitch_) * across_;
-    if (arrangement_ == Arrangement::hexagonal && (lens.j & 1))
-        columns += 0.5;
-    return offset_ + (columns * pitch_) * across_
-                   + (static_cast<double>(lens.j) * row_spacing_) * along_;
 }
 
 double Lattice::distance(Vec2 point, LensIndex lens) const
@@ -88,19 +63,9 @@ LensIndex Lattice::settle_tie(Vec2 point, LensIndex guess) const
     return best;
 }
 
-LensIndex Lattice::nearest(Vec2 point) const
+LensIndex Lattice::nearest_of_shifted_rows(Vec2 point) const
 {
     const Vec2 p = lattice_from_sheet(point);
-    constexpr double margin = 1e-8; // pitches from a border within which a tie is looked for
-    const auto near_border = [](double u) { return std::fabs(u - nearest_integer(u)) > 0.5 - margin; };
-
-    if (arrangement_ != Arrangement::hexagonal) {
-        const double u = p.x / pitch_, v = p.y / pitch_;
-        const bool rows = arrangement_ == Arrangement::square;
-        const LensIndex guess{round_to_index(u), rows ? round_to_index(v) : 0};
-        return near_border(u) || (rows && near_border(v)) ? settle_tie(point, guess) : guess;
-    }
-
     // The nearest pole is in one of the two rows that enclose the point.
     const double row = p.y / row_spacing_;
     const std::int64_t near = round_to_index(row), lower = near - (static_cast<double>(near) > row);
@@ -114,11 +79,11 @@ LensIndex Lattice::nearest(Vec2 point) const
         const Vec2 away{p.x - (static_cast<double>(guess[k].i) + shift) * pitch_,
                         p.y - static_cast<double>(j) * row_spacing_};
         distance_squared[k] = dot(away, away);
-        tie = tie || near_border(u);
+        tie = tie || std::fabs(u - nearest_integer(u)) > 0.5 - border_margin;
     }
     const double difference = distance_squared[0] - distance_squared[1];
     const LensIndex nearer = guess[difference <= 0 ? 0 : 1];
-    return tie || std::fabs(difference) < margin * pitch_ * pitch_ ? settle_tie(point, nearer) : nearer;
+    return tie || std::fabs(difference) < border_margin * pitch_ * pitch_ ? settle_tie(point, nearer) : nearer;
 }
 
 } // namespace integral

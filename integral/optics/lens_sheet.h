@@ -52,7 +52,10 @@ public:
 
     /// The lens whose pole (axis) is nearest to a point of the sheet plane: the closest-wins
     /// rule, thesis (3-11).
-    LensIndex nearest(Vec2 point) const;
+    LensIndex nearest(Vec2 point) const
+    {
+        return arrangement_ == Arrangement::hexagonal ? nearest_of_shifted_rows(point) : nearest_of_even_rows(point);
+    }
 
     /// Distance from a point to a lens's pole (axis).
     double distance(Vec2 point, LensIndex lens) const;
@@ -69,13 +72,51 @@ public:
     Arrangement arrangement() const { return arrangement_; }
 
 private:
-    Vec2 lattice_from_sheet(Vec2 point) const;
+    Vec2 lattice_from_sheet(Vec2 point) const
+    {
+        const Vec2 from_offset = point - offset_;
+        return {dot(across_, from_offset), dot(along_, from_offset)};
+    }
+    LensIndex nearest_of_even_rows(Vec2 point) const;
+    LensIndex nearest_of_shifted_rows(Vec2 point) const;
     LensIndex settle_tie(Vec2 point, LensIndex guess) const;
+
+    static constexpr double border_margin = 1e-8; ///< pitches from a border within which a tie is looked for
 
     Arrangement arrangement_;
     double pitch_, row_spacing_;
     Vec2 across_, along_, offset_;
 };
+
+/// The nearest integer, halves to even, for |value| < 2^51: adding 1.5 * 2^52 leaves no bits for a
+/// fraction. (std::nearbyint is a call into the mathematics library, and this is the hot path.)
+inline double nearest_integer(double value)
+{
+    constexpr double no_fraction = 6755399441055744.0;
+    return (value + no_fraction) - no_fraction;
+}
+
+inline Vec2 Lattice::pole(LensIndex lens) const
+{
+    double columns = static_cast<double>(lens.i);
+    if (arrangement_ == Arrangement::lenticular)
+        return offset_ + (columns * pitch_) * across_;
+    if (arrangement_ == Arrangement::hexagonal && (lens.j & 1))
+        columns += 0.5;
+    return offset_ + (columns * pitch_) * across_
+                   + (static_cast<double>(lens.j) * row_spacing_) * along_;
+}
+
+inline LensIndex Lattice::nearest_of_even_rows(Vec2 point) const
+{
+    const Vec2 p = lattice_from_sheet(point);
+    const bool rows = arrangement_ == Arrangement::square;
+    const double u = p.x / pitch_, v = rows ? p.y / pitch_ : 0;
+    const double column = nearest_integer(u), row = nearest_integer(v);
+    const LensIndex guess{static_cast<std::int64_t>(column), static_cast<std::int64_t>(row)};
+    const bool near_border = std::fabs(u - column) > 0.5 - border_margin || std::fabs(v - row) > 0.5 - border_margin;
+    return near_border ? settle_tie(point, guess) : guess;
+}
 
 template <class Visit>
 void Lattice::for_each_within(Vec2 centre, double radius, Visit visit) const
