@@ -94,6 +94,12 @@ double IntegralPatches::Size(int level)
     return std::ldexp(level & 1 ? 1.4142135623730951 : 1.0, level >> 1);
 }
 
+int IntegralPatches::Coarser_For_Lights() const
+{
+    constexpr double steps = 3;
+    return int(std::min(steps, std::max(0.0, std::floor(std::log2(cells)))));
+}
+
 bool IntegralPatches::Of_Use() const
 {
     const integral::Vec3 sheet = camera.placement.origin;
@@ -125,7 +131,7 @@ IntegralSurfaces::IntegralSurfaces(IntegralPatches& patches, IntegralTally& tall
 
 bool IntegralSurfaces::Pays(const SceneData& scene)
 {
-    constexpr double enough = 4;
+    constexpr double enough = 2;
     double shadow_rays = 0;
     for (std::size_t k = 0; k < scene.lightSources.size(); k++)
     {
@@ -182,11 +188,10 @@ IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const TEXTURE *texture)
         {
             const FINISH *finish = layer->Finish;
             if (finish == NULL || layer->Pigment == NULL || (layer->Pigment->Flags & HAS_FILTER) != 0
+                || finish->Specular != 0 || finish->Phong != 0
                 || finish->Irid != 0 || finish->Crand != 0 || finish->UseSubsurface || Is_Lit(finish->Reflection_Max)
                 || Depends_On_Eye(layer->Pigment) || Depends_On_Eye(layer->Tnormal))
                 return own;
-            if (finish->Specular != 0 || finish->Phong != 0)
-                kind = glossy;
         }
         else if (layer->Type == BITMAP_PATTERN)
             for (const TEXTURE *material = layer->Materials; material != NULL; material = material->Next_Material)
@@ -222,7 +227,7 @@ IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const Intersection& isect, bool
     return kind;
 }
 
-bool IntegralSurfaces::Locate(Intersection& isect, const Ray& ray, Place& place)
+bool IntegralSurfaces::May_Share(const Ray& ray)
 {
     if (ray.IsShadowTestRay() || ray.IsPhotonRay() || ray.IsRadiosityRay() || ray.IsPretraceRay() || ray.IsMonochromaticRay()
         || ray.IsSubsurfaceRay())
@@ -231,23 +236,30 @@ bool IntegralSurfaces::Locate(Intersection& isect, const Ray& ray, Place& place)
     for (RayInteriorVector::const_iterator i(interiors.begin()); i != interiors.end(); i++)
         if (!(*i)->media.empty())
             return false;
+    return true;
+}
 
-    VECTOR normal;
-    isect.Object->Normal(normal, &isect, thread);
-    Turn_Out(normal, isect.Object);
-    place.inside = Against(normal, ray) > 0;
-    const Kind kind = Kind_Of(isect, place.inside);
-    if (kind == own)
-        return false;
+/// Whether it is the inside; and the normal, as shading takes it.
+bool IntegralSurfaces::Side_Seen(const Intersection& isect, const Ray& ray, VECTOR normal) const
+{
+    Intersection met = isect;
+    met.Object->Normal(normal, &met, thread);
+    Turn_Out(normal, met.Object);
+    return Against(normal, ray) > 0;
+}
 
+/// `coarser`: steps of the scale by which patches are larger than for colours.
+bool IntegralSurfaces::Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser, Place& place) const
+{
+    place.inside = inside;
     place.axis = std::fabs(normal[X]) >= std::fabs(normal[Y]) ? X : Y;
     if (std::fabs(normal[Z]) > std::fabs(normal[place.axis]))
         place.axis = Z;
     place.positive = (normal[place.axis] > 0) != place.inside;
-    const int level = patches.Level(isect.IPoint);
+    const int level = patches.Level(isect.IPoint) + coarser;
     place.size = IntegralPatches::Size(level);
     std::uint64_t spot = level * 16 + place.axis * 4 + place.positive * 2 + place.inside, row = spot;
-    std::size_t column = 0;
+    place.column = 0;
     for (int k = 0; k < 3; k++)
     {
         const double side = k == place.axis ? height_steps * place.size : place.size;
@@ -259,33 +271,42 @@ bool IntegralSurfaces::Locate(Intersection& isect, const Ray& ray, Place& place)
         spot = spot * word_step + cell;
         row = row * word_step + (k == place.axis ? cell : cell >> square_bits);
         if (k != place.axis)
-            column = column * square + (cell & (square - 1));
-        place.direction[k] = 0;
+            place.column = place.column * square + (cell & (square - 1));
     }
-    if (kind == glossy)
-    {
-        double squares = 0;
-        for (int k = 0; k < 3; k++)
-        {
-            const double step = std::round(ray.Direction[k] / patches.Spread());
-            spot = spot * word_step + std::int64_t(step);
-            row = row * word_step + std::int64_t(step);
-            place.direction[k] = step * patches.Spread();
-            squares += place.direction[k] * place.direction[k];
-        }
-        for (int k = 0; k < 3; k++)
-            place.direction[k] /= std::sqrt(squares);
-    }
-    else
-        place.direction[place.axis] = place.positive ? -1 : 1;
     place.spot = spot;
     const auto address = [](const void *of) { return std::uint64_t(reinterpret_cast<std::uintptr_t>(of)); };
     place.key = integral::random_bits(address(isect.Object) * word_step + address(isect.Csg), spot) | 1;
-    place.slot = std::size_t(integral::random_bits(Number_Of(*isect.Object), row) % (IntegralPatches::slots / row_length)) * row_length + column;
+    place.row = integral::random_bits(Number_Of(*isect.Object), row);
     return true;
 }
 
-/// The patch's point: where a line along its axis, at a random place of it, first meets the side that is seen.
+/// Where the same patch keeps what it gets of a light: in another row, at the same point.
+IntegralSurfaces::Place IntegralSurfaces::Of_Light(const Place& place, int light)
+{
+    Place of_light = place;
+    of_light.key = integral::random_bits(place.key, std::uint64_t(light) + 1) | 1;
+    of_light.row = integral::random_bits(place.row, std::uint64_t(light) + 1);
+    return of_light;
+}
+
+std::size_t IntegralSurfaces::Place::Slot() const
+{
+    return std::size_t(row % (IntegralPatches::slots / row_length)) * row_length + column;
+}
+
+float IntegralSurfaces::Height_Of(const Intersection& at, const Place& place)
+{
+    return float((at.IPoint[place.axis] - place.centre[place.axis]) / place.size);
+}
+
+/// The patch's point may be on another fold of the surface.
+bool IntegralSurfaces::On_Patch(const IntegralPatches::Patch& patch, const Place& place, const Intersection& isect)
+{
+    constexpr float far = 2.5f;
+    return std::fabs(Height_Of(isect, place) - patch.height) <= far;
+}
+
+/// The patch's point: where a line along its axis, at a random place of it, first meets the side that is seen. `ray` becomes that line.
 bool IntegralSurfaces::Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const
 {
     const double sign = place.positive ? 1 : -1;
@@ -303,15 +324,8 @@ bool IntegralSurfaces::Put(const Place& place, const Intersection& isect, Trace&
     if (!trace.FindIntersection(isect.Object, at, ray, 2 * reach))
         return false;
     at.Csg = isect.Csg;
-    for (int k = 0; k < 3; k++)
-    {
-        ray.Direction[k] = place.direction[k];
-        ray.Origin[k] = at.IPoint[k] - at.Depth * place.direction[k];
-    }
     VECTOR normal;
-    at.Object->Normal(normal, &at, thread);
-    Turn_Out(normal, at.Object);
-    const bool inside = Against(normal, ray) > 0;
+    const bool inside = Side_Seen(at, ray, normal);
     return inside == place.inside && (normal[place.axis] > 0) != inside == place.positive;
 }
 

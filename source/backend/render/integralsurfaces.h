@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Shading that is worked out once for all lenses. Many beams, of neighbouring lenses above all, cross the same small patch
-// of a surface. What such a patch looks like is worked out once, at one point of it, and taken by all rays that meet it.
+// of a surface. What such a patch looks like is worked out once, at one point of it, and taken by all rays that meet it; where
+// that depends on more than the point (highlights, mirrors, glass), what the point gets of each light.
 // Visibility is not shared: each ray finds its own surface.
 //
 // Patches are the cells of cubic grids, as fine as the beams at that depth ask for, cut out of one object's surface. A
@@ -38,7 +39,7 @@ class IntegralPatches
         struct Patch
         {
             std::uint64_t key = 0; ///< 0: none
-            float red, green, blue;
+            float red, green, blue; ///< its colour; or of a light, the parts that reach it
             float height;          ///< of its point along the patch's axis, from the patch's middle, in patch sizes; NaN: it has none
         };
 
@@ -54,6 +55,10 @@ class IntegralPatches
 
         /// The angle between neighbouring pixels of a lens, as a part of 1.
         double Spread() const { return spread; }
+
+        /// Steps of that scale by which patches may be larger for what they get of a light: no pigment and no highlight is in
+        /// it. No larger than a beam, though.
+        int Coarser_For_Lights() const;
 
         /// Whether patches at the sheet are large against POV-Ray's tolerances.
         bool Of_Use() const;
@@ -78,26 +83,46 @@ class IntegralSurfaces
         /// out the colour of a patch's point.
         template <class Shade> bool Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade);
 
+        /// Takes from a light's colour what does not reach a point of a surface, if that point was the last one for which Colour_Of
+        /// was asked in vain. `test(const Vector3d& at, RGBColour& full, RGBColour& left)` works out what a patch's point would get
+        /// and what it gets.
+        template <class Test> bool Light_Of(int light, const Vector3d& point, const ObjectBase *object, Trace& trace,
+                                            RGBColour& colour, Test test);
+
     private:
-        /// What a texture's colour depends on. steady: the point alone. glossy: also the direction that it is seen from.
-        /// own: more.
-        enum Kind { steady, glossy, own };
+        /// What a texture's colour depends on. steady: the point alone. own: more.
+        enum Kind { steady, own };
 
         /// Where a ray meets which patch.
         struct Place
         {
-            std::size_t slot;
+            std::uint64_t row;    ///< of the table, up to its length; the same in every run
+            std::size_t column;   ///< in that row
             std::uint64_t key;
             std::uint64_t spot;   ///< random bits that are the patch's own in every run
+            std::size_t Slot() const;
             int axis;             ///< the normal's largest component
             bool positive;        ///< the side of the surface that is seen: towards larger coordinates
             bool inside;          ///< that side is the object's inside
             double size;          ///< of the patch, scene units
             double centre[3];     ///< of the patch
-            VECTOR direction;     ///< from which the patch is seen
         };
 
-        bool Locate(Intersection& isect, const Ray& ray, Place& place);
+        /// A surface that is being lit.
+        struct Lit
+        {
+            Intersection isect;
+            bool inside;
+            bool located = false;
+            Place place;
+        };
+
+        static bool May_Share(const Ray& ray);
+        bool Side_Seen(const Intersection& isect, const Ray& ray, VECTOR normal) const;
+        bool Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser, Place& place) const;
+        static Place Of_Light(const Place& place, int light);
+        static float Height_Of(const Intersection& at, const Place& place);
+        static bool On_Patch(const IntegralPatches::Patch& patch, const Place& place, const Intersection& isect);
         bool Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const;
         Kind Kind_Of(const Intersection& isect, bool inside);
         static Kind Kind_Of(const TEXTURE *texture);
@@ -108,17 +133,29 @@ class IntegralSurfaces
         IntegralTally& tally;
         TraceThreadData *thread;
         std::unordered_map<const TEXTURE *, Kind> kinds;
+        Lit lit;
 };
 
 template <class Shade>
 bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade)
 {
+    if (!May_Share(ray))
+        return false;
+    VECTOR normal;
+    const bool inside = Side_Seen(isect, ray, normal);
+    if (Kind_Of(isect, inside) == own)
+    {
+        lit.isect = isect;
+        lit.inside = inside;
+        lit.located = Locate(isect, normal, inside, patches.Coarser_For_Lights(), lit.place);
+        return false;
+    }
     Place place;
-    if (!Locate(isect, ray, place))
+    if (!Locate(isect, normal, inside, 0, place))
         return false;
     IntegralPatches::Patch patch;
     bool worked_out = false;
-    if (!patches.Find(place.slot, place.key, patch))
+    if (!patches.Find(place.Slot(), place.key, patch))
     {
         Ray from;
         Intersection at;
@@ -134,18 +171,51 @@ bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& tra
             patch.green = seen.green();
             patch.blue = seen.blue();
             if (seen.filter() == 0 && seen.transm() == 0)
-                patch.height = float((at.IPoint[place.axis] - place.centre[place.axis]) / place.size);
+                patch.height = Height_Of(at, place);
         }
-        patches.Store(place.slot, patch);
+        patches.Store(place.Slot(), patch);
     }
-    // The point may be on another fold of the surface.
-    constexpr double far = 2.5;
-    if (!(std::fabs((isect.IPoint[place.axis] - place.centre[place.axis]) / place.size - patch.height) <= far))
+    if (!On_Patch(patch, place, isect))
         return false;
     Count(worked_out);
     colour.red() += patch.red;
     colour.green() += patch.green;
     colour.blue() += patch.blue;
+    return true;
+}
+
+template <class Test>
+bool IntegralSurfaces::Light_Of(int light, const Vector3d& point, const ObjectBase *object, Trace& trace, RGBColour& colour, Test test)
+{
+    if (!lit.located || object != lit.isect.Object || point[X] != lit.isect.IPoint[X] || point[Y] != lit.isect.IPoint[Y]
+        || point[Z] != lit.isect.IPoint[Z])
+        return false;
+    const Place place = Of_Light(lit.place, light);
+    IntegralPatches::Patch patch;
+    bool worked_out = false;
+    if (!patches.Find(place.Slot(), place.key, patch))
+    {
+        Ray from;
+        Intersection at;
+        patch.key = place.key;
+        patch.height = std::numeric_limits<float>::quiet_NaN();
+        if (Put(place, lit.isect, trace, from, at))
+        {
+            RGBColour full, left;
+            test(Vector3d(at.IPoint), full, left);
+            worked_out = true;
+            const auto part = [](float whole, float some) { return whole != 0 ? some / whole : 1.0f; };
+            patch.red = part(full.red(), left.red());
+            patch.green = part(full.green(), left.green());
+            patch.blue = part(full.blue(), left.blue());
+            patch.height = Height_Of(at, place);
+        }
+        patches.Store(place.Slot(), patch);
+    }
+    if (!On_Patch(patch, place, lit.isect))
+        return false;
+    Count(worked_out);
+    colour *= RGBColour(patch.red, patch.green, patch.blue);
     return true;
 }
 

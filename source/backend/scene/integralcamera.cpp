@@ -41,7 +41,7 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
 static double Patches_In_Beam(const integral::IntegralCamera& optics, const pov_base::IntegralRenderOptions& given)
 {
     const double samples = std::max(double(optics.pixel_samples) * optics.beam_samples, given.edge_samples);
-    return given.patches_in_beam > 0 ? given.patches_in_beam : std::max(16.0, 2 * samples);
+    return given.patches_in_beam > 0 ? given.patches_in_beam : std::max(16.0, samples);
 }
 
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Surfaces whose shading may be shared, and surfaces whose may not: Kind says which. About a sheet at z = 0,
 // millimetres. The
-// camera is in camera.inc. Light: 0 one point, 1 an area, 2 five points.
+// camera is in camera.inc. Light: 0 one point, 1 an area, 2 five points, 3 one point without shadows.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5
   #ifdef (Radiosity) radiosity { count 60 error_bound 0.7 recursion_limit 1 pretrace_start 0.08 pretrace_end 0.04 }
@@ -17,7 +17,7 @@ global_settings { assumed_gamma 1 max_trace_level 5
   light_source { <12, 19, -31>, rgb 0.6 area_light x * 4, y * 4, 5, 5 }
 #else
   #for (K, 1, (Light = 2 ? 5 : 1))
-    light_source { <7 * K - 20, 19, -31>, rgb (Light = 2 ? 0.15 : 0.6) }
+    light_source { <7 * K - 20, 19, -31>, rgb (Light = 2 ? 0.15 : 0.6) #if (Light = 3) shadowless #end }
   #end
 #end
 #if (Kind != Own) background { rgb <0.2, 0.3, 0.5> } #end
