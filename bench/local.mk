@@ -28,4 +28,13 @@ build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIO
 error-against-time: all build/bench/error_against_time
 	build/bench/error_against_time --scenes $(srcdir)/bench/scenes --size 120x80 -o build/bench/error-against-time
 
+# The thesis's table 4-1, a few minutes of rendering: doc/images/table-4-1.png and its figures.
+EXTRA_PROGRAMS += build/bench/table_4_1
+build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp
+build_bench_table_4_1_LDADD = $(LIBINTEGRAL_LIBS)
+
+.PHONY: table-4-1
+table-4-1: all build/bench/table_4_1
+	build/bench/table_4_1 build/bench/table-4-1 $(srcdir)/bench/scenes
+
 EXTRA_DIST += bench

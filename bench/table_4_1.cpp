@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The thesis's table 4-1 as pictures and figures: a blue sphere 50 mm behind two sheets, rendered with and without
+// anti-aliasing and at three resolutions of film, and what an eye sees of each frame: at the aperture's centre, where the
+// profile is judged, and near its right edge, where it sees the borders of the lenses' pictures.
+//
+// table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md; SCENES: bench/scenes, by default this build's source's
+#include "bench/error_against_time.h"
+
+#include "integral/io/file_bytes.h"
+#include "integral/io/image_file.h"
+#include "integral/io/plot_canvas.h"
+#include "integral/replay/compare.h"
+#include "integral/replay/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+namespace {
+
+namespace files = std::filesystem;
+using namespace integral;
+using namespace integral::bench;
+
+constexpr int width = 708, height = 532; // pixels at 300 dpi: 59.9 x 45.0 mm, and whole pixels at 150 and 75
+// A view's pixel is 4 of the film's, 0.34 mm: as many to a lens, 3.75, as let single lenses be told apart in the profile.
+// Its samples stand two to a pixel of the finest film.
+constexpr int film_pixels_a_view_pixel = 4, view_samples = 8, perspective_times = 3;
+constexpr int margin = 4; // of a view: a lens's breadth, in which the eye looks past the film's edge
+constexpr double view_pixel = film_pixels_a_view_pixel * mm_per_inch / dots_per_inch;
+constexpr double side = 0.45; // of the aperture's width
+// Where the steps of a profile fall is chance: the spheres' edges lie a third of a pixel's beam at 300 dpi (2.2 mm) apart.
+constexpr double radius = 24, radius_step = 0.8;
+constexpr int spheres = 5;
+constexpr double pi = 3.14159265358979323846;
+
+struct Shot {
+    std::string name, label; ///< of its file; over its picture
+    int dpi;
+    std::string words; ///< of the integral camera
+    std::vector<std::string> options;
+};
+
+/// The sphere's profile in a view.
+struct Profile {
+    double jaggedness = 0; ///< mm: RMS distance of the outermost edge from the circle that fits it best
+    double broken = 0;     ///< fraction of the radial lines that cross an edge more than once
+};
+
+struct Row {
+    Shot shot;
+    long long rays = 0;      ///< that left the sheet
+    double rays_a_point = 0; ///< of them to a point that is imaged
+    Comparison to_perspective, from_side;
+    std::optional<Profile> profile;       ///< mean over all spheres
+    std::optional<double> rmse, lit_rmse; ///< of the frame from the converged one: of all pixels, of those lit there
+    Image centre_view, side_view;
+};
+
+const Shot light_field{"light-field", "300 dpi, +A", 300, "", {"+A0.05", "+R5", "+AM2"}};
+const Shot prefilter{"prefilter", "300 dpi, display_prefilter", 300, "display_prefilter", {}};
+const Shot one_ray[] = {{"one-300", "300 dpi, one ray", 300, "", {}},
+                        {"one-150", "150 dpi, one ray", 150, "", {}},
+                        {"one-75", "75 dpi, one ray", 75, "", {}}};
+const Shot converged{"converged", "300 dpi, converged", 300, "pixel_samples 16 beam_samples 16", {"Integral_Seed=20011"}};
+
+Shot by_pixels_of(int depth, const std::string& threshold)
+{
+    return {"pixels", "300 dpi, +A by pixels", 300, "",
+            {"+A" + threshold, "+R" + std::to_string(depth), "+AM2", "Integral_Antialiasing=pixels"}};
+}
+
+/// The part of a picture.
+Image part(const Image& image, int left, int top, int columns, int rows)
+{
+    Image result = make_image<std::uint16_t>(columns, rows, 3, image.encoding);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x)
+            store_pixel(result, x, y, stored_pixel(image, x + left, y + top));
+    return result;
+}
+
+Image inner_part(const Image& image) { return part(image, margin, margin, image.width - 2 * margin, image.height - 2 * margin); }
+
+/// `right`: of the aperture's centre, in its widths.
+Image view_of(const Frame& frame, double right)
+{
+    View view{centre_eye(*frame.metadata), width / film_pixels_a_view_pixel, height / film_pixels_a_view_pixel, view_samples};
+    view.eye.x += right * frame.metadata->aperture.width;
+    return inner_part(*replay(frame, view, 1));
+}
+
+/// Means over squares of pixels, in linear light.
+Image shrunk(const Image& image, int block)
+{
+    Image result = make_image<std::uint16_t>(image.width / block, image.height / block, 3, image.encoding);
+    const LinearReader read(image);
+    const float weight = 1.0f / float(block * block);
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            Color sum{0, 0, 0, 1};
+            for (int k = 0; k < block * block; ++k) {
+                const Color c = read(x * block + k % block, y * block + k / block);
+                sum = {sum.r + c.r * weight, sum.g + c.g * weight, sum.b + c.b * weight, 1};
+            }
+            store_linear(result, x, y, sum);
+        }
+    return result;
+}
+
+/// A view's linear luma, between its pixels by interpolation. Linear, so that half the light is half covered.
+class Luma {
+public:
+    explicit Luma(const Image& image) : image_(image), read_(image) {}
+    /// mm from the centre, y downwards
+    double at(Vec2 point) const
+    {
+        const double x = std::clamp(0.5 * (image_.width - 1) + point.x / view_pixel, 0.0, image_.width - 1.001);
+        const double y = std::clamp(0.5 * (image_.height - 1) + point.y / view_pixel, 0.0, image_.height - 1.001);
+        const int i = int(x), j = int(y);
+        const double right = x - i, down = y - j;
+        return (1 - down) * ((1 - right) * pixel(i, j) + right * pixel(i + 1, j)) +
+               down * ((1 - right) * pixel(i, j + 1) + right * pixel(i + 1, j + 1));
+    }
+    /// Half-way between the sphere at the centre and the light wall in the corner.
+    double middle() const { return 0.5 * (pixel(image_.width / 2, image_.height / 2) + pixel(0, 0)); }
+    double reach() const { return (0.5 * image_.height - 1) * view_pixel; } ///< mm, of radial lines
+
+private:
+    double pixel(int x, int y) const
+    {
+        const Color c = read_(x, y);
+        return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+    }
+    const Image& image_;
+    LinearReader read_;
+};
+
+/// `middle`: the luma at which the edge is. The edge is sought along radial lines from the sphere's centre.
+Profile profile_of(const Image& view, double middle)
+{
+    constexpr int lines = 1440;
+    constexpr double step = 0.02;
+    const Luma luma(view);
+    std::vector<double> radii;
+    double mean = 0, right = 0, down = 0;
+    Profile profile;
+    for (int k = 0; k < lines; ++k) {
+        const Vec2 along{std::cos(2 * pi * k / lines), std::sin(2 * pi * k / lines)};
+        int crossings = 0;
+        double outermost = 0, before = luma.at({0, 0}) - middle;
+        for (double r = step; r <= luma.reach(); r += step) {
+            const double here = luma.at(r * along) - middle;
+            if ((here < 0) != (before < 0)) {
+                ++crossings;
+                outermost = r - step * here / (here - before);
+            }
+            before = here;
+        }
+        radii.push_back(outermost);
+        profile.broken += double(crossings > 1) / lines;
+        mean += outermost / lines;
+        right += 2 * outermost * along.x / lines;
+        down += 2 * outermost * along.y / lines;
+    }
+    // r = mean + right cos + down sin is the best circle nearly round the origin, to first order
+    double squares = 0;
+    for (int k = 0; k < lines; ++k) {
+        const double angle = 2 * pi * k / lines;
+        const double away = radii[k] - mean - right * std::cos(angle) - down * std::sin(angle);
+        squares += away * away / lines;
+    }
+    profile.jaggedness = std::sqrt(squares);
+    return profile;
+}
+
+/// Over the pixels that are not black in the reference: nothing in this scene is, but what no lens shows to the aperture.
+double lit_rmse(const Image& image, const Image& reference)
+{
+    double squares = 0;
+    long long values = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Color a = stored_pixel(image, x, y), b = stored_pixel(reference, x, y);
+            if (b.r == 0 && b.g == 0 && b.b == 0)
+                continue;
+            for (const double difference : {double(a.r) - b.r, double(a.g) - b.g, double(a.b) - b.b})
+                squares += difference * difference;
+            values += 3;
+        }
+    return std::sqrt(squares / double(std::max(values, 1LL)));
+}
+
+/// One sheet's frames and views.
+class Experiment {
+public:
+    Experiment(const Renderer& renderer, const Sheet& sheet) : renderer_(renderer), sheet_(sheet)
+    {
+        render(converged);
+        converged_ = frame_of(converged);
+        perspective_ = perspective(0);
+        side_perspective_ = perspective(side * converged_.metadata->aperture.width);
+        middle_ = Luma(perspective_).middle();
+        Row flat{{"perspective", "perspective picture", 0, "", {}}, 0, 0, {}, {}, profile_of(perspective_, middle_), {}, {},
+                 perspective_, side_perspective_};
+        rows.push_back(flat);
+        for (const Shot& shot : one_ray)
+            points_[shot.dpi] = render(shot);
+        const long long rays = render(light_field);
+        add(light_field);
+        add(prefilter);
+        add(by_pixels_with(rays));
+        for (const Shot& shot : one_ray)
+            add(shot);
+        add(converged);
+    }
+
+    std::string table() const;
+    const std::string& title() const { return sheet_.title; }
+    std::vector<Row> rows;
+
+private:
+    std::string file(const Shot& shot, int sphere) const
+    {
+        return sheet_.name + "-" + shot.name + (sphere > 0 ? "-" + std::to_string(sphere + 1) : "");
+    }
+    Frame frame_of(const Shot& shot, int sphere = 0) const
+    {
+        return read_frame_with_metadata(renderer_.picture(file(shot, sphere)));
+    }
+
+    /// The scene's own picture from an eye that far right of the centre, mm, as coarse as a view.
+    Image perspective(double right) const
+    {
+        const std::string name = sheet_.name + "-perspective";
+        const std::vector<std::string> options{"Declare=Eye_X=" + std::to_string(right), "Declare=Eye_Y=0",
+                                               "Declare=Sphere_Radius=" + std::to_string(radius)};
+        renderer_.render("sphere", name, std::nullopt, options, perspective_times);
+        return inner_part(shrunk(read_frame(renderer_.picture(name)).image, perspective_times * film_pixels_a_view_pixel));
+    }
+
+    /// Of one of the spheres. Returns the number of camera rays.
+    long long render(const Shot& shot, int sphere = 0) const
+    {
+        // the size of the film in mm stays what the Renderer makes it; of its pixels there are fewer
+        std::vector<std::string> options{"+W" + std::to_string(width * shot.dpi / 300),
+                                         "+H" + std::to_string(height * shot.dpi / 300), "Integral_Audit=off",
+                                         "Declare=Sphere_Radius=" + std::to_string(radius - radius_step * sphere)};
+        options.insert(options.end(), shot.options.begin(), shot.options.end());
+        const std::string film = " film { dpi " + std::to_string(shot.dpi) + " } ";
+        const std::string camera = "lens_sheet { " + sheet_.words + " }" + film + shot.words;
+        const RenderCost cost = renderer_.render("sphere", file(shot, sphere), camera, options);
+        std::cerr << file(shot, sphere) << ": " << cost.camera_rays << " rays, " << cost.cpu_seconds << " CPU seconds\n";
+        return cost.camera_rays;
+    }
+
+    /// Of POV-Ray's own rules that take at least so many rays, the one that takes fewest.
+    Shot by_pixels_with(long long least) const
+    {
+        std::optional<Shot> best;
+        long long fewest = 0;
+        for (const int depth : {2, 3, 4, 5}) // a lower threshold takes more rays
+            for (const char* threshold : {"0.9", "0.5", "0.3", "0.2", "0.15", "0.1", "0.07", "0.05", "0.03", "0.02", "0.01",
+                                          "0.0"}) {
+                const Shot shot = by_pixels_of(depth, threshold);
+                const long long rays = render(shot);
+                if (rays < least)
+                    continue;
+                if (!best || rays < fewest)
+                    best = shot, fewest = rays;
+                break;
+            }
+        if (!best)
+            throw std::runtime_error("no rule of POV-Ray's own anti-aliasing takes as many rays as +A in the light field");
+        return *best;
+    }
+
+    void add(const Shot& shot)
+    {
+        const bool reference = shot.name == converged.name; // its profile is not worth four more renders
+        Row row{shot, 0, 0, {}, {}, {}, {}, {}, {}, {}};
+        row.rays = reference ? 256 * points_[300] : render(shot);
+        row.rays_a_point = double(row.rays) / double(points_[shot.dpi]);
+        const Frame frame = frame_of(shot);
+        row.centre_view = view_of(frame, 0);
+        row.side_view = view_of(frame, side);
+        row.to_perspective = compare({row.centre_view, {}}, {perspective_, {}});
+        row.from_side = compare({row.side_view, {}}, {side_perspective_, {}});
+        if (shot.dpi == 300 && !reference) {
+            row.rmse = compare(frame, converged_).rmse;
+            row.lit_rmse = lit_rmse(frame.image, converged_.image);
+        }
+        if (!reference) {
+            row.profile = Profile{};
+            for (int sphere = 0; sphere < spheres; ++sphere) {
+                if (sphere > 0)
+                    render(shot, sphere);
+                const Profile one = profile_of(view_of(frame_of(shot, sphere), 0), middle_);
+                row.profile->jaggedness += one.jaggedness / spheres;
+                row.profile->broken += one.broken / spheres;
+            }
+        }
+        rows.push_back(row);
+    }
+
+    const Renderer& renderer_;
+    Sheet sheet_;
+    Frame converged_;
+    Image perspective_, side_perspective_;
+    double middle_ = 0;               ///< luma of the edge
+    std::map<int, long long> points_; ///< that are imaged, by dpi: the rays of one each
+};
+
+std::string text(const char* format, double value)
+{
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, format, value);
+    return buffer;
+}
+
+std::string Experiment::table() const
+{
+    std::string out = "**" + sheet_.title + "**\n\n| frame | dpi | camera rays | a lit pixel | PSNR (dB) | SSIM | PSNR, side |"
+                      " SSIM, side | jaggedness (mm) | broken | RMSE | RMSE, lit |\n"
+                      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    for (const Row& row : rows) {
+        std::string name = row.shot.words;
+        for (const std::string& option : row.shot.options)
+            name += (name.empty() ? "" : " ") + option;
+        std::vector<std::string> cells{row.shot.dpi == 0 ? row.shot.label : name.empty() ? "one ray" : "`" + name + "`"};
+        if (row.shot.dpi > 0)
+            cells.insert(cells.end(), {std::to_string(row.shot.dpi), std::to_string(row.rays), text("%.2f", row.rays_a_point),
+                                       text("%.2f", row.to_perspective.psnr), text("%.4f", row.to_perspective.ssim),
+                                       text("%.2f", row.from_side.psnr), text("%.4f", row.from_side.ssim)});
+        else
+            cells.resize(8);
+        cells.push_back(row.profile ? text("%.3f", row.profile->jaggedness) : "");
+        cells.push_back(row.profile ? text("%.1f%%", 100 * row.profile->broken) : "");
+        cells.push_back(row.rmse ? text("%.4f", *row.rmse) : "");
+        cells.push_back(row.lit_rmse ? text("%.4f", *row.lit_rmse) : "");
+        for (const std::string& cell : cells)
+            out += "| " + cell + (cell.empty() ? "" : " ");
+        out += "|\n";
+    }
+    return out + "\n";
+}
+
+/// The views side by side, twice as large and cut to squares around the sphere; for each sheet a row of what is seen from
+/// the centre and one from the side. Not those of the converged frame.
+void write_montage(const std::vector<Experiment>& sheets, const std::string& path)
+{
+    constexpr int times = 2, border = 4, head = 24;
+    const int columns = int(sheets[0].rows.size()) - 1, lines = 2 * int(sheets.size());
+    const Image& any = sheets[0].rows[0].centre_view;
+    const int cut = any.height, over = any.width - any.height, edge = times * cut + border;
+    PlotCanvas canvas(head + columns * edge, head + lines * edge, PlotFormat::png);
+    canvas.set_font(15, false);
+    const auto middle_of = [&](const std::string& label) { return 0.5 * (edge - border - canvas.text_width(label)); };
+    for (int i = 0; i < columns; ++i) {
+        const std::string& label = sheets[0].rows[i].shot.label;
+        canvas.write(label, head + i * edge + middle_of(label), head - 7, {0, 0, 0});
+    }
+    for (int j = 0; j < lines; ++j) {
+        const std::string label = sheets[j / 2].title() + (j % 2 ? ", side" : ", centre");
+        canvas.write_upwards(label, head - 7, head + (j + 1) * edge - border - middle_of(label), {0, 0, 0});
+    }
+    write_file(path, canvas.finish(""));
+    Image montage = read_frame(path).image;
+    for (int j = 0; j < lines; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const Row& row = sheets[j / 2].rows[i];
+            const Image square = j % 2 ? part(row.side_view, over, 0, cut, cut) : part(row.centre_view, over / 2, 0, cut, cut);
+            for (int y = 0; y < times * cut; ++y)
+                for (int x = 0; x < times * cut; ++x)
+                    store_pixel(montage, head + i * edge + x, head + j * edge + y, stored_pixel(square, x / times, y / times));
+        }
+    write_frame(path, {montage, {}});
+}
+
+void run(const files::path& folder, const files::path& scenes, const files::path& program)
+{
+    const std::string frames = (folder / "frames").string(), picture = (folder / "table-4-1.png").string();
+    const Renderer renderer{program.string(), scenes.string(), frames, width, height};
+    if (!files::exists(renderer.program))
+        throw InputError(renderer.program + ": there is no renderer here; build it (make)");
+    if (!files::exists(scenes / "sphere.pov"))
+        throw InputError((scenes / "sphere.pov").string() + ": the scene is missing; name its folder after the output's");
+    files::create_directories(frames);
+    check_writable(picture);
+    std::vector<Experiment> sheets;
+    std::string tables;
+    for (const char* arrangement : {"lenticular", "square"}) {
+        const std::string name = arrangement;
+        sheets.emplace_back(renderer, Sheet{name, "1.27 mm " + name, name + " pitch 1.27 thickness 3.08 ior 1.6"});
+        tables += sheets.back().table();
+    }
+    write_montage(sheets, picture);
+    write_file((folder / "table-4-1.md").string(), tables);
+    std::cout << tables;
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+    if (count < 2 || count > 3 || !*words[1] || *words[1] == '-') {
+        std::cerr << "table_4_1: usage: table_4_1 FOLDER [SCENES]" << std::endl;
+        return 2;
+    }
+    try {
+        const files::path own = files::read_symlink("/proc/self/exe").parent_path(); // BUILD/bench
+        const files::path scenes = count > 2 ? files::path(words[2]) : own / "../../bench/scenes";
+        run(words[1], scenes.lexically_normal(), (own / "../bin/povray-integral").lexically_normal());
+        return 0;
+    } catch (const OutputError& error) {
+        std::cerr << "table_4_1: " << error.what() << std::endl;
+        return 4;
+    } catch (const files::filesystem_error& error) {
+        std::cerr << "table_4_1: " << error.what() << std::endl;
+        return 4;
+    } catch (const std::exception& error) {
+        std::cerr << "table_4_1: " << error.what() << std::endl;
+        return 1;
+    }
+}
