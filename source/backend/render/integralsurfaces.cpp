@@ -59,6 +59,17 @@ std::uint64_t Number_Of(const ObjectBase& object)
     return number;
 }
 
+/// More than a frame's patches, but for very large frames; a small frame's table stays in the processor's cache.
+std::size_t Slots_For(const integral::Film& film)
+{
+    constexpr double slots_a_pixel = 8;
+    constexpr std::size_t least = std::size_t(1) << 14, most = std::size_t(1) << 20;
+    std::size_t slots = least;
+    while (slots < most && slots < slots_a_pixel * film.width * film.height)
+        slots *= 2;
+    return slots;
+}
+
 double Against(const VECTOR normal, const Ray& ray)
 {
     return normal[X] * ray.Direction[X] + normal[Y] * ray.Direction[Y] + normal[Z] * ray.Direction[Z];
@@ -71,9 +82,14 @@ IntegralPatches::IntegralPatches(const integral::IntegralCamera& camera, double 
       spread(camera.optics.medium().n * camera.film.pixel_pitch.x / camera.optics.sheet().thickness),
       cells(cells),
       scale(length(camera.placement.z)),
-      patches(slots),
-      locks(slots / row_length)
+      patches(Slots_For(camera.film)),
+      locks(patches.size() / row_length)
 {
+}
+
+std::size_t IntegralPatches::Slot(std::uint64_t row, std::size_t column) const
+{
+    return std::size_t(row % locks.size()) * row_length + column;
 }
 
 /// A pixel's beam is as broad as its lens at the sheet, and spreads by the pixel's angle; along a cylindrical lens it is
@@ -287,11 +303,6 @@ IntegralSurfaces::Place IntegralSurfaces::Of_Light(const Place& place, int light
     of_light.key = integral::random_bits(place.key, std::uint64_t(light) + 1) | 1;
     of_light.row = integral::random_bits(place.row, std::uint64_t(light) + 1);
     return of_light;
-}
-
-std::size_t IntegralSurfaces::Place::Slot() const
-{
-    return std::size_t(row % (IntegralPatches::slots / row_length)) * row_length + column;
 }
 
 float IntegralSurfaces::Height_Of(const Intersection& at, const Place& place)

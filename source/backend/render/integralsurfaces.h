@@ -29,7 +29,7 @@ class Trace;
 class TraceThreadData;
 struct IntegralTally;
 
-/// The patches of a view, shared by its threads: a table of fixed size, in which new patches displace old ones.
+/// The patches of a view, shared by its threads: a table whose size follows from the frame's, in which new patches displace old ones.
 class IntegralPatches
 {
     public:
@@ -47,7 +47,8 @@ class IntegralPatches
         bool Find(std::size_t slot, std::uint64_t key, Patch& patch) const;
         void Store(std::size_t slot, const Patch& patch);
 
-        static constexpr std::size_t slots = std::size_t(1) << 20;
+        /// The slot for a row, any number, and a column.
+        std::size_t Slot(std::uint64_t row, std::size_t column) const;
 
         /// The patches' size at a point of the scene: a step of a scale on which each is 2^(1/2) times the one before.
         int Level(const VECTOR point) const;
@@ -96,11 +97,10 @@ class IntegralSurfaces
         /// Where a ray meets which patch.
         struct Place
         {
-            std::uint64_t row;    ///< of the table, up to its length; the same in every run
+            std::uint64_t row;    ///< of the table; the same in every run
             std::size_t column;   ///< in that row
             std::uint64_t key;
             std::uint64_t spot;   ///< random bits that are the patch's own in every run
-            std::size_t Slot() const;
             int axis;             ///< the normal's largest component
             bool positive;        ///< the side of the surface that is seen: towards larger coordinates
             bool inside;          ///< that side is the object's inside
@@ -155,7 +155,8 @@ bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& tra
         return false;
     IntegralPatches::Patch patch;
     bool worked_out = false;
-    if (!patches.Find(place.Slot(), place.key, patch))
+    const std::size_t slot = patches.Slot(place.row, place.column);
+    if (!patches.Find(slot, place.key, patch))
     {
         Ray from;
         Intersection at;
@@ -173,7 +174,7 @@ bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& tra
             if (seen.filter() == 0 && seen.transm() == 0)
                 patch.height = Height_Of(at, place);
         }
-        patches.Store(place.Slot(), patch);
+        patches.Store(slot, patch);
     }
     if (!On_Patch(patch, place, isect))
         return false;
@@ -193,7 +194,8 @@ bool IntegralSurfaces::Light_Of(int light, const Vector3d& point, const ObjectBa
     const Place place = Of_Light(lit.place, light);
     IntegralPatches::Patch patch;
     bool worked_out = false;
-    if (!patches.Find(place.Slot(), place.key, patch))
+    const std::size_t slot = patches.Slot(place.row, place.column);
+    if (!patches.Find(slot, place.key, patch))
     {
         Ray from;
         Intersection at;
@@ -210,7 +212,7 @@ bool IntegralSurfaces::Light_Of(int light, const Vector3d& point, const ObjectBa
             patch.blue = part(full.blue(), left.blue());
             patch.height = Height_Of(at, place);
         }
-        patches.Store(place.Slot(), patch);
+        patches.Store(slot, patch);
     }
     if (!On_Patch(patch, place, lit.isect))
         return false;
