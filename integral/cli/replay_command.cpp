@@ -4,7 +4,8 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/replay/replay.h"
+#include "integral/lightfield/names.h"
+#include "integral/replay/arrange.h"
 
 #include <cmath>
 
@@ -25,8 +26,22 @@ options::options_description make_options()
          "(default: the centre of the frame's capture aperture)")
         ("size", options::value<std::string>()->value_name("WxH"),
          "pixels of the view (default: the film's shape, 1000 on the longer side)")
-        ("samples", options::value<int>()->value_name("N")->default_value(3),
-         "N by N samples in each pixel, 1 to 64, averaged in linear light")
+        ("samples", options::value<int>()->value_name("N"),
+         "N by N samples in each pixel, 1 to 64, averaged in linear light (default: 3; with a pupil 8)")
+        ("pupil", options::value<std::string>()->value_name("MM"),
+         "the pupil's diameter, 0 to 1e6 mm (default: 0, which sees every depth sharply)")
+        ("focus", options::value<std::string>()->value_name("MM"),
+         "the depth that a pupil sees sharply: mm behind the sheet, negative in front of it (default: 0, the sheet)")
+        ("lens-model", options::value<std::string>()->value_name("MODEL"),
+         "extended_pinhole: ideal lenses (default); pinhole; or full: with the curved surface's aberrations")
+        ("film-gap", options::value<std::string>()->value_name("MM"),
+         "how much farther than at the lenses' focus the film lies; negative: nearer (default: 0)")
+        ("stereo", options::value<std::string>()->value_name("MM"),
+         "a pair of views, of eyes so many mm apart, side by side: the left eye's on the left")
+        ("cross-eyed", options::bool_switch(), "the left eye's on the right")
+        ("anaglyph", options::bool_switch(), "the pair for red-cyan glasses: the left eye's in red")
+        ("grid", options::value<std::string>()->value_name("CxR"),
+         "a contact sheet: C by R views of eyes spread over the frame's capture aperture, the eye's distance away")
         ("sheet", options::value<std::string>()->value_name("FILE.json"),
          "geometry for a frame that carries none, or instead of its own")
         ("threads", options::value<int>()->value_name("N")->default_value(0),
@@ -42,6 +57,93 @@ Eye parse_eye(const std::string& text)
     if (!(v[2] > 0 && v[2] <= farthest && std::fabs(v[0]) <= farthest && std::fabs(v[1]) <= farthest))
         throw UsageError("--eye " + text + ": " + form + " is expected, each at most 1e9");
     return {v[0], v[1], v[2]};
+}
+
+/// A number of mm from `least` to 1e6; `fallback` if the option was not given.
+double parse_mm(const options::variables_map& arguments, const char* option, double least, const char* form, double fallback)
+{
+    if (!given(arguments, option))
+        return fallback;
+    const double value = parse_number(option, text_of(arguments, option), form);
+    if (!(value >= least && value <= 1e6))
+        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": " + form + " is expected");
+    return value;
+}
+
+LensModel parse_model(const std::string& text)
+{
+    for (const LensModel model : {LensModel::extended_pinhole, LensModel::pinhole, LensModel::full})
+        if (text == name_of(model))
+            return model;
+    throw UsageError("--lens-model " + text + ": extended_pinhole, pinhole or full is expected");
+}
+
+/// One view, a pair or a grid of them.
+class ArrangementOfViews {
+public:
+    explicit ArrangementOfViews(const options::variables_map& arguments)
+        : separation_(parse_mm(arguments, "stereo", 0, "a distance from 0 to 1e6 mm", 0)), pair_(given(arguments, "stereo")),
+          crossed_(arguments["cross-eyed"].as<bool>()), anaglyph_(arguments["anaglyph"].as<bool>())
+    {
+        if ((crossed_ || anaglyph_) && !pair_)
+            throw UsageError(std::string(crossed_ ? "--cross-eyed" : "--anaglyph") + " needs --stereo MM, the eyes' distance");
+        if (crossed_ && anaglyph_)
+            throw UsageError("--cross-eyed and --anaglyph do not go together");
+        if (given(arguments, "grid")) {
+            if (pair_)
+                throw UsageError("--grid and --stereo do not go together");
+            grid_ = parse_size("grid", text_of(arguments, "grid"), largest_grid);
+        }
+    }
+
+    std::vector<Eye> eyes_for(Eye middle, const Aperture& aperture) const
+    {
+        if (pair_)
+            return eye_pair(middle, separation_);
+        if (grid_.width == 0)
+            return {middle};
+        const double scale = middle.distance / aperture.distance;
+        return eye_grid(middle, grid_.width, grid_.height, scale * aperture.width, scale * aperture.height);
+    }
+
+    void check_size(const View& view) const
+    {
+        const int columns = pair_ && !anaglyph_ ? 2 : std::max(1, grid_.width), rows = std::max(1, grid_.height);
+        if (columns * (view.width + border) > largest_side || rows * (view.height + border) > largest_side)
+            throw UsageError(std::to_string(columns) + " by " + std::to_string(rows) + " views of " + std::to_string(view.width) + "x"
+                             + std::to_string(view.height) + " pixels are more than " + std::to_string(largest_side)
+                             + " pixels one way; a smaller --size would help");
+    }
+
+    Image as_one(std::vector<Image> pictures) const
+    {
+        if (anaglyph_)
+            return anaglyph(pictures[0], pictures[1]);
+        if (crossed_)
+            std::swap(pictures[0], pictures[1]);
+        if (pictures.size() == 1)
+            return std::move(pictures[0]);
+        return tiled(pictures, pair_ ? 2 : grid_.width, pair_ ? 0 : border);
+    }
+
+private:
+    static constexpr int largest_grid = 64, border = 4;
+    double separation_;
+    bool pair_, crossed_, anaglyph_;
+    PixelSize grid_;
+};
+
+/// What of a view can only be judged once the frame is known.
+void check_view(const View& view, const FrameMetadata& metadata)
+{
+    if (!(view.focus > -view.eye.distance))
+        throw UsageError("--focus " + std::to_string(view.focus) + ": that is not in front of the eye, which is "
+                         + std::to_string(view.eye.distance) + " mm in front of the sheet");
+    if (!(view.film_gap > -metadata.sheet.thickness))
+        throw UsageError("--film-gap " + std::to_string(view.film_gap) + ": that is not behind the lenses, whose focus is "
+                         + std::to_string(metadata.sheet.thickness) + " mm behind them");
+    if (view.model == LensModel::full && !has_surface(metadata.sheet))
+        throw UsageError("--lens-model full: these lenses have no surface that reaches their edge");
 }
 
 int in_range(const options::variables_map& arguments, const char* option, int least, int most)
@@ -60,7 +162,14 @@ int run(const options::variables_map& arguments)
     if (output.empty())
         throw UsageError("-o VIEW is missing");
     View view;
-    view.samples = in_range(arguments, "samples", 1, most_samples);
+    view.pupil = parse_mm(arguments, "pupil", 0, "a diameter from 0 to 1e6 mm", 0);
+    view.focus = parse_mm(arguments, "focus", -1e6, "mm behind the sheet, from -1e6 to 1e6,", 0);
+    view.film_gap = parse_mm(arguments, "film-gap", -1e6, "mm, from -1e6 to 1e6,", 0);
+    if (given(arguments, "lens-model"))
+        view.model = parse_model(text_of(arguments, "lens-model"));
+    constexpr int plain_samples = 3, pupil_samples = 8;
+    view.samples = given(arguments, "samples") ? in_range(arguments, "samples", 1, most_samples)
+                 : view.pupil > 0              ? pupil_samples : plain_samples;
     const int threads = in_range(arguments, "threads", 0, 1024);
     if (given(arguments, "eye"))
         view.eye = parse_eye(text_of(arguments, "eye"));
@@ -69,6 +178,7 @@ int run(const options::variables_map& arguments)
         view.width = size.width;
         view.height = size.height;
     }
+    const ArrangementOfViews seen(arguments);
     format_for(output);
     check_writable(output);
 
@@ -79,11 +189,18 @@ int run(const options::variables_map& arguments)
         view.eye = centre_eye(*frame.metadata);
     if (!given(arguments, "size"))
         set_view_size(view, frame.metadata->film, default_longer_side);
+    check_view(view, *frame.metadata);
 
-    auto image = replay(frame, view, threads, progress_bar("replay"));
-    if (!image)
-        throw Interrupted();
-    write_frame(output, Frame{std::move(*image), std::nullopt});
+    seen.check_size(view);
+    std::vector<Image> pictures;
+    for (const Eye& eye : seen.eyes_for(view.eye, frame.metadata->aperture)) {
+        view.eye = eye;
+        auto picture = replay(frame, view, threads, progress_bar("replay"));
+        if (!picture)
+            throw Interrupted();
+        pictures.push_back(std::move(*picture));
+    }
+    write_frame(output, Frame{seen.as_one(std::move(pictures)), std::nullopt});
     return exit_done;
 }
 
@@ -92,11 +209,11 @@ int run(const options::variables_map& arguments)
 const Command replay_command = {
     "replay",
     "what an eye sees of a frame through its lens sheet",
-    "FRAME -o VIEW [--eye X,Y,DISTANCE] [--size WxH]",
+    "FRAME -o VIEW [--eye X,Y,DISTANCE] [--size WxH] [--stereo MM | --grid CxR]",
     "Draws the view that an eye at a given place has of a frame under its lens sheet. The sheet\n"
     "fills the picture. From the aperture's centre (the default) it is the picture that the\n"
     "scene's perspective camera takes; beyond the viewing zone the eye sees side lobes, and black\n"
-    "where it looks past the film.\n",
+    "where it looks past the film. A pupil blurs what is not at the depth that it focuses on.\n",
     1, 1, make_options, run};
 
 } // namespace integral

@@ -2,6 +2,8 @@
 # Sources of integral/replay: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/replay/arrange.cpp \
+  integral/replay/arrange.h \
   integral/replay/compare.cpp \
   integral/replay/compare.h \
   integral/replay/replay.cpp \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay.h"
 
+#include "integral/lightfield/pixel_sampler.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,26 +26,61 @@ namespace {
 /// What the eye sees at a point of the sheet: linear, premultiplied.
 class SheetSeen {
 public:
-    SheetSeen(const Frame& frame, Eye eye)
-        : film_(frame.metadata->film), eye_(eye),
-          optics_(frame.metadata->sheet, frame.metadata->aperture), pixel_(frame.image),
+    SheetSeen(const Frame& frame, const View& view)
+        : film_(frame.metadata->film), distance_(view.eye.distance),
+          past_focus_(view.film_gap / frame.metadata->sheet.thickness),
+          optics_(frame.metadata->sheet, frame.metadata->aperture, view.model), pixel_(frame.image),
           outside_{0, 0, 0, frame.image.channels == 4 ? 0.0f : 1.0f}
     {
     }
 
-    Color at(Vec2 point) const
+    /// At a point of the sheet, from a point `eye` of the pupil's plane.
+    Color at(Vec2 point, Vec2 eye) const
     {
-        // The line from the sheet's point to the eye leaves the sheet in this direction ...
-        const Vec3 to_eye{eye_.x - point.x, eye_.y - point.y, -eye_.distance};
-        const Vec3 direction = (1 / length(to_eye)) * to_eye;
-        // ... and the beam of that direction, from that point's lens, comes from this film point.
-        const Vec2 pixel = pixel_from_film(film_, optics_.film_point_seen(point, direction));
+        const auto film_point = film_point_seen(point, eye);
+        if (!film_point)
+            return outside_;
+        // A film beside the focus is met where the line from the lens's point to the focus meets it.
+        const Vec2 pixel = pixel_from_film(film_, *film_point + past_focus_ * (*film_point - point));
         if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 && pixel.y < film_.height))
             return outside_;
         return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y)) : stripes_at(pixel);
     }
 
 private:
+    std::optional<Vec2> film_point_seen(Vec2 point, Vec2 eye) const
+    {
+        if (refracts_at_surface(optics_.model())) {
+            const LensIndex lens = optics_.lattice().nearest(point);
+            Vec2 offset = point - optics_.lattice().pole(lens);
+            if (optics_.sheet().arrangement == Arrangement::lenticular)
+                offset = dot(offset, optics_.lattice().across()) * optics_.lattice().across();
+            return surface_film_point(point, eye, offset);
+        }
+        // The line from the sheet's point to the eye leaves the sheet in this direction ...
+        const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -distance_};
+        const Vec3 direction = (1 / length(to_eye)) * to_eye;
+        // ... and the beam of that direction, from that point's lens, comes from this film point.
+        return optics_.film_point_seen(point, direction);
+    }
+
+    /// The line from the eye to the point of the lens's surface behind `point`, refracted there, down to the film. `offset`: from
+    /// the pole (lenticular: from the axis).
+    std::optional<Vec2> surface_film_point(Vec2 point, Vec2 eye, Vec2 offset) const
+    {
+        const auto plane = tangent_plane(surface_radius(optics_.sheet()), length(offset));
+        if (!plane)
+            return std::nullopt;
+        const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -distance_ - plane->height};
+        const Vec3 direction = (1 / length(to_eye)) * to_eye;
+        const Vec2 b = plane->v > 0 ? (1 / plane->v) * offset : Vec2{1, 0}, a{-b.y, b.x};
+        const Vec2 seen{direction.x, direction.y};
+        const auto way = way_refracted_into(optics_.medium(), *plane, {dot(b, seen), dot(a, seen), direction.z});
+        if (!way)
+            return std::nullopt;
+        return point - way->x * b - way->y * a;
+    }
+
     /// Each colour channel of its own nearest stripe; their pixels' mean alpha.
     Color stripes_at(Vec2 pixel) const
     {
@@ -56,10 +93,36 @@ private:
     }
 
     Film film_;
-    Eye eye_;
+    double distance_;
+    double past_focus_; ///< the film's distance behind the lenses' focus, in thicknesses
     SheetOptics optics_;
     LinearReader pixel_;
     Color outside_;
+};
+
+/// Points of the pupil, spread evenly over the samples of a pixel and otherwise than in the pixels around it.
+class Pupil {
+public:
+    explicit Pupil(const View& view) : centre_{view.eye.x, view.eye.y}, radius_(0.5 * view.pupil) {}
+
+    Vec2 point(int x, int y, int sample) const
+    {
+        if (radius_ == 0)
+            return centre_;
+        // Roberts' (2018) sequence, shifted at random for each pixel
+        constexpr double step_x = 0.75487766624669276, step_y = 0.56984029099805327;
+        const std::uint64_t bits = random_bits(std::uint64_t(x), std::uint64_t(y));
+        const auto part = [](double v) { return v - std::floor(v); };
+        const double u = part(double(bits >> 32) * 0x1p-32 + sample * step_x);
+        const double v = part(double(bits & 0xffffffff) * 0x1p-32 + sample * step_y);
+        constexpr double turn = 6.28318530717958647692;
+        const double r = radius_ * std::sqrt(u);
+        return centre_ + Vec2{r * std::cos(turn * v), r * std::sin(turn * v)};
+    }
+
+private:
+    Vec2 centre_;
+    double radius_;
 };
 
 Image blank_view(const Frame& frame, const View& view)
@@ -80,7 +143,11 @@ Image blank_view(const Frame& frame, const View& view)
 std::optional<Image> replay(const Frame& frame, const View& view, int threads,
                             const Progress& progress)
 {
-    const SheetSeen seen(frame, view.eye);
+    const SheetSeen seen(frame, view);
+    const Pupil pupil(view);
+    const Vec2 eye{view.eye.x, view.eye.y};
+    // Where the line from a point of the pupil to the point in focus meets the sheet: so much of the way to it, sideways.
+    const double sideways = view.focus / (view.eye.distance + view.focus);
     const Film& film = frame.metadata->film;
     Image image = blank_view(frame, view);
 
@@ -94,8 +161,9 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
             double r = 0, g = 0, b = 0, a = 0;
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i) {
-                    const Color c = seen.at(
-                        film_from_pixel(grid, {x + (i + 0.5) / n, y + (j + 0.5) / n}));
+                    const Vec2 point = film_from_pixel(grid, {x + (i + 0.5) / n, y + (j + 0.5) / n});
+                    const Vec2 from = pupil.point(x, y, j * n + i);
+                    const Color c = seen.at(point + sideways * (from - eye), from);
                     r += c.r;
                     g += c.g;
                     b += c.b;
