@@ -31,6 +31,7 @@ unit_sources = \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/replay_compare.cpp \
   tests/unit/replay_parallax.cpp \
+  tests/unit/replay_parallel_views.cpp \
   tests/unit/replay_views.cpp \
   tests/unit/main.cpp \
   tests/unit/numerics_table.cpp \

@@ -15,4 +15,5 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_report.cpp \
   integral/cli/sheet_report.h \
   integral/cli/values.cpp \
-  integral/cli/values.h
+  integral/cli/values.h \
+  integral/cli/views_command.cpp

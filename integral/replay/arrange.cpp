@@ -14,6 +14,8 @@ void demand_alike(const Image& a, const Image& b)
         throw std::invalid_argument("the pictures differ in size or form");
 }
 
+} // namespace
+
 Image blank_like(const Image& like, int width, int height)
 {
     Image image = std::visit([&](const auto& samples) {
@@ -22,8 +24,6 @@ Image blank_like(const Image& like, int width, int height)
     image.premultiplied = like.premultiplied;
     return image;
 }
-
-} // namespace
 
 std::vector<Eye> eye_pair(Eye middle, double separation)
 {
@@ -61,6 +61,15 @@ Image tiled(const std::vector<Image>& pictures, int columns, int border)
             store_pixel(sheet, x, y, inside ? stored_pixel(pictures[k], inner_x, inner_y) : Color{0, 0, 0, 1});
         }
     return sheet;
+}
+
+Image part_of(const Image& picture, int x, int y, int width, int height)
+{
+    Image part = blank_like(picture, width, height);
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i)
+            store_pixel(part, i, j, stored_pixel(picture, x + i, y + j));
+    return part;
 }
 
 Image anaglyph(const Image& left, const Image& right)

@@ -6,5 +6,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/arrange.h \
   integral/replay/compare.cpp \
   integral/replay/compare.h \
+  integral/replay/parallel_views.cpp \
+  integral/replay/parallel_views.h \
   integral/replay/replay.cpp \
   integral/replay/replay.h

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/replay/parallel_views.h"
+
+#include "integral/replay/arrange.h"
+#include "integral/optics/lens_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace integral {
+
+namespace {
+
+constexpr double whole = 1e-6; // of a pixel: so much off counts as a whole number
+
+bool is_whole(double value) { return std::fabs(value - std::round(value)) < whole; }
+
+/// Pixels to a lens along the film's rows and columns (lenticular: the second is 0).
+Vec2 pixels_a_lens(const FrameMetadata& m)
+{
+    const Lattice lattice(m.sheet);
+    const double p = m.sheet.pitch;
+    if (m.sheet.arrangement == Arrangement::lenticular)
+        return {p / std::fabs(lattice.across().x) / m.film.pixel_pitch.x, 0};
+    const double row = m.sheet.arrangement == Arrangement::hexagonal ? std::sqrt(0.75) : 1;
+    return {p / m.film.pixel_pitch.x, row * p / m.film.pixel_pitch.y};
+}
+
+/// One side of a film whose lenses are a whole number of pixels wide: every pixel has a lens and a place in it. A pixel on the
+/// border of two lenses is the farther one's.
+struct Side {
+    int pixels; ///< a lens
+    int border; ///< the first pixel that is not the first lens's
+    int lens(int pixel) const { return pixel < border ? 0 : (pixel - border) / pixels + 1; }
+    int place(int pixel) const { return pixel < border ? pixel - border + pixels : (pixel - border) % pixels; }
+};
+
+/// `first`: mm from the first lens's pole to the first pixel's centre, in the direction in which pixels are counted.
+Side side_of(double first, double pixel_pitch, double pitch)
+{
+    return {int(std::lround(pitch / pixel_pitch)), int(std::ceil((0.5 * pitch - first) / pixel_pitch - whole))};
+}
+
+/// The geometry that both ways share.
+class Lenses {
+public:
+    Lenses(const FrameMetadata& m, ViewGrid grid)
+        : film(m.film), lattice(m.sheet), grid(grid), arrangement(m.sheet.arrangement), pitch(m.sheet.pitch),
+          exact(views_are_exact(m, grid))
+    {
+        const bool lenticular = arrangement == Arrangement::lenticular;
+        if (lenticular && !slit_is_horizontal(m.sheet))
+            throw std::invalid_argument("the lenses lie across (slant beyond 45 degrees): there are no views from left to right");
+        row = arrangement == Arrangement::hexagonal ? std::sqrt(0.75) * pitch : pitch;
+        breadth = lenticular ? pitch / lattice.across().x : pitch;
+        const LensIndex corner = lattice.nearest(point(0, 0));
+        if (exact) {
+            const Vec2 first = point(0, 0), pole = lattice.pole(corner);
+            across = side_of(first.x - pole.x, film.pixel_pitch.x, pitch);
+            window = {corner, across.lens(film.width - 1) + 1, film.height};
+            if (!lenticular) {
+                down = side_of(pole.y - first.y, film.pixel_pitch.y, pitch);
+                window.rows = down.lens(film.height - 1) + 1;
+            }
+            return;
+        }
+        LensIndex least = corner, most = corner;
+        const auto take = [&](int x, int y) {
+            const LensIndex lens = lattice.nearest(point(x, y));
+            least = {std::min(least.i, lens.i), std::min(least.j, lens.j)};
+            most = {std::max(most.i, lens.i), std::max(most.j, lens.j)};
+        };
+        for (int x = 0; x < film.width; ++x)
+            for (const int y : {0, film.height - 1})
+                take(x, y);
+        for (int y = 0; y < film.height; ++y)
+            for (const int x : {0, film.width - 1})
+                take(x, y);
+        const int lenses = int(most.i - least.i + 1);
+        window = {{least.i, most.j}, arrangement == Arrangement::hexagonal ? 2 * lenses + 1 : lenses,
+                  lenticular ? film.height : int(most.j - least.j + 1)};
+    }
+
+    Vec2 point(int x, int y) const { return film_from_pixel(film, {x + 0.5, y + 0.5}); }
+
+    /// The lens of a view's pixel; and back, the first pixel of a lens (that a film pixel of row `film_row` lies behind).
+    LensIndex lens_at(int column, int view_row) const
+    {
+        if (arrangement == Arrangement::lenticular)
+            return {window.first.i + column, 0};
+        const std::int64_t j = window.first.j - view_row;
+        if (arrangement == Arrangement::square)
+            return {window.first.i + column, j};
+        const int shifted = column - int(j & 1);
+        return {window.first.i + (shifted < 0 ? -1 : shifted / 2), j};
+    }
+    int column_of(LensIndex lens) const
+    {
+        const int i = int(lens.i - window.first.i);
+        return arrangement == Arrangement::hexagonal ? 2 * i + int(lens.j & 1) : i;
+    }
+    int row_of(LensIndex lens, int film_row) const
+    {
+        return arrangement == Arrangement::lenticular ? film_row : int(window.first.j - lens.j);
+    }
+
+    /// The middle of a lens; of a lenticular one, where its axis crosses that row of the film.
+    Vec2 middle(LensIndex lens, int film_row) const
+    {
+        const Vec2 pole = lattice.pole(lens);
+        if (arrangement != Arrangement::lenticular)
+            return pole;
+        const Vec2 along = lattice.along();
+        const double y = point(0, film_row).y;
+        return {pole.x + (y - pole.y) / along.y * along.x, y};
+    }
+    /// A place in a lens, in parts of its width and height from its middle; and back.
+    Vec2 film_point(Vec2 middle, Vec2 part) const
+    {
+        if (arrangement == Arrangement::lenticular)
+            return {middle.x + part.x * breadth, middle.y};
+        return middle + (part.x * breadth) * lattice.across() + (part.y * row) * lattice.along();
+    }
+    Vec2 part_of(Vec2 middle, Vec2 film_point) const
+    {
+        const Vec2 off = film_point - middle;
+        if (arrangement == Arrangement::lenticular)
+            return {off.x / breadth, 0};
+        return {dot(off, lattice.across()) / breadth, dot(off, lattice.along()) / row};
+    }
+
+    Film film;
+    Lattice lattice;
+    ViewGrid grid;
+    Arrangement arrangement;
+    double pitch, row, breadth;
+    bool exact;
+    Side across{}, down{};
+    LensWindow window;
+};
+
+Color weighted(Color sum, Color c, double weight)
+{
+    const float w = float(weight);
+    return {sum.r + w * c.r, sum.g + w * c.g, sum.b + w * c.b, sum.a + w * c.a};
+}
+
+/// Between the four neighbours of a place among `columns` x `rows` centres, whose first is at (0, 0); beyond the outermost, these.
+template <class At> Color between(double x, double y, int columns, int rows, At at)
+{
+    x = std::clamp(x, 0.0, columns - 1.0);
+    y = std::clamp(y, 0.0, rows - 1.0);
+    const int left = std::min(int(x), std::max(0, columns - 2)), top = std::min(int(y), std::max(0, rows - 2));
+    Color sum{0, 0, 0, 0};
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            const double weight = (i ? x - left : 1 - (x - left)) * (j ? y - top : 1 - (y - top));
+            if (weight > 0)
+                sum = weighted(sum, at(left + i, top + j), weight);
+        }
+    return sum;
+}
+
+} // namespace
+
+ViewGrid natural_views(const FrameMetadata& m)
+{
+    const Vec2 pixels = pixels_a_lens(m);
+    const auto count = [](double v) { return std::max(1, int(std::lround(v))); };
+    return {count(pixels.x), count(pixels.y)};
+}
+
+bool views_are_exact(const FrameMetadata& m, ViewGrid grid)
+{
+    const Vec2 pixels = pixels_a_lens(m);
+    return m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 && is_whole(pixels.x) && is_whole(pixels.y)
+        && grid.columns == natural_views(m).columns && grid.rows == natural_views(m).rows;
+}
+
+LensWindow lens_window(const FrameMetadata& metadata) { return Lenses(metadata, natural_views(metadata)).window; }
+
+std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid grid, int threads, const Progress& progress)
+{
+    const Lenses lenses(*frame.metadata, grid);
+    const Film& film = lenses.film;
+    std::vector<Image> views(grid.count(), blank_like(frame.image, lenses.window.columns, lenses.window.rows));
+    if (frame.image.channels == 3)
+        for (Image& view : views)
+            for (int y = 0; y < view.height; ++y)
+                for (int x = 0; x < view.width; ++x)
+                    store_pixel(view, x, y, {0, 0, 0, 1});
+
+    if (lenses.exact) {
+        const bool lenticular = lenses.arrangement == Arrangement::lenticular;
+        // threads by rows of lenses: no two write the same pixel
+        const auto work = [&](int row) {
+            const int first = lenticular || row == 0 ? row : lenses.down.border + (row - 1) * lenses.down.pixels;
+            const int end = lenticular ? row + 1 : lenses.down.border + row * lenses.down.pixels;
+            for (int y = first; y < std::min(end, film.height); ++y)
+                for (int x = 0; x < film.width; ++x) {
+                    const int column = grid.columns - 1 - lenses.across.place(x);
+                    Image& view = views[(lenticular ? 0 : lenses.down.place(y)) * grid.columns + column];
+                    store_pixel(view, lenses.across.lens(x), row, stored_pixel(frame.image, x, y));
+                }
+        };
+        if (!for_each_row(lenses.window.rows, threads, work, progress))
+            return std::nullopt;
+        return views;
+    }
+
+    const LinearReader light(frame.image);
+    const auto work = [&](int row) {
+        for (int column = 0; column < lenses.window.columns; ++column) {
+            const Vec2 middle = lenses.middle(lenses.lens_at(column, row), row);
+            for (int k = 0; k < grid.count(); ++k) {
+                const int across = k % grid.columns, up = k / grid.columns;
+                const Vec2 part{0.5 - (across + 0.5) / grid.columns, 0.5 - (up + 0.5) / grid.rows};
+                const Vec2 at = pixel_from_film(film, lenses.film_point(middle, part));
+                if (at.x >= 0 && at.y >= 0 && at.x < film.width && at.y < film.height)
+                    store_linear(views[k], column, row,
+                                 between(at.x - 0.5, at.y - 0.5, film.width, film.height, [&](int x, int y) { return light(x, y); }));
+            }
+        }
+    };
+    if (!for_each_row(lenses.window.rows, threads, work, progress))
+        return std::nullopt;
+    return views;
+}
+
+std::optional<Image> frame_from_views(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid, int threads,
+                                      const Progress& progress)
+{
+    const Lenses lenses(metadata, grid);
+    const Film& film = lenses.film;
+    if (int(views.size()) != grid.count())
+        throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " + std::to_string(grid.count()));
+    for (const Image& view : views)
+        if (view.width != lenses.window.columns || view.height != lenses.window.rows || view.channels != views[0].channels
+            || view.samples.index() != views[0].samples.index())
+            throw std::invalid_argument("views of " + std::to_string(view.width) + "x" + std::to_string(view.height)
+                                        + " pixels; this sheet and film have views of " + std::to_string(lenses.window.columns) + "x"
+                                        + std::to_string(lenses.window.rows) + ", all of one form");
+    Image image = blank_like(views[0], film.width, film.height);
+    const bool lenticular = lenses.arrangement == Arrangement::lenticular;
+    std::vector<LinearReader> light;
+    for (const Image& view : views)
+        light.emplace_back(view);
+    const auto work = [&](int y) {
+        for (int x = 0; x < film.width; ++x) {
+            if (lenses.exact) {
+                const int column = grid.columns - 1 - lenses.across.place(x), up = lenticular ? 0 : lenses.down.place(y);
+                store_pixel(image, x, y, stored_pixel(views[up * grid.columns + column], lenses.across.lens(x),
+                                                      lenticular ? y : lenses.down.lens(y)));
+                continue;
+            }
+            const Vec2 point = lenses.point(x, y);
+            const LensIndex lens = lenses.lattice.nearest(point);
+            const Vec2 part = lenses.part_of(lenses.middle(lens, y), point);
+            const int column = lenses.column_of(lens), row = lenses.row_of(lens, y);
+            store_linear(image, x, y, between((0.5 - part.x) * grid.columns - 0.5, (0.5 - part.y) * grid.rows - 0.5, grid.columns,
+                                              grid.rows, [&](int i, int j) { return light[j * grid.columns + i](column, row); }));
+        }
+    };
+    if (!for_each_row(film.height, threads, work, progress))
+        return std::nullopt;
+    return image;
+}
+
+} // namespace integral

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The parallel views of a frame (thesis 5.3): what an eye endlessly far away sees through the sheet, direction by direction, a
+// pixel a lens; and the frame that shows given views.
+#ifndef INTEGRAL_REPLAY_PARALLEL_VIEWS_H
+#define INTEGRAL_REPLAY_PARALLEL_VIEWS_H
+
+#include "integral/lightfield/frame.h"
+#include "integral/lightfield/parallel.h"
+
+#include <optional>
+#include <vector>
+
+namespace integral {
+
+/// How many directions across and up. View number row * columns + column: column 0 is seen from the far left, row 0
+/// from below, as in quilts. (The thesis counts by the film's pixels, which lie the other way round.)
+struct ViewGrid {
+    int columns = 0, rows = 0; ///< > 0; lenticular: rows is 1
+    int count() const { return columns * rows; }
+};
+
+/// The pixels of a view: one for each lens of which the film has a pixel, in the lattice's rows, the top one first. Of hexagonal
+/// lenses each has two, side by side, so that odd rows stand half a lens to the right. Lenticular: a row for each of the film's.
+struct LensWindow {
+    LensIndex first; ///< the lens of the top left pixel (hexagonal: of an even row)
+    int columns = 0, rows = 0; ///< pixels
+};
+
+/// Whole pixels of the film to a lens, the nearest to what there are.
+ViewGrid natural_views(const FrameMetadata& metadata);
+
+/// Throws std::invalid_argument for a lenticular sheet slanted by more than 45 degrees, whose lenses lie across.
+LensWindow lens_window(const FrameMetadata& metadata);
+
+/// Whether each view takes whole pixels: natural views of lenticular or square lenses that are not slanted, a whole number of
+/// pixels wide (1e-6 of one). Then neither way loses anything.
+bool views_are_exact(const FrameMetadata& metadata, ViewGrid grid);
+
+/// All views of a frame that has metadata, in its form; black (transparent) where a lens has no film. Not exact: the film is
+/// interpolated between its pixels' centres, in linear light, at the middles of as many equal parts of each lens's width (and
+/// of its height, or for hexagonal lenses their rows').
+/// `threads` as in replay; empty: `progress` stopped it. Throws as lens_window does.
+std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid grid, int threads = 0, const Progress& progress = {});
+
+/// Inverse: the frame of that geometry which shows the views. Not exact: each film pixel is interpolated between
+/// the directions of the views. The views are alike and of lens_window's size, or std::invalid_argument is thrown.
+std::optional<Image> frame_from_views(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid, int threads = 0,
+                                      const Progress& progress = {});
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Parallel views: frames of known light fields, and back.
+#include "integral/replay/parallel_views.h"
+
+#include "integral/lightfield/image.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace integral;
+
+BOOST_AUTO_TEST_SUITE(replay_parallel_views)
+
+namespace {
+
+const Encoding linear{Encoding::Kind::linear, 1};
+
+FrameMetadata geometry(Arrangement arrangement, double pitch, double slant, Vec2 offset, int width, int height, Vec2 pixel)
+{
+    FrameMetadata m;
+    m.sheet = {arrangement, pitch, 3.08, 1.6, slant, offset};
+    m.film = {width, height, pixel};
+    m.aperture = {300, 200, 100, ApertureShape::rectangle};
+    return m;
+}
+
+template <class Sample> Frame noise(const FrameMetadata& m, int channels, Encoding encoding)
+{
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> value(0, 255);
+    Frame frame;
+    frame.image = make_image<Sample>(m.film.width, m.film.height, channels, encoding);
+    for (Sample& sample : std::get<std::vector<Sample>>(frame.image.samples))
+        sample = Sample(value(random));
+    set_metadata(frame, m);
+    return frame;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(whole_pixels_a_lens_lose_nothing)
+{
+    // odd and even numbers of pixels, of lenses, poles on pixels' centres, on their borders and in between
+    struct Sheet { Arrangement arrangement; int across, down; };
+    const Sheet sheets[] = {{Arrangement::lenticular, 15, 1}, {Arrangement::lenticular, 6, 1}, {Arrangement::square, 15, 15},
+                            {Arrangement::square, 8, 4},      {Arrangement::square, 1, 1}};
+    for (const Sheet& s : sheets)
+        for (const int width : {7, 31, 90, 120, 127})
+            for (const double shift : {0.0, 0.5, 0.27}) {
+                const double pitch = 1.2, px = pitch / s.across, py = s.arrangement == Arrangement::square ? pitch / s.down : 0.1;
+                const FrameMetadata m = geometry(s.arrangement, pitch, 0, {shift * px, -shift * py}, width, 61, {px, py});
+                const ViewGrid grid = natural_views(m);
+                BOOST_TEST(grid.columns == s.across);
+                BOOST_TEST(grid.rows == s.down);
+                BOOST_TEST(views_are_exact(m, grid));
+                const Frame frame = noise<std::uint8_t>(m, 3, {});
+                const auto views = parallel_views(frame, grid, 2);
+                BOOST_REQUIRE(views);
+                BOOST_TEST((*views)[0].width <= width / s.across + 2);
+                const auto again = frame_from_views(*views, m, grid, 2);
+                BOOST_REQUIRE(again);
+                BOOST_TEST((again->samples == frame.image.samples));
+            }
+}
+
+BOOST_AUTO_TEST_CASE(the_thesis_s_15_views_are_every_fifteenth_pixel)
+{
+    // 1.27 mm at 300 dpi: view 0 of the thesis is the first pixel of every lens, which is seen from the far right
+    const double pixel = 25.4 / 300;
+    const FrameMetadata m = geometry(Arrangement::lenticular, 1.27, 0, {0, 0}, 15 * 9, 4, {pixel, pixel});
+    Frame frame = noise<std::uint16_t>(m, 4, {});
+    const ViewGrid grid = natural_views(m);
+    BOOST_REQUIRE(grid.columns == 15);
+    const auto views = parallel_views(frame, grid);
+    BOOST_REQUIRE(views);
+    BOOST_REQUIRE(views->size() == 15u);
+    for (int k = 0; k < 15; ++k)
+        for (int lens = 0; lens < 9; ++lens)
+            for (int y = 0; y < 4; ++y) {
+                const Color view = stored_pixel((*views)[14 - k], lens, y), film = stored_pixel(frame.image, 15 * lens + k, y);
+                BOOST_TEST((view.r == film.r && view.g == film.g && view.b == film.b && view.a == film.a));
+            }
+}
+
+BOOST_AUTO_TEST_CASE(a_view_is_what_a_far_eye_sees)
+{
+    // Each film pixel holds its own place. A view holds, for each lens, the place behind it that an eye endlessly far away in
+    // that direction sees: the middle of the direction's part of the lens, and far from the film's edge nothing else.
+    for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
+        for (const double slant : {0.0, 9.46, -30.0}) {
+            FrameMetadata m = geometry(arrangement, 1.27, slant, {0.2, -0.1}, 300, 200, {0.0847, 0.07});
+            Frame frame;
+            frame.image = make_image<float>(m.film.width, m.film.height, 3, linear);
+            for (int y = 0; y < m.film.height; ++y)
+                for (int x = 0; x < m.film.width; ++x) {
+                    const Vec2 at = film_from_pixel(m.film, {x + 0.5, y + 0.5});
+                    store_pixel(frame.image, x, y, {float(at.x), float(at.y), 1, 1});
+                }
+            set_metadata(frame, m);
+            const ViewGrid grid{7, arrangement == Arrangement::lenticular ? 1 : 5};
+            const auto views = parallel_views(frame, grid);
+            BOOST_REQUIRE(views);
+            const double a = slant * 3.14159265358979323846 / 180;
+            const LensWindow window = lens_window(m);
+            int judged = 0;
+            double worst = 0;
+            for (int k = 0; k < grid.count(); ++k)
+                for (int row = 0; row < window.rows; ++row)
+                    for (int column = 0; column < window.columns; ++column) {
+                        // the pole, by the lattice's definition
+                        double u, v = 0;
+                        if (arrangement == Arrangement::hexagonal) {
+                            const int j = int(window.first.j) - row;
+                            if ((column & 1) != (j & 1))
+                                continue; // the second pixel of the lens before
+                            u = 1.27 * (double(window.first.i) + column / 2 + ((j & 1) ? 0.5 : 0));
+                            v = 1.27 * std::sqrt(0.75) * j;
+                        } else {
+                            u = 1.27 * double(window.first.i + column);
+                            v = arrangement == Arrangement::square ? 1.27 * double(window.first.j - row) : 0;
+                        }
+                        double x = 0.2 + u * std::cos(a) - v * std::sin(a), y = -0.1 + u * std::sin(a) + v * std::cos(a);
+                        const double part_x = 0.5 - (k % grid.columns + 0.5) / grid.columns, part_y = 0.5 - (k / grid.columns + 0.5) / grid.rows;
+                        if (arrangement == Arrangement::lenticular) {
+                            const double film_y = film_from_pixel(m.film, {0, row + 0.5}).y;
+                            x -= (film_y - y) * std::tan(a);
+                            y = film_y;
+                            x += part_x * 1.27 / std::cos(a);
+                        } else {
+                            const double height = 1.27 * (arrangement == Arrangement::hexagonal ? std::sqrt(0.75) : 1);
+                            x += part_x * 1.27 * std::cos(a) - part_y * height * std::sin(a);
+                            y += part_x * 1.27 * std::sin(a) + part_y * height * std::cos(a);
+                        }
+                        const Color seen = stored_pixel((*views)[k], column, row);
+                        const Vec2 pixel = pixel_from_film(m.film, {x, y});
+                        if (pixel.x < 1 || pixel.y < 1 || pixel.x > 299 || pixel.y > 199)
+                            continue;
+                        worst = std::max({worst, std::fabs(seen.r - x), std::fabs(seen.g - y), std::fabs(seen.b - 1.0)});
+                        ++judged;
+                    }
+            BOOST_TEST(judged > 1000);
+            BOOST_TEST(worst < 1e-5); // interpolation in a field that is linear is exact, but for its single precision
+        }
+}
+
+BOOST_AUTO_TEST_CASE(fractional_pixels_a_lens_come_back_nearly)
+{
+    // A smooth light field: what there and back costs, where nothing is whole. Finer views cost less.
+    for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
+        for (const double slant : {0.0, 9.46}) {
+            const FrameMetadata m = geometry(arrangement, 1.124, slant, {0.3, 0.1}, 400, 260, {0.0847, 0.0847});
+            const Lattice lattice(m.sheet);
+            Frame frame;
+            frame.image = make_image<float>(m.film.width, m.film.height, 3, linear);
+            for (int y = 0; y < m.film.height; ++y)
+                for (int x = 0; x < m.film.width; ++x) {
+                    const Vec2 at = film_from_pixel(m.film, {x + 0.5, y + 0.5});
+                    const double off = dot(lattice.across(), at - lattice.pole(lattice.nearest(at)));
+                    const float value = float(0.5 + 0.3 * std::sin(0.4 * at.x + 2 * off) + 0.2 * std::cos(0.5 * at.y));
+                    store_pixel(frame.image, x, y, {value, value, value, 1});
+                }
+            set_metadata(frame, m);
+            double previous = 1;
+            for (const int times : {1, 2}) {
+                ViewGrid grid = natural_views(m);
+                grid.columns *= times;
+                grid.rows *= arrangement == Arrangement::lenticular ? 1 : times;
+                BOOST_TEST(!views_are_exact(m, grid));
+                const auto views = parallel_views(frame, grid);
+                const auto again = frame_from_views(*views, m, grid);
+                BOOST_REQUIRE(again);
+                double squares = 0;
+                int pixels = 0;
+                for (int y = 20; y < m.film.height - 20; ++y)
+                    for (int x = 20; x < m.film.width - 20; ++x, ++pixels) {
+                        const double off = stored_pixel(*again, x, y).g - stored_pixel(frame.image, x, y).g;
+                        squares += off * off;
+                    }
+                const double rms = std::sqrt(squares / pixels);
+                BOOST_TEST_MESSAGE("arrangement " << int(arrangement) << ", slant " << slant << ", " << times << " times: RMS " << rms);
+                BOOST_TEST(rms < 0.05);
+                BOOST_TEST(rms < previous);
+                previous = rms;
+            }
+        }
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused)
+{
+    const FrameMetadata m = geometry(Arrangement::square, 1.27, 0, {0, 0}, 60, 45, {0.0847, 0.0847});
+    const Frame frame = noise<std::uint8_t>(m, 3, {});
+    auto views = *parallel_views(frame, {3, 2});
+    BOOST_CHECK_THROW(frame_from_views(views, m, {3, 3}), std::invalid_argument);
+    views[4] = make_image<std::uint8_t>(views[0].width + 1, views[0].height, 3, {});
+    BOOST_CHECK_THROW(frame_from_views(views, m, {3, 2}), std::invalid_argument);
+    views[4] = make_image<float>(views[0].width, views[0].height, 3, {});
+    BOOST_CHECK_THROW(frame_from_views(views, m, {3, 2}), std::invalid_argument);
+    const FrameMetadata across = geometry(Arrangement::lenticular, 1.27, 80, {0, 0}, 60, 45, {0.0847, 0.0847});
+    BOOST_CHECK_THROW(parallel_views(noise<std::uint8_t>(across, 3, {}), {3, 1}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
