@@ -5,9 +5,14 @@ EXTRA_PROGRAMS += build/bench/optics_rays
 build_bench_optics_rays_SOURCES = bench/optics_rays.cpp
 build_bench_optics_rays_LDADD = $(LIBINTEGRAL_LIBS)
 
+EXTRA_PROGRAMS += build/bench/replay_speed
+build_bench_replay_speed_SOURCES = bench/replay_speed.cpp
+build_bench_replay_speed_LDADD = $(LIBINTEGRAL_LIBS)
+
 .PHONY: bench
-bench: all pristine build/bench/optics_rays
+bench: all pristine build/bench/optics_rays build/bench/replay_speed
 	build/bench/optics_rays
+	build/bench/replay_speed
 	$(srcdir)/bench/start_and_end
 	$(srcdir)/bench/camera_cost
 	$(srcdir)/bench/mapping_cost

@@ -140,6 +140,41 @@ public:
     LensWindow window;
 };
 
+/// Exact views: which pixel of which view belongs to which pixel of the film. Sample: const for views that are read.
+template <class Sample> class WholePixels {
+public:
+    template <class Views> WholePixels(const Lenses& lenses, Views& views) : lenses_(lenses), channels_(views[0].channels)
+    {
+        using Samples = std::vector<std::remove_const_t<Sample>>;
+        for (auto& view : views)
+            data_.push_back(std::get<Samples>(view.samples).data());
+        for (int x = 0; x < lenses.film.width; ++x)
+            columns_.push_back({std::size_t(lenses.grid.columns - 1 - lenses.across.place(x)),
+                                std::size_t(lenses.across.lens(x)) * channels_});
+    }
+
+    /// Calls use(the place of a pixel's samples on the film, those of its view) for each pixel of a row of the film.
+    template <class Use> void each(int y, Use use) const
+    {
+        const bool lenticular = lenses_.arrangement == Arrangement::lenticular;
+        const int row = lenticular ? y : lenses_.down.lens(y), up = lenticular ? 0 : lenses_.down.place(y);
+        Sample* const* views = data_.data() + std::size_t(up) * lenses_.grid.columns;
+        const std::size_t begin = std::size_t(row) * lenses_.window.columns * channels_;
+        std::size_t of_film = std::size_t(y) * lenses_.film.width * channels_;
+        for (const Column& column : columns_) {
+            use(of_film, views[column.view] + begin + column.begin);
+            of_film += channels_;
+        }
+    }
+
+private:
+    struct Column { std::size_t view, begin; };
+    const Lenses& lenses_;
+    std::size_t channels_;
+    std::vector<Sample*> data_;
+    std::vector<Column> columns_;
+};
+
 Color weighted(Color sum, Color c, double weight)
 {
     const float w = float(weight);
@@ -185,26 +220,16 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
     const Lenses lenses(*frame.metadata, grid);
     const Film& film = lenses.film;
     std::vector<Image> views(grid.count(), blank_like(frame.image, lenses.window.columns, lenses.window.rows));
-    if (frame.image.channels == 3)
-        for (Image& view : views)
-            for (int y = 0; y < view.height; ++y)
-                for (int x = 0; x < view.width; ++x)
-                    store_pixel(view, x, y, {0, 0, 0, 1});
 
     if (lenses.exact) {
-        const bool lenticular = lenses.arrangement == Arrangement::lenticular;
-        // threads by rows of lenses: no two write the same pixel
-        const auto work = [&](int row) {
-            const int first = lenticular || row == 0 ? row : lenses.down.border + (row - 1) * lenses.down.pixels;
-            const int end = lenticular ? row + 1 : lenses.down.border + row * lenses.down.pixels;
-            for (int y = first; y < std::min(end, film.height); ++y)
-                for (int x = 0; x < film.width; ++x) {
-                    const int column = grid.columns - 1 - lenses.across.place(x);
-                    Image& view = views[(lenticular ? 0 : lenses.down.place(y)) * grid.columns + column];
-                    store_pixel(view, lenses.across.lens(x), row, stored_pixel(frame.image, x, y));
-                }
-        };
-        if (!for_each_row(lenses.window.rows, threads, work, progress))
+        const bool done = std::visit([&](const auto& samples) {
+            using Samples = std::decay_t<decltype(samples)>;
+            const WholePixels<typename Samples::value_type> pixels(lenses, views);
+            return for_each_row(lenses.film.height, threads, [&](int y) { pixels.each(y, [&](std::size_t of_film, auto* of_view) {
+                std::copy_n(samples.data() + of_film, frame.image.channels, of_view);
+            }); }, progress);
+        }, frame.image.samples);
+        if (!done)
             return std::nullopt;
         return views;
     }
@@ -242,18 +267,23 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
                                         + " pixels; this sheet and film have views of " + std::to_string(lenses.window.columns) + "x"
                                         + std::to_string(lenses.window.rows) + ", all of one form");
     Image image = blank_like(views[0], film.width, film.height);
-    const bool lenticular = lenses.arrangement == Arrangement::lenticular;
+    if (lenses.exact) {
+        const bool done = std::visit([&](auto& samples) {
+            using Samples = std::decay_t<decltype(samples)>;
+            const WholePixels<const typename Samples::value_type> pixels(lenses, views);
+            return for_each_row(lenses.film.height, threads, [&](int y) { pixels.each(y, [&](std::size_t of_film, const auto* of_view) {
+                std::copy_n(of_view, image.channels, samples.data() + of_film);
+            }); }, progress);
+        }, image.samples);
+        if (!done)
+            return std::nullopt;
+        return image;
+    }
     std::vector<LinearReader> light;
     for (const Image& view : views)
         light.emplace_back(view);
     const auto work = [&](int y) {
         for (int x = 0; x < film.width; ++x) {
-            if (lenses.exact) {
-                const int column = grid.columns - 1 - lenses.across.place(x), up = lenticular ? 0 : lenses.down.place(y);
-                store_pixel(image, x, y, stored_pixel(views[up * grid.columns + column], lenses.across.lens(x),
-                                                      lenticular ? y : lenses.down.lens(y)));
-                continue;
-            }
             const Vec2 point = lenses.point(x, y);
             const LensIndex lens = lenses.lattice.nearest(point);
             const Vec2 part = lenses.part_of(lenses.middle(lens, y), point);
