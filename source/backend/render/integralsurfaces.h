@@ -54,9 +54,6 @@ class IntegralPatches
         int Level(const VECTOR point) const;
         static double Size(int level); ///< scene units
 
-        /// The angle between neighbouring pixels of a lens, as a part of 1.
-        double Spread() const { return spread; }
-
         /// Steps of that scale by which patches may be larger for what they get of a light: no pigment and no highlight is in
         /// it. No larger than a beam, though.
         int Coarser_For_Lights() const;
@@ -112,7 +109,6 @@ class IntegralSurfaces
         struct Lit
         {
             Intersection isect;
-            bool inside;
             bool located = false;
             Place place;
         };
@@ -123,6 +119,9 @@ class IntegralSurfaces
         static Place Of_Light(const Place& place, int light);
         static float Height_Of(const Intersection& at, const Place& place);
         static bool On_Patch(const IntegralPatches::Patch& patch, const Place& place, const Intersection& isect);
+        /// The patch of a place, worked out now if need be: `look(const Ray&, Intersection&)` fills in its colour at its point, and
+        /// tells whether it is of use. False: the surface there is not on the patch.
+        template <class Look> bool Take(const Place& place, const Intersection& isect, Trace& trace, IntegralPatches::Patch& patch, Look look);
         bool Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const;
         Kind Kind_Of(const Intersection& isect, bool inside);
         static Kind Kind_Of(const TEXTURE *texture);
@@ -136,6 +135,31 @@ class IntegralSurfaces
         Lit lit;
 };
 
+template <class Look>
+bool IntegralSurfaces::Take(const Place& place, const Intersection& isect, Trace& trace, IntegralPatches::Patch& patch, Look look)
+{
+    const std::size_t slot = patches.Slot(place.row, place.column);
+    bool worked_out = false;
+    if (!patches.Find(slot, place.key, patch))
+    {
+        Ray from;
+        Intersection at;
+        patch.key = place.key;
+        patch.height = std::numeric_limits<float>::quiet_NaN();
+        if (Put(place, isect, trace, from, at))
+        {
+            worked_out = true;
+            if (look(from, at))
+                patch.height = Height_Of(at, place);
+        }
+        patches.Store(slot, patch);
+    }
+    if (!On_Patch(patch, place, isect))
+        return false;
+    Count(worked_out);
+    return true;
+}
+
 template <class Shade>
 bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade)
 {
@@ -146,7 +170,6 @@ bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& tra
     if (Kind_Of(isect, inside) == own)
     {
         lit.isect = isect;
-        lit.inside = inside;
         lit.located = Locate(isect, normal, inside, patches.Coarser_For_Lights(), lit.place);
         return false;
     }
@@ -154,31 +177,18 @@ bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& tra
     if (!Locate(isect, normal, inside, 0, place))
         return false;
     IntegralPatches::Patch patch;
-    bool worked_out = false;
-    const std::size_t slot = patches.Slot(place.row, place.column);
-    if (!patches.Find(slot, place.key, patch))
+    const auto look = [&](const Ray& from, Intersection& at)
     {
-        Ray from;
-        Intersection at;
-        patch.key = place.key;
-        patch.height = std::numeric_limits<float>::quiet_NaN();
-        if (Put(place, isect, trace, from, at))
-        {
-            Colour seen;
-            seen.clear();
-            shade(at, from, seen);
-            worked_out = true;
-            patch.red = seen.red();
-            patch.green = seen.green();
-            patch.blue = seen.blue();
-            if (seen.filter() == 0 && seen.transm() == 0)
-                patch.height = Height_Of(at, place);
-        }
-        patches.Store(slot, patch);
-    }
-    if (!On_Patch(patch, place, isect))
+        Colour seen;
+        seen.clear();
+        shade(at, from, seen);
+        patch.red = seen.red();
+        patch.green = seen.green();
+        patch.blue = seen.blue();
+        return seen.filter() == 0 && seen.transm() == 0;
+    };
+    if (!Take(place, isect, trace, patch, look))
         return false;
-    Count(worked_out);
     colour.red() += patch.red;
     colour.green() += patch.green;
     colour.blue() += patch.blue;
@@ -193,30 +203,18 @@ bool IntegralSurfaces::Light_Of(int light, const Vector3d& point, const ObjectBa
         return false;
     const Place place = Of_Light(lit.place, light);
     IntegralPatches::Patch patch;
-    bool worked_out = false;
-    const std::size_t slot = patches.Slot(place.row, place.column);
-    if (!patches.Find(slot, place.key, patch))
+    const auto look = [&](const Ray&, Intersection& at)
     {
-        Ray from;
-        Intersection at;
-        patch.key = place.key;
-        patch.height = std::numeric_limits<float>::quiet_NaN();
-        if (Put(place, lit.isect, trace, from, at))
-        {
-            RGBColour full, left;
-            test(Vector3d(at.IPoint), full, left);
-            worked_out = true;
-            const auto part = [](float whole, float some) { return whole != 0 ? some / whole : 1.0f; };
-            patch.red = part(full.red(), left.red());
-            patch.green = part(full.green(), left.green());
-            patch.blue = part(full.blue(), left.blue());
-            patch.height = Height_Of(at, place);
-        }
-        patches.Store(slot, patch);
-    }
-    if (!On_Patch(patch, place, lit.isect))
+        RGBColour full, left;
+        test(Vector3d(at.IPoint), full, left);
+        const auto part = [](float whole, float some) { return whole != 0 ? some / whole : 1.0f; };
+        patch.red = part(full.red(), left.red());
+        patch.green = part(full.green(), left.green());
+        patch.blue = part(full.blue(), left.blue());
+        return true;
+    };
+    if (!Take(place, lit.isect, trace, patch, look))
         return false;
-    Count(worked_out);
     colour *= RGBColour(patch.red, patch.green, patch.blue);
     return true;
 }
