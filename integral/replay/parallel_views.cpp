@@ -197,6 +197,16 @@ template <class At> Color between(double x, double y, int columns, int rows, At 
     return sum;
 }
 
+/// A colour whose channels stand side by side on the film, each a shift (in pixels) from the pixel's centre; their mean alpha.
+template <class At> Color each_channel(Subpixels subpixels, At at)
+{
+    if (subpixels == Subpixels::none)
+        return at(0.0);
+    const auto of = [&](int channel) { return at(subpixel_shift(subpixels, channel)); };
+    const Color red = of(0), green = of(1), blue = of(2);
+    return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
+}
+
 } // namespace
 
 ViewGrid natural_views(const FrameMetadata& m)
@@ -209,7 +219,7 @@ ViewGrid natural_views(const FrameMetadata& m)
 bool views_are_exact(const FrameMetadata& m, ViewGrid grid)
 {
     const Vec2 pixels = pixels_a_lens(m);
-    return m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 && is_whole(pixels.x) && is_whole(pixels.y)
+    return m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 && m.film.subpixels == Subpixels::none && is_whole(pixels.x) && is_whole(pixels.y)
         && grid.columns == natural_views(m).columns && grid.rows == natural_views(m).rows;
 }
 
@@ -242,9 +252,11 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
                 const int across = k % grid.columns, up = k / grid.columns;
                 const Vec2 part{0.5 - (across + 0.5) / grid.columns, 0.5 - (up + 0.5) / grid.rows};
                 const Vec2 at = pixel_from_film(film, lenses.film_point(middle, part));
-                if (at.x >= 0 && at.y >= 0 && at.x < film.width && at.y < film.height)
-                    store_linear(views[k], column, row,
-                                 between(at.x - 0.5, at.y - 0.5, film.width, film.height, [&](int x, int y) { return light(x, y); }));
+                if (!(at.x >= 0 && at.y >= 0 && at.x < film.width && at.y < film.height))
+                    continue;
+                store_linear(views[k], column, row, each_channel(film.subpixels, [&](double shift) {
+                    return between(at.x - 0.5 - shift, at.y - 0.5, film.width, film.height, [&](int x, int y) { return light(x, y); });
+                }));
             }
         }
     };
@@ -284,12 +296,14 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
         light.emplace_back(view);
     const auto work = [&](int y) {
         for (int x = 0; x < film.width; ++x) {
-            const Vec2 point = lenses.point(x, y);
-            const LensIndex lens = lenses.lattice.nearest(point);
-            const Vec2 part = lenses.part_of(lenses.middle(lens, y), point);
-            const int column = lenses.column_of(lens), row = lenses.row_of(lens, y);
-            store_linear(image, x, y, between((0.5 - part.x) * grid.columns - 0.5, (0.5 - part.y) * grid.rows - 0.5, grid.columns,
-                                              grid.rows, [&](int i, int j) { return light[j * grid.columns + i](column, row); }));
+            store_linear(image, x, y, each_channel(film.subpixels, [&](double shift) {
+                const Vec2 point = film_from_pixel(film, {x + 0.5 + shift, y + 0.5});
+                const LensIndex lens = lenses.lattice.nearest(point);
+                const Vec2 part = lenses.part_of(lenses.middle(lens, y), point);
+                const int column = std::clamp(lenses.column_of(lens), 0, lenses.window.columns - 1), row = lenses.row_of(lens, y);
+                return between((0.5 - part.x) * grid.columns - 0.5, (0.5 - part.y) * grid.rows - 0.5, grid.columns, grid.rows,
+                               [&](int i, int j) { return light[j * grid.columns + i](column, row); });
+            }));
         }
     };
     if (!for_each_row(film.height, threads, work, progress))

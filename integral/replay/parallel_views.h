@@ -33,17 +33,17 @@ ViewGrid natural_views(const FrameMetadata& metadata);
 LensWindow lens_window(const FrameMetadata& metadata);
 
 /// Whether each view takes whole pixels: natural views of lenticular or square lenses that are not slanted, a whole number of
-/// pixels wide (1e-6 of one). Then neither way loses anything.
+/// pixels wide (1e-6 of one), on a film without subpixels. Then neither way loses anything.
 bool views_are_exact(const FrameMetadata& metadata, ViewGrid grid);
 
 /// All views of a frame that has metadata, in its form; black (transparent) where a lens has no film. Not exact: the film is
 /// interpolated between its pixels' centres, in linear light, at the middles of as many equal parts of each lens's width (and
-/// of its height, or for hexagonal lenses their rows').
+/// of its height, or for hexagonal lenses their rows'). Of a film with subpixels each colour channel is read at its own stripes.
 /// `threads` as in replay; empty: `progress` stopped it. Throws as lens_window does.
 std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid grid, int threads = 0, const Progress& progress = {});
 
-/// Inverse: the frame of that geometry which shows the views. Not exact: each film pixel is interpolated between
-/// the directions of the views. The views are alike and of lens_window's size, or std::invalid_argument is thrown.
+/// Inverse: the frame of that geometry which shows the views. Not exact: each film pixel, or stripe of one, is interpolated
+/// between the directions of the views. The views are alike and of lens_window's size, or std::invalid_argument is thrown.
 std::optional<Image> frame_from_views(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid, int threads = 0,
                                       const Progress& progress = {});
 
