@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <regex>
+#include <optional>
 
 namespace integral {
 namespace {
@@ -38,15 +38,19 @@ options::options_description make_options()
     return all;
 }
 
-const std::regex quilt_end(R"(_qs(\d{1,4})x(\d{1,4})a(\d+(\.\d+)?)(\.[A-Za-z]+)$)");
-
 /// The quilt's columns and rows, of its name; nothing if it has no such end.
 std::optional<ViewGrid> grid_in_name(const std::string& path)
 {
-    std::smatch match;
-    if (!std::regex_search(path, match, quilt_end))
+    const std::size_t end = path.rfind("_qs"), dot = path.find_last_of('.');
+    if (end == std::string::npos || dot == std::string::npos || dot < end)
         return std::nullopt;
-    return ViewGrid{std::stoi(match[1]), std::stoi(match[2])};
+    ViewGrid grid;
+    int aspect = 0, whole = 0; // where the aspect begins, and how much of the end has been read
+    const std::string text = path.substr(end, dot - end);
+    if (std::sscanf(text.c_str(), "_qs%4dx%4da%n%*[0-9.]%n", &grid.columns, &grid.rows, &aspect, &whole) < 2
+        || whole <= aspect || std::size_t(whole) != text.size())
+        return std::nullopt;
+    return grid;
 }
 
 std::string quilt_name(const std::string& path, ViewGrid grid, const Film& film)
