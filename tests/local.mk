@@ -30,6 +30,8 @@ unit_sources = \
   tests/unit/lightfield_sampling_forecast.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/replay_compare.cpp \
+  tests/unit/replay_eyes.cpp \
+  tests/unit/replay_frames.h \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_parallel_views.cpp \
   tests/unit/replay_views.cpp \

@@ -1,103 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Replay of frames whose view is known in closed form, by formulas of their own.
-#include "integral/replay/replay.h"
+#include "tests/unit/replay_frames.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 using namespace integral;
 
 BOOST_AUTO_TEST_SUITE(replay_views)
-
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-const Encoding linear{Encoding::Kind::linear, 1};
-
-struct Case {
-    Arrangement arrangement;
-    double slant;
-    Vec2 offset;
-};
-const Case cases[] = {{Arrangement::lenticular, 0, {0, 0}},     {Arrangement::lenticular, 9.46, {0.2, -0.1}},
-                      {Arrangement::lenticular, -60, {0, 0.3}}, {Arrangement::square, 0, {0, 0}},
-                      {Arrangement::square, 20, {-0.4, 0.3}},   {Arrangement::hexagonal, 0, {0, 0}},
-                      {Arrangement::hexagonal, -33, {0.1, 0.5}}};
-
-FrameMetadata geometry(const Case& c, int width, int height, double pixel)
-{
-    FrameMetadata m;
-    m.sheet = {c.arrangement, 1.27, 3.08, 1.6, c.slant, c.offset};
-    m.film = {width, height, {pixel, 0.75 * pixel}};
-    m.aperture.distance = 300;
-    m.aperture.width = m.aperture.height = 200;
-    return m;
-}
-
-/// Every film pixel holds the place of its own centre, as fractions of the film, in R and G.
-Frame frame_of_places(const FrameMetadata& m)
-{
-    Frame frame;
-    frame.image = make_image<float>(m.film.width, m.film.height, 3, linear);
-    for (int y = 0; y < m.film.height; ++y)
-        for (int x = 0; x < m.film.width; ++x)
-            store_pixel(frame.image, x, y, {float((x + 0.5) / m.film.width), float((y + 0.5) / m.film.height), 1, 1});
-    set_metadata(frame, m);
-    return frame;
-}
-
-/// The pole nearest to a point (or the nearest point of the nearest axis), found by trying every
-/// lens of a patch around it; and by how much the next one is farther.
-Vec2 nearest_pole(const LensSheet& s, Vec2 q, double& margin)
-{
-    const double a = s.slant * pi / 180, p = s.pitch;
-    const Vec2 d{q.x - s.offset.x, q.y - s.offset.y};
-    const Vec2 turned{d.x * std::cos(a) + d.y * std::sin(a), -d.x * std::sin(a) + d.y * std::cos(a)};
-    double least = std::numeric_limits<double>::infinity(), second = least;
-    Vec2 best;
-    const bool lenticular = s.arrangement == Arrangement::lenticular;
-    const double row = s.arrangement == Arrangement::hexagonal ? p * std::sqrt(3) / 2 : p;
-    const int j0 = lenticular ? 0 : int(std::floor(turned.y / row)), i0 = int(std::floor(turned.x / p));
-    for (int j = j0 - 2; j <= j0 + 2; ++j)
-        for (int i = i0 - 2; i <= i0 + 2; ++i) {
-            if (lenticular && j != j0)
-                continue;
-            const bool shifted = s.arrangement == Arrangement::hexagonal && j % 2 != 0;
-            const Vec2 pole{(i + (shifted ? 0.5 : 0)) * p, lenticular ? turned.y : j * row};
-            const double distance = std::hypot(pole.x - turned.x, pole.y - turned.y);
-            if (distance < least) {
-                second = least;
-                least = distance;
-                best = pole;
-            } else if (distance < second) {
-                second = distance;
-            }
-        }
-    margin = second - least;
-    return {best.x * std::cos(a) - best.y * std::sin(a) + s.offset.x,
-            best.x * std::sin(a) + best.y * std::cos(a) + s.offset.y};
-}
-
-/// Where on the film an eye looks through a point of the sheet: Snell's law at the pole.
-Vec2 film_point(const LensSheet& s, Vec2 pole, Vec2 q, const Eye& eye)
-{
-    const double dx = eye.x - q.x, dy = eye.y - q.y;
-    const double angle = std::atan(std::hypot(dx, dy) / eye.distance), around = std::atan2(dy, dx);
-    const double inside = std::asin(std::sin(angle) / s.ior);
-    const double shift = s.thickness * std::tan(inside);
-    return {pole.x - shift * std::cos(around), pole.y - shift * std::sin(around)};
-}
-
-Vec2 view_point(const FrameMetadata& m, const View& view, int x, int y)
-{
-    return {((x + 0.5) / view.width - 0.5) * m.film.width * m.film.pixel_pitch.x,
-            (0.5 - (y + 0.5) / view.height) * m.film.height * m.film.pixel_pitch.y};
-}
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
 {
@@ -182,28 +91,6 @@ BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stri
 }
 
 namespace {
-
-/// A frame of a white bar, from x = -width/2 to width/2, at depth z on black: each channel's light is that of the ray from
-/// its own stripe's centre.
-Frame frame_of_bar(const FrameMetadata& m, double z, double width)
-{
-    const SheetOptics optics(m.sheet, m.aperture);
-    Frame frame{make_image<std::uint16_t>(m.film.width, m.film.height, 3, {}), {}};
-    for (int y = 0; y < m.film.height; ++y)
-        for (int x = 0; x < m.film.width; ++x) {
-            const auto light = [&](int channel) {
-                const double shift = m.film.subpixels == Subpixels::rgb ? (channel - 1) / 3.0 : 0;
-                const auto mapped = optics.map(film_from_pixel(m.film, {x + 0.5 + shift, y + 0.5}), LensMapping::automatic);
-                if (!mapped.ray)
-                    return 0.0f;
-                const double at = mapped.ray->pole.x + z / mapped.ray->direction.z * mapped.ray->direction.x;
-                return std::fabs(at) < width / 2 ? 1.0f : 0.0f;
-            };
-            store_linear(frame.image, x, y, {light(0), light(1), light(2), 1});
-        }
-    set_metadata(frame, m);
-    return frame;
-}
 
 /// Where the bar's two edges are seen on average, mm on the sheet: what light each channel has to the left and to the right
 /// of the bar's middle.
@@ -396,118 +283,6 @@ BOOST_AUTO_TEST_CASE(default_view)
     set_view_size(view, m.film, 1000); // pixels 4:3, so the film is 2480 x 2631 in shape
     BOOST_TEST(view.height == 1000);
     BOOST_TEST(view.width == 943);
-}
-
-namespace {
-
-/// Judges each pixel of a view of frame_of_places by the film point that `expected(q, pole)` gives for its point of the sheet.
-template <class Expected> void judge(const FrameMetadata& m, const View& view, Expected expected)
-{
-    const auto image = replay(frame_of_places(m), view);
-    BOOST_REQUIRE(image);
-    int judged = 0;
-    double worst = 0;
-    for (int y = 0; y < view.height; ++y)
-        for (int x = 0; x < view.width; ++x) {
-            const Vec2 q = view_point(m, view, x, y);
-            double margin;
-            const Vec2 pole = nearest_pole(m.sheet, q, margin);
-            const Vec2 f = expected(q, pole);
-            const double u = f.x / m.film.pixel_pitch.x + 0.5 * m.film.width, v = 0.5 * m.film.height - f.y / m.film.pixel_pitch.y;
-            if (margin < 1e-6 || u < 1 || v < 1 || u > m.film.width - 1 || v > m.film.height - 1)
-                continue;
-            const Color seen = stored_pixel(*image, x, y);
-            worst = std::max({worst, std::fabs(seen.r * m.film.width - u), std::fabs(seen.g * m.film.height - v)});
-            ++judged;
-        }
-    BOOST_TEST(judged > view.width * view.height / 2);
-    BOOST_TEST(worst < 0.501); // pixels: a film pixel is one colour
-}
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(a_film_beside_the_focus_is_met_on_the_way_to_it)
-{
-    for (const Case& c : cases)
-        for (const double gap : {-1.5, -0.2, 0.7, 4.0}) {
-            const FrameMetadata m = geometry(c, 1000, 900, 0.02);
-            View view{{-40, 25, 250}, 101, 67, 1};
-            view.film_gap = gap;
-            judge(m, view, [&](Vec2 q, Vec2 pole) {
-                const Vec2 focus = film_point(m.sheet, pole, q, view.eye);
-                const double depth = (m.sheet.thickness + gap) / m.sheet.thickness;
-                return Vec2{q.x + depth * (focus.x - q.x), q.y + depth * (focus.y - q.y)};
-            });
-        }
-}
-
-BOOST_AUTO_TEST_CASE(full_lenses_refract_at_their_surface)
-{
-    // Snell's law in vectors at the sphere or cylinder of radius t (n - 1)/n, then straight on to the film.
-    for (const Case& c : cases) {
-        const FrameMetadata m = geometry(c, 1000, 900, 0.02);
-        View view{{-40, 25, 250}, 101, 67, 1};
-        view.model = LensModel::full;
-        const double n = m.sheet.ior, radius = m.sheet.thickness * (n - 1) / n;
-        judge(m, view, [&](Vec2 q, Vec2 pole) {
-            const double x = (q.x - pole.x) / radius, y = (q.y - pole.y) / radius, root = std::sqrt(1 - x * x - y * y);
-            const double height = radius * (1 - root);
-            const double normal[3] = {-x, -y, root}; // into the glass
-            double way[3] = {q.x - view.eye.x, q.y - view.eye.y, view.eye.distance + height};
-            const double along = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-            double cosine = 0;
-            for (int k = 0; k < 3; ++k)
-                cosine += (way[k] /= along) * normal[k];
-            const double inside = std::sqrt(1 - (1 - cosine * cosine) / (n * n));
-            for (int k = 0; k < 3; ++k)
-                way[k] = way[k] / n + (inside - cosine / n) * normal[k];
-            const double stretch = (m.sheet.thickness - height) / way[2];
-            return Vec2{q.x + stretch * way[0], q.y + stretch * way[1]};
-        });
-    }
-}
-
-BOOST_AUTO_TEST_CASE(a_pupil_blurs_what_is_out_of_focus)
-{
-    // A bar's edge at depth z, seen by a pupil of diameter D that is focused on depth f from distance d: a uniform disc of diameter
-    // D |z - f|/(d + f) at f, seen from the pupil's centre as D |z - f| d/((d + f)(d + z)) on the sheet; the variance
-    // of the edge's spread is a 16th of its square. Fine lenses add little of their own.
-    FrameMetadata m;
-    m.sheet = {Arrangement::square, 0.1, 1, 1.5, 0, {}};
-    m.film = {6000, 60, {0.005, 0.1}};
-    const double d = 200;
-    m.aperture = {d, 30, 60, ApertureShape::rectangle};
-    struct { double z, focus; } trials[] = {{20, 0}, {-20, 0}, {20, -15}, {20, 20}};
-    for (const auto& trial : trials) {
-        // Only across: the eye's disc along y sees the same, as the bar is endless there.
-        const Frame frame = frame_of_bar(m, trial.z, 12);
-        View view{{0, 0, d}, 1500, 60, 8};
-        view.pupil = 20;
-        view.focus = trial.focus;
-        const auto image = replay(frame, view);
-        BOOST_REQUIRE(image);
-        const LinearReader light(*image);
-        // the right edge's spread: moments of the light's fall, over the middle rows
-        double weight = 0, mean = 0, square = 0;
-        const double pixel = m.film.width * m.film.pixel_pitch.x / view.width;
-        const double blur = view.pupil * std::fabs(trial.z - trial.focus) * d / ((d + trial.focus) * (d + trial.z)) / 4;
-        const double edge = 6 * d / (d + trial.z), far = 2 * blur + 0.4; // the disc's half, and what lenses add
-        for (int x = int((edge - far) / pixel) + view.width / 2; x < int((edge + far) / pixel) + view.width / 2; ++x) {
-            double fall = 0;
-            for (int y = 28; y < 32; ++y)
-                fall += light(x, y).g - light(x + 1, y).g;
-            const double at = (x + 1 - 0.5 * view.width) * pixel;
-            weight += fall;
-            mean += fall * at;
-            square += fall * at * at;
-        }
-        mean /= weight;
-        const double spread = std::sqrt(std::max(0.0, square / weight - mean * mean));
-        BOOST_TEST_MESSAGE("z " << trial.z << ", focus " << trial.focus << ": edge at " << mean << ", spread " << spread << ", " << blur << "; light " << weight / 4);
-        BOOST_TEST(weight / 4 > 0.9);
-        BOOST_TEST(std::fabs(mean - edge) < 0.1);
-        BOOST_TEST(std::fabs(spread - blur) < 0.06);
-    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
