@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "bench/error_against_time.h"
+#include "bench/pictures.h"
 
 #include "integral/io/image_file.h"
 #include "integral/optics/lens_mapping.h"
@@ -30,11 +31,7 @@ constexpr double zone = 0.8;            // of the aperture: what the eyes are sp
 /// A picture without its margin.
 Frame inner_part(const Image& image)
 {
-    Frame result{make_image<std::uint16_t>(image.width - 2 * view_margin, image.height - 2 * view_margin, 3, image.encoding), {}};
-    for (int y = 0; y < result.image.height; ++y)
-        for (int x = 0; x < result.image.width; ++x)
-            store_pixel(result.image, x, y, stored_pixel(image, x + view_margin, y + view_margin));
-    return result;
+    return {part_of(image, view_margin, view_margin, image.width - 2 * view_margin, image.height - 2 * view_margin), {}};
 }
 
 /// What is seen of a frame from there.
@@ -64,25 +61,6 @@ std::vector<EyePosition> eyes_of(const Frame& frame)
     return eyes;
 }
 
-/// Means over squares of `block` x `block` pixels, in linear light.
-Image shrunk(const Image& image, int block)
-{
-    Image result = make_image<std::uint16_t>(image.width / block, image.height / block, 3, image.encoding);
-    const LinearReader read(image);
-    const float weight = 1.0f / float(block * block);
-    for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x) {
-            Color sum;
-            for (int j = 0; j < block; ++j)
-                for (int i = 0; i < block; ++i) {
-                    const Color c = read(x * block + i, y * block + j);
-                    sum = {sum.r + c.r * weight, sum.g + c.g * weight, sum.b + c.b * weight, 1};
-                }
-            store_linear(result, x, y, sum);
-        }
-    return result;
-}
-
 ViewFigures view_figures(const Frame& view, const Frame& wanted)
 {
     const Comparison comparison = compare(view, wanted);
@@ -94,18 +72,15 @@ double lit_rmse(const Frame& frame, const Frame& reference)
 {
     const FrameMetadata& metadata = *frame.metadata;
     const SheetOptics optics(metadata.sheet, metadata.aperture, metadata.render->model);
-    double squares = 0;
-    long long values = 0;
+    ColorDifferences differences;
     for (int y = 0; y < frame.image.height; ++y)
         for (int x = 0; x < frame.image.width; ++x) {
             if (!optics.map(film_from_pixel(metadata.film, {x + 0.5, y + 0.5}), metadata.render->mapping).ray)
                 continue;
             const Color a = stored_pixel(frame.image, x, y), b = stored_pixel(reference.image, x, y);
-            for (const double difference : {double(a.r) - b.r, double(a.g) - b.g, double(a.b) - b.b})
-                squares += difference * difference;
-            values += 3;
+            differences.add(a, b);
         }
-    return std::sqrt(squares / double(std::max(values, 1LL)));
+    return differences.rms();
 }
 
 /// The camera of a panel's settings, and its plainest setting's pictures to compare with.

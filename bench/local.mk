@@ -26,7 +26,9 @@ build_bench_error_against_time_SOURCES = \
   bench/error_against_time_measure.cpp \
   bench/error_against_time_plots.cpp \
   bench/error_against_time_renderer.cpp \
-  bench/error_against_time_report.cpp
+  bench/error_against_time_report.cpp \
+  bench/pictures.cpp \
+  bench/pictures.h
 build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
 .PHONY: error-against-time
@@ -35,7 +37,8 @@ error-against-time: all build/bench/error_against_time
 
 # The thesis's table 4-1, a few minutes of rendering: doc/images/table-4-1.png and its figures.
 EXTRA_PROGRAMS += build/bench/table_4_1
-build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp
+build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \
+  bench/pictures.cpp bench/pictures.h
 build_bench_table_4_1_LDADD = $(LIBINTEGRAL_LIBS)
 
 .PHONY: table-4-1

@@ -5,6 +5,7 @@
 //
 // table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md; SCENES: bench/scenes, by default this build's source's
 #include "bench/error_against_time.h"
+#include "bench/pictures.h"
 
 #include "integral/io/file_bytes.h"
 #include "integral/io/image_file.h"
@@ -73,17 +74,7 @@ Shot by_pixels_of(int depth, const std::string& threshold)
             {"+A" + threshold, "+R" + std::to_string(depth), "+AM2", "Integral_Antialiasing=pixels"}};
 }
 
-/// The part of a picture.
-Image part(const Image& image, int left, int top, int columns, int rows)
-{
-    Image result = make_image<std::uint16_t>(columns, rows, 3, image.encoding);
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x)
-            store_pixel(result, x, y, stored_pixel(image, x + left, y + top));
-    return result;
-}
-
-Image inner_part(const Image& image) { return part(image, margin, margin, image.width - 2 * margin, image.height - 2 * margin); }
+Image inner_part(const Image& image) { return part_of(image, margin, margin, image.width - 2 * margin, image.height - 2 * margin); }
 
 /// `right`: of the aperture's centre, in its widths.
 Image view_of(const Frame& frame, double right)
@@ -91,24 +82,6 @@ Image view_of(const Frame& frame, double right)
     View view{centre_eye(*frame.metadata), width / film_pixels_a_view_pixel, height / film_pixels_a_view_pixel, view_samples};
     view.eye.x += right * frame.metadata->aperture.width;
     return inner_part(*replay(frame, view, 1));
-}
-
-/// Means over squares of pixels, in linear light.
-Image shrunk(const Image& image, int block)
-{
-    Image result = make_image<std::uint16_t>(image.width / block, image.height / block, 3, image.encoding);
-    const LinearReader read(image);
-    const float weight = 1.0f / float(block * block);
-    for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x) {
-            Color sum{0, 0, 0, 1};
-            for (int k = 0; k < block * block; ++k) {
-                const Color c = read(x * block + k % block, y * block + k / block);
-                sum = {sum.r + c.r * weight, sum.g + c.g * weight, sum.b + c.b * weight, 1};
-            }
-            store_linear(result, x, y, sum);
-        }
-    return result;
 }
 
 /// A view's linear luma, between its pixels by interpolation. Linear, so that half the light is half covered.
@@ -180,18 +153,15 @@ Profile profile_of(const Image& view, double middle)
 /// Over the pixels that are not black in the reference: nothing in this scene is, but what no lens shows to the aperture.
 double lit_rmse(const Image& image, const Image& reference)
 {
-    double squares = 0;
-    long long values = 0;
+    ColorDifferences differences;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const Color a = stored_pixel(image, x, y), b = stored_pixel(reference, x, y);
             if (b.r == 0 && b.g == 0 && b.b == 0)
                 continue;
-            for (const double difference : {double(a.r) - b.r, double(a.g) - b.g, double(a.b) - b.b})
-                squares += difference * difference;
-            values += 3;
+            differences.add(a, b);
         }
-    return std::sqrt(squares / double(std::max(values, 1LL)));
+    return differences.rms();
 }
 
 /// One sheet's frames and views.
@@ -372,7 +342,7 @@ void write_montage(const std::vector<Experiment>& sheets, const std::string& pat
     for (int j = 0; j < lines; ++j)
         for (int i = 0; i < columns; ++i) {
             const Row& row = sheets[j / 2].rows[i];
-            const Image square = j % 2 ? part(row.side_view, over, 0, cut, cut) : part(row.centre_view, over / 2, 0, cut, cut);
+            const Image square = j % 2 ? part_of(row.side_view, over, 0, cut, cut) : part_of(row.centre_view, over / 2, 0, cut, cut);
             for (int y = 0; y < times * cut; ++y)
                 for (int x = 0; x < times * cut; ++x)
                     store_pixel(montage, head + i * edge + x, head + j * edge + y, stored_pixel(square, x / times, y / times));

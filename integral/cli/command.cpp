@@ -21,6 +21,16 @@ bool given(const options::variables_map& arguments, const char* option)
     return arguments.count(option) > 0;
 }
 
+int in_range(const options::variables_map& arguments, const char* option, int least, int most)
+{
+    const int value = arguments[option].as<int>();
+    if (value < least || value > most)
+        throw UsageError(std::string("--") + option + " " + std::to_string(value) +
+                         ": a whole number from " + std::to_string(least) + " to " +
+                         std::to_string(most) + " is expected");
+    return value;
+}
+
 void print_result(const options::variables_map& arguments, const std::string& text)
 {
     const std::string output = text_of(arguments, "output");

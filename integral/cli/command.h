@@ -58,6 +58,9 @@ std::string text_of(const options::variables_map& arguments, const char* option)
 /// Whether an option was given.
 bool given(const options::variables_map& arguments, const char* option);
 
+/// The value of an option that is a whole number. Throws UsageError where it is not from `least` to `most`.
+int in_range(const options::variables_map& arguments, const char* option, int least, int most);
+
 /// Prints a result to standard output, or to -o's FILE whole. Throws OutputError.
 void print_result(const options::variables_map& arguments, const std::string& text);
 

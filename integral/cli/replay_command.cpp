@@ -146,16 +146,6 @@ void check_view(const View& view, const FrameMetadata& metadata)
         throw UsageError("--lens-model full: these lenses have no surface that reaches their edge");
 }
 
-int in_range(const options::variables_map& arguments, const char* option, int least, int most)
-{
-    const int value = arguments[option].as<int>();
-    if (value < least || value > most)
-        throw UsageError(std::string("--") + option + " " + std::to_string(value) +
-                         ": a whole number from " + std::to_string(least) + " to " +
-                         std::to_string(most) + " is expected");
-    return value;
-}
-
 int run(const options::variables_map& arguments)
 {
     const std::string output = text_of(arguments, "output");

@@ -196,9 +196,7 @@ int run(const options::variables_map& arguments)
         throw UsageError("--eyes needs --views CxR, how many eyes");
     if (given(arguments, "size") && !eyes)
         throw UsageError("--size is for --eyes; parallel views have a pixel a lens");
-    const int threads = arguments["threads"].as<int>();
-    if (threads < 0 || threads > 1024)
-        throw UsageError("--threads " + std::to_string(threads) + ": a whole number from 0 to 1024 is expected");
+    const int threads = in_range(arguments, "threads", 0, 1024);
     return back ? make_frame(arguments, output, threads) : make_quilt(arguments, output, threads);
 }
 

@@ -154,6 +154,24 @@ void store_linear(Image& image, int x, int y, Color linear)
     store_pixel(image, x, y, encoded(linear, image.encoding));
 }
 
+Image blank_like(const Image& like, int width, int height)
+{
+    Image image = std::visit([&](const auto& samples) {
+        return make_image<typename std::decay_t<decltype(samples)>::value_type>(width, height, like.channels, like.encoding);
+    }, like.samples);
+    image.premultiplied = like.premultiplied;
+    return image;
+}
+
+Image part_of(const Image& picture, int x, int y, int width, int height)
+{
+    Image part = blank_like(picture, width, height);
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i)
+            store_pixel(part, i, j, stored_pixel(picture, x + i, y + j));
+    return part;
+}
+
 Image converted(const Image& image, int bits, Encoding encoding, bool premultiplied)
 {
     Image result =

@@ -43,6 +43,12 @@ template <class Sample> Image make_image(int width, int height, int channels, En
     return image;
 }
 
+/// A picture of zeros of the same form.
+Image blank_like(const Image& like, int width, int height);
+
+/// The rectangle of a picture whose top left pixel is (x, y); it must be inside.
+Image part_of(const Image& picture, int x, int y, int width, int height);
+
 /// Bits per sample: 8, 16, or 32 for floats.
 int sample_bits(const Image& image);
 

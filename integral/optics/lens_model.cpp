@@ -54,8 +54,8 @@ LensPoint tent_point(const Lattice& lattice, Vec2 unit, double slit_height)
 {
     if (lattice.arrangement() == Arrangement::lenticular)
         return cell_point(lattice, {tent_coordinate(unit.x), unit.y}, slit_height);
-    const double row = lattice.arrangement() == Arrangement::hexagonal ? std::sqrt(0.75) : 1, p = lattice.pitch();
-    return {((tent_coordinate(unit.x) - 0.5) * p) * lattice.across() + ((tent_coordinate(unit.y) - 0.5) * row * p) * lattice.along()};
+    return {((tent_coordinate(unit.x) - 0.5) * lattice.pitch()) * lattice.across()
+            + ((tent_coordinate(unit.y) - 0.5) * lattice.row_spacing()) * lattice.along()};
 }
 
 std::vector<WeightedLensPoint> hybrid_points(const Lattice& lattice)

@@ -68,6 +68,7 @@ public:
     bool preferred(LensIndex a, LensIndex b) const;
 
     double pitch() const { return pitch_; }
+    double row_spacing() const { return row_spacing_; } ///< mm between rows of lenses; hexagonal: p sqrt(3)/2
     double tie_tolerance() const { return 1e-9 * pitch_; }
     Arrangement arrangement() const { return arrangement_; }
 

@@ -16,15 +16,6 @@ void demand_alike(const Image& a, const Image& b)
 
 } // namespace
 
-Image blank_like(const Image& like, int width, int height)
-{
-    Image image = std::visit([&](const auto& samples) {
-        return make_image<typename std::decay_t<decltype(samples)>::value_type>(width, height, like.channels, like.encoding);
-    }, like.samples);
-    image.premultiplied = like.premultiplied;
-    return image;
-}
-
 std::vector<Eye> eye_pair(Eye middle, double separation)
 {
     Eye left = middle, right = middle;
@@ -61,15 +52,6 @@ Image tiled(const std::vector<Image>& pictures, int columns, int border)
             store_pixel(sheet, x, y, inside ? stored_pixel(pictures[k], inner_x, inner_y) : Color{0, 0, 0, 1});
         }
     return sheet;
-}
-
-Image part_of(const Image& picture, int x, int y, int width, int height)
-{
-    Image part = blank_like(picture, width, height);
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i)
-            store_pixel(part, i, j, stored_pixel(picture, x + i, y + j));
-    return part;
 }
 
 Image anaglyph(const Image& left, const Image& right)

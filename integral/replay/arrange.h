@@ -20,12 +20,6 @@ std::vector<Eye> eye_grid(Eye middle, int columns, int rows, double width, doubl
 /// (opaque) between them. Throws std::invalid_argument where they differ, or are none.
 Image tiled(const std::vector<Image>& pictures, int columns, int border);
 
-/// The rectangle of a picture whose top left pixel is (x, y); it must be inside.
-Image part_of(const Image& picture, int x, int y, int width, int height);
-
-/// A picture of the same form, all 0.
-Image blank_like(const Image& like, int width, int height);
-
 /// A stereo pair for red-cyan glasses: red of the left picture, green and blue of the right; the mean alpha. In the encoded
 /// values, as such glasses are used with screens and prints. Throws as `tiled` does.
 Image anaglyph(const Image& left, const Image& right);

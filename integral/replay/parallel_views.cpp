@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/parallel_views.h"
 
-#include "integral/replay/arrange.h"
+#include "integral/lightfield/image.h"
 #include "integral/optics/lens_mapping.h"
 
 #include <algorithm>
@@ -23,8 +23,7 @@ Vec2 pixels_a_lens(const FrameMetadata& m)
     const double p = m.sheet.pitch;
     if (m.sheet.arrangement == Arrangement::lenticular)
         return {p / std::fabs(lattice.across().x) / m.film.pixel_pitch.x, 0};
-    const double row = m.sheet.arrangement == Arrangement::hexagonal ? std::sqrt(0.75) : 1;
-    return {p / m.film.pixel_pitch.x, row * p / m.film.pixel_pitch.y};
+    return {p / m.film.pixel_pitch.x, lattice.row_spacing() / m.film.pixel_pitch.y};
 }
 
 /// One side of a film whose lenses are a whole number of pixels wide: every pixel has a lens and a place in it. A pixel on the
@@ -52,7 +51,7 @@ public:
         const bool lenticular = arrangement == Arrangement::lenticular;
         if (lenticular && !slit_is_horizontal(m.sheet))
             throw std::invalid_argument("the lenses lie across (slant beyond 45 degrees): there are no views from left to right");
-        row = arrangement == Arrangement::hexagonal ? std::sqrt(0.75) * pitch : pitch;
+        row = lattice.row_spacing();
         breadth = lenticular ? pitch / lattice.across().x : pitch;
         const LensIndex corner = lattice.nearest(point(0, 0));
         if (exact) {

@@ -125,19 +125,6 @@ private:
     double radius_;
 };
 
-Image blank_view(const Frame& frame, const View& view)
-{
-    const Image& like = frame.image;
-    const auto make = [&](auto sample) {
-        return make_image<decltype(sample)>(view.width, view.height, like.channels, like.encoding);
-    };
-    Image image = sample_bits(like) == 8    ? make(std::uint8_t())
-                  : sample_bits(like) == 16 ? make(std::uint16_t())
-                                            : make(float());
-    image.premultiplied = like.premultiplied;
-    return image;
-}
-
 } // namespace
 
 std::optional<Image> replay(const Frame& frame, const View& view, int threads,
@@ -149,7 +136,7 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
     // Where the line from a point of the pupil to the point in focus meets the sheet: so much of the way to it, sideways.
     const double sideways = view.focus / (view.eye.distance + view.focus);
     const Film& film = frame.metadata->film;
-    Image image = blank_view(frame, view);
+    Image image = blank_like(frame.image, view.width, view.height);
 
     // The view's pixels, as a film of their own over the same rectangle.
     const Film grid{view.width, view.height,

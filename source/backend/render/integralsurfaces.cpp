@@ -256,11 +256,10 @@ bool IntegralSurfaces::May_Share(const Ray& ray)
 }
 
 /// Whether it is the inside; and the normal, as shading takes it.
-bool IntegralSurfaces::Side_Seen(const Intersection& isect, const Ray& ray, VECTOR normal) const
+bool IntegralSurfaces::Side_Seen(Intersection& isect, const Ray& ray, VECTOR normal) const
 {
-    Intersection met = isect;
-    met.Object->Normal(normal, &met, thread);
-    Turn_Out(normal, met.Object);
+    isect.Object->Normal(normal, &isect, thread);
+    Turn_Out(normal, isect.Object);
     return Against(normal, ray) > 0;
 }
 

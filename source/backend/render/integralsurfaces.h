@@ -114,7 +114,7 @@ class IntegralSurfaces
         };
 
         static bool May_Share(const Ray& ray);
-        bool Side_Seen(const Intersection& isect, const Ray& ray, VECTOR normal) const;
+        bool Side_Seen(Intersection& isect, const Ray& ray, VECTOR normal) const;
         bool Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser, Place& place) const;
         static Place Of_Light(const Place& place, int light);
         static float Height_Of(const Intersection& at, const Place& place);

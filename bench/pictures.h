@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the measurements do to pictures.
+#ifndef INTEGRAL_BENCH_PICTURES_H
+#define INTEGRAL_BENCH_PICTURES_H
+
+#include "integral/lightfield/image.h"
+
+namespace integral::bench {
+
+/// Means over squares of `block` x `block` pixels, in linear light.
+Image shrunk(const Image& image, int block);
+
+/// Differences of colours, added up pixel by pixel.
+class ColorDifferences {
+public:
+    void add(const Color& a, const Color& b);
+    double rms() const; ///< over three channels; 0 where nothing was added
+
+private:
+    double squares_ = 0;
+    long long values_ = 0;
+};
+
+} // namespace integral::bench
+
+#endif
