@@ -14,7 +14,7 @@ EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
 build_sanitized_unit_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
-build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FRAME_LIBS) $(BOOST_TEST_LIBS)
+build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(BOOST_TEST_LIBS)
 
 # One line per file.
 unit_sources = \
@@ -34,6 +34,7 @@ unit_sources = \
   tests/unit/replay_frames.h \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_parallel_views.cpp \
+  tests/unit/replay_paths.cpp \
   tests/unit/replay_views.cpp \
   tests/unit/main.cpp \
   tests/unit/numerics_table.cpp \

@@ -6,6 +6,8 @@ build_bin_integral_SOURCES += \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
   integral/cli/main.cpp \
+  integral/cli/picture_series.cpp \
+  integral/cli/picture_series.h \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
   integral/cli/replay_command.cpp \
@@ -16,4 +18,6 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_report.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
-  integral/cli/views_command.cpp
+  integral/cli/views_command.cpp \
+  integral/cli/views_to_frame.cpp \
+  integral/cli/views_to_frame.h

@@ -26,4 +26,5 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/sampling_forecast.cpp \
   integral/lightfield/sampling_forecast.h \
   integral/lightfield/sheet_figures.cpp \
-  integral/lightfield/sheet_figures.h
+  integral/lightfield/sheet_figures.h \
+  integral/lightfield/view_grid.h

@@ -13,12 +13,23 @@ Eye centre_eye(const FrameMetadata& metadata)
     return {0, 0, metadata.aperture.distance};
 }
 
+namespace {
+
+SheetPart part_of_sheet(const View& view, const Film& film)
+{
+    if (view.part.width > 0)
+        return view.part;
+    return {{0, 0}, film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
+}
+
+} // namespace
+
 void set_view_size(View& view, const Film& film, int longer)
 {
-    const double width = film.width * film.pixel_pitch.x, height = film.height * film.pixel_pitch.y;
-    const double scale = longer / std::max(width, height);
-    view.width = std::max(1, int(std::lround(width * scale)));
-    view.height = std::max(1, int(std::lround(height * scale)));
+    const SheetPart part = part_of_sheet(view, film);
+    const double scale = longer / std::max(part.width, part.height);
+    view.width = std::max(1, int(std::lround(part.width * scale)));
+    view.height = std::max(1, int(std::lround(part.height * scale)));
 }
 
 namespace {
@@ -34,14 +45,14 @@ public:
     {
     }
 
-    /// At a point of the sheet, from a point `eye` of the pupil's plane.
-    Color at(Vec2 point, Vec2 eye) const
+    /// At a point of the sheet, from a point `eye` of the pupil's plane, `aside` of the film point that is seen.
+    Color at(Vec2 point, Vec2 eye, Vec2 aside) const
     {
         const auto film_point = film_point_seen(point, eye);
         if (!film_point)
             return outside_;
         // A film beside the focus is met where the line from the lens's point to the focus meets it.
-        const Vec2 pixel = pixel_from_film(film_, *film_point + past_focus_ * (*film_point - point));
+        const Vec2 pixel = pixel_from_film(film_, *film_point + past_focus_ * (*film_point - point) + aside);
         if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 && pixel.y < film_.height))
             return outside_;
         return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y)) : stripes_at(pixel);
@@ -100,21 +111,23 @@ private:
     Color outside_;
 };
 
-/// Points of the pupil, spread evenly over the samples of a pixel and otherwise than in the pixels around it.
-class Pupil {
+/// Points of a disc, spread evenly over the samples of a pixel and otherwise than in the pixels around it.
+class DiscPoints {
 public:
-    explicit Pupil(const View& view) : centre_{view.eye.x, view.eye.y}, radius_(0.5 * view.pupil) {}
+    /// `steps`: of the two coordinates from sample to sample, in parts of the whole. `seed` shifts one disc's against another's.
+    DiscPoints(Vec2 centre, double diameter, Vec2 steps, std::uint64_t seed)
+        : centre_(centre), radius_(0.5 * diameter), steps_(steps), seed_(seed)
+    {
+    }
 
     Vec2 point(int x, int y, int sample) const
     {
         if (radius_ == 0)
             return centre_;
-        // Roberts' (2018) sequence, shifted at random for each pixel
-        constexpr double step_x = 0.75487766624669276, step_y = 0.56984029099805327;
-        const std::uint64_t bits = random_bits(std::uint64_t(x), std::uint64_t(y));
+        const std::uint64_t bits = random_bits(std::uint64_t(x) ^ seed_, std::uint64_t(y));
         const auto part = [](double v) { return v - std::floor(v); };
-        const double u = part(double(bits >> 32) * 0x1p-32 + sample * step_x);
-        const double v = part(double(bits & 0xffffffff) * 0x1p-32 + sample * step_y);
+        const double u = part(double(bits >> 32) * 0x1p-32 + sample * steps_.x);
+        const double v = part(double(bits & 0xffffffff) * 0x1p-32 + sample * steps_.y);
         constexpr double turn = 6.28318530717958647692;
         const double r = radius_ * std::sqrt(u);
         return centre_ + Vec2{r * std::cos(turn * v), r * std::sin(turn * v)};
@@ -123,7 +136,12 @@ public:
 private:
     Vec2 centre_;
     double radius_;
+    Vec2 steps_;
+    std::uint64_t seed_;
 };
+
+constexpr Vec2 roberts_steps{0.75487766624669276, 0.56984029099805327};    // Roberts (2018)
+constexpr Vec2 richtmyer_steps{0.41421356237309505, 0.73205080756887729}; // of sqrt(2) and sqrt(3): another plane than those
 
 } // namespace
 
@@ -131,26 +149,24 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
                             const Progress& progress)
 {
     const SheetSeen seen(frame, view);
-    const Pupil pupil(view);
     const Vec2 eye{view.eye.x, view.eye.y};
+    const DiscPoints pupil(eye, view.pupil, roberts_steps, 0), spot({0, 0}, view.blur, richtmyer_steps, std::uint64_t(1) << 32);
     // Where the line from a point of the pupil to the point in focus meets the sheet: so much of the way to it, sideways.
     const double sideways = view.focus / (view.eye.distance + view.focus);
-    const Film& film = frame.metadata->film;
     Image image = blank_like(frame.image, view.width, view.height);
 
-    // The view's pixels, as a film of their own over the same rectangle.
-    const Film grid{view.width, view.height,
-                    {film.width * film.pixel_pitch.x / view.width,
-                     film.height * film.pixel_pitch.y / view.height}};
+    // The view's pixels, as a film of their own over its part of the sheet.
+    const SheetPart part = part_of_sheet(view, frame.metadata->film);
+    const Film grid{view.width, view.height, {part.width / view.width, part.height / view.height}};
     const int n = view.samples;
     const auto row = [&](int y) {
         for (int x = 0; x < view.width; ++x) {
             double r = 0, g = 0, b = 0, a = 0;
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i) {
-                    const Vec2 point = film_from_pixel(grid, {x + (i + 0.5) / n, y + (j + 0.5) / n});
+                    const Vec2 point = part.middle + film_from_pixel(grid, {x + (i + 0.5) / n, y + (j + 0.5) / n});
                     const Vec2 from = pupil.point(x, y, j * n + i);
-                    const Color c = seen.at(point + sideways * (from - eye), from);
+                    const Color c = seen.at(point + sideways * (from - eye), from, spot.point(x, y, j * n + i));
                     r += c.r;
                     g += c.g;
                     b += c.b;
