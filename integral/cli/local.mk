@@ -10,7 +10,11 @@ build_bin_integral_SOURCES += \
   integral/cli/picture_series.h \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
+  integral/cli/renderer.cpp \
+  integral/cli/renderer.h \
   integral/cli/replay_command.cpp \
+  integral/cli/scene_depth.cpp \
+  integral/cli/scene_depth.h \
   integral/cli/sheet_command.cpp \
   integral/cli/sheet_plots.cpp \
   integral/cli/sheet_plots.h \

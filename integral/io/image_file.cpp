@@ -46,11 +46,12 @@ std::string one_line(std::string text)
     throw InputError(display_name(path, "standard input") + ": " + one_line(what));
 }
 
-DecodedImage read_image(const std::string& path)
+/// What `decode` makes of a file.
+template <class Decode> auto decoded(const std::string& path, Decode decode)
 {
     const std::string bytes = read_file(path);
     try {
-        return decode_any(bytes);
+        return decode(bytes);
     } catch (const std::bad_alloc&) {
         refuse(path, "it needs more memory than there is");
     } catch (const std::exception& error) {
@@ -164,7 +165,7 @@ namespace {
 /// A picture, its encoding as read_frame's comment has it, and its geometry.
 Views read_with_geometry(const std::string& path, const std::string& sheet_file)
 {
-    DecodedImage picture = read_image(path);
+    DecodedImage picture = decoded(path, decode_any);
     Views views{std::move(picture.image), geometry_for(path, sheet_file, picture.document)};
     if (views.metadata && sheet_file.empty()) // a document for other frames says nothing of this one's encoding
         views.image.encoding = views.metadata->encoding;
@@ -235,6 +236,17 @@ FrameMetadata read_metadata(const std::string& path)
     geometry = *metadata;
     geometry.quilt.reset();
     return geometry;
+}
+
+DepthFrame read_depths(const std::string& path)
+{
+    DecodedDepths file = decoded(path, decode_depths);
+    if (file.document.empty())
+        refuse(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes depth frames that do");
+    DepthFrame frame{std::move(file.depth), std::move(file.imaged), parse(path, file.document, "")};
+    if (frame.metadata.film.width != file.width || frame.metadata.film.height != file.height)
+        refuse(path, "its geometry is of a frame of another size");
+    return frame;
 }
 
 void write_frame(const std::string& path, Frame frame)

@@ -4,6 +4,7 @@
 #define INTEGRAL_IO_IMAGE_FILE_H
 
 #include "integral/io/file_bytes.h"
+#include "integral/lightfield/depth_range.h"
 #include "integral/lightfield/frame.h"
 
 #include <string>
@@ -38,6 +39,9 @@ Frame read_frame_with_metadata(const std::string& path, const std::string& sheet
 
 /// Reads a geometry document: a JSON file, or a picture's own (of views: their frame's). Throws InputError.
 FrameMetadata read_metadata(const std::string& path);
+
+/// Reads a depth frame, which has its geometry in it. Throws InputError.
+DepthFrame read_depths(const std::string& path);
 
 /// Writes a frame, views of one or a picture, its format by its name, with the document and the physical
 /// resolution if it has metadata. Converts to what the format holds: EXR linear light, premultiplied;

@@ -2,6 +2,8 @@
 # Sources of integral/lightfield: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/lightfield/depth_range.cpp \
+  integral/lightfield/depth_range.h \
   integral/lightfield/encoding.h \
   integral/lightfield/error_estimate.cpp \
   integral/lightfield/error_estimate.h \
