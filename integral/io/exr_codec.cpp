@@ -103,7 +103,7 @@ std::string document_of(const Imf::Header& header)
     return text ? text->value() : "";
 }
 
-DecodedImage decode(const std::string& bytes)
+DecodedImage decode_picture(const std::string& bytes)
 {
     Imf::Header::setMaxImageSize(largest_side, largest_side);
     ByteSource source(bytes);
@@ -184,7 +184,7 @@ template <class Decode> auto guarded(Decode decode, const std::string& bytes)
 
 } // namespace
 
-DecodedImage decode_exr(const std::string& bytes) { return guarded(decode, bytes); }
+DecodedImage decode_exr(const std::string& bytes) { return guarded(decode_picture, bytes); }
 
 DecodedDepths decode_depths(const std::string& bytes) { return guarded(decode_z, bytes); }
 
