@@ -20,6 +20,7 @@ build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(BOOST_
 unit_sources = \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
+  tests/unit/lightfield_depth_range.cpp \
   tests/unit/lightfield_error_estimate.cpp \
   tests/unit/lightfield_image.cpp \
   tests/unit/lightfield_lens_profile.cpp \
