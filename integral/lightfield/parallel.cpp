@@ -31,8 +31,10 @@ bool for_each_row(int rows, int threads, const std::function<void(int row)>& wor
         try {
             for (int row; !stop && (row = next++) < rows;) {
                 work(row);
+                if (!progress)
+                    continue;
                 const std::lock_guard<std::mutex> lock(mutex);
-                if (progress && !progress(++done, rows))
+                if (!progress(++done, rows))
                     stop = true;
             }
         } catch (...) {

@@ -295,15 +295,4 @@ MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
     return mapped;
 }
 
-Vec2 SheetOptics::film_point_seen(Vec2 point, Vec3 direction, LensIndex* lens) const
-{
-    const LensIndex index = lattice_.nearest(point);
-    if (lens)
-        *lens = index;
-    Vec2 base = lattice_.pole(index);
-    if (lenticular_)
-        base = point + dot(slit_.across, base - point) * slit_.across;
-    return base - offset_from_direction(medium_, direction);
-}
-
 } // namespace integral

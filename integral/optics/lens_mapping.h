@@ -59,9 +59,18 @@ public:
     std::optional<LensRay> ray_through(Vec2 film_point, LensIndex lens) const;
 
     /// Inverse for an eye: the film point whose light leaves the sheet at `point` (z = 0) in
-    /// `direction` (unit, towards the viewer, z < 0), through the lens that `point` belongs to.
+    /// `direction` (of any length, towards the viewer, z < 0), through the lens that `point` belongs to.
     /// The beam of a film point fills its lens's cell, so any point of the cell will do.
-    Vec2 film_point_seen(Vec2 point, Vec3 direction, LensIndex* lens = nullptr) const;
+    Vec2 film_point_seen(Vec2 point, Vec3 direction, LensIndex* lens = nullptr) const
+    {
+        const LensIndex index = lattice_.nearest(point);
+        if (lens)
+            *lens = index;
+        Vec2 base = lattice_.pole(index);
+        if (lenticular_)
+            base = point + dot(slit_.across, base - point) * slit_.across;
+        return base - offset_from_direction(medium_, direction);
+    }
 
     const LensSheet& sheet() const { return sheet_; }
     LensModel model() const { return model_; }

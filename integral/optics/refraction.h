@@ -44,10 +44,10 @@ inline std::optional<Vec3> direction_from_offset(const Medium& medium, Vec2 q)
     return Vec3{lateral * q.x, lateral * q.y, -std::sqrt(e) * inverse_length};
 }
 
-/// Inverse: the q (pole - film point, mm) whose light leaves in `direction` (unit, z < 0).
+/// Inverse: the q (pole - film point, mm) whose light leaves in `direction` (of any length, z < 0).
 inline Vec2 offset_from_direction(const Medium& medium, Vec3 direction)
 {
-    const double scale = medium.t / std::sqrt(medium.m + direction.z * direction.z);
+    const double scale = medium.t / std::sqrt(medium.m * dot(direction, direction) + direction.z * direction.z);
     return {scale * direction.x, scale * direction.y};
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace integral {
@@ -140,40 +141,63 @@ public:
     LensWindow window;
 };
 
-/// Exact views: which pixel of which view belongs to which pixel of the film. Sample: const for views that are read.
-template <class Sample> class WholePixels {
+/// Exact views: which pixel of which view belongs to which pixel of the film.
+class WholePixels {
 public:
-    template <class Views> WholePixels(const Lenses& lenses, Views& views) : lenses_(lenses), channels_(views[0].channels)
+    explicit WholePixels(const Lenses& lenses) : lenses_(lenses)
     {
-        using Samples = std::vector<std::remove_const_t<Sample>>;
-        for (auto& view : views)
-            data_.push_back(std::get<Samples>(view.samples).data());
-        for (int x = 0; x < lenses.film.width; ++x)
-            columns_.push_back({std::size_t(lenses.grid.columns - 1 - lenses.across.place(x)),
-                                std::size_t(lenses.across.lens(x)) * channels_});
-    }
-
-    /// Calls use(the place of a pixel's samples on the film, those of its view) for each pixel of a row of the film.
-    template <class Use> void each(int y, Use use) const
-    {
-        const bool lenticular = lenses_.arrangement == Arrangement::lenticular;
-        const int row = lenticular ? y : lenses_.down.lens(y), up = lenticular ? 0 : lenses_.down.place(y);
-        Sample* const* views = data_.data() + std::size_t(up) * lenses_.grid.columns;
-        const std::size_t begin = std::size_t(row) * lenses_.window.columns * channels_;
-        std::size_t of_film = std::size_t(y) * lenses_.film.width * channels_;
-        for (const Column& column : columns_) {
-            use(of_film, views[column.view] + begin + column.begin);
-            of_film += channels_;
+        for (int column = 0; column < lenses.grid.columns; ++column) {
+            const int place = lenses.grid.columns - 1 - column;
+            Run run{};
+            run.film = (lenses.across.border + place) % lenses.across.pixels;
+            run.view = lenses.across.lens(run.film);
+            run.pixels = run.film < lenses.film.width ? (lenses.film.width - 1 - run.film) / lenses.across.pixels + 1 : 0;
+            runs_.push_back(run);
         }
     }
 
+    /// Calls move(view, its first pixel, the film's first pixel, how many) for a row of the film: pixels one after another in the view,
+    /// a lens apart on the film.
+    template <class Move> void each(int y, Move move) const
+    {
+        const bool lenticular = lenses_.arrangement == Arrangement::lenticular;
+        const int row = lenticular ? y : lenses_.down.lens(y), up = lenticular ? 0 : lenses_.down.place(y);
+        const std::size_t view_row = std::size_t(row) * lenses_.window.columns, film_row = std::size_t(y) * lenses_.film.width;
+        for (int column = 0; column < lenses_.grid.columns; ++column)
+            move(up * lenses_.grid.columns + column, view_row + runs_[column].view, film_row + runs_[column].film, runs_[column].pixels);
+    }
+
+    int lens() const { return lenses_.across.pixels; }
+
 private:
-    struct Column { std::size_t view, begin; };
+    struct Run { int film, view, pixels; }; // first pixels in their rows
     const Lenses& lenses_;
-    std::size_t channels_;
-    std::vector<Sample*> data_;
-    std::vector<Column> columns_;
+    std::vector<Run> runs_;
 };
+
+/// Copies `count` pixels of a fixed size, each some bytes from the one before.
+template <int bytes> void copy_pixels(unsigned char* to, std::size_t to_step, const unsigned char* from, std::size_t from_step, int count)
+{
+    for (int k = 0; k < count; ++k, to += to_step, from += from_step)
+        std::memcpy(to, from, bytes);
+}
+
+using CopyPixels = void (*)(unsigned char*, std::size_t, const unsigned char*, std::size_t, int);
+
+/// The one for an image's pixels, and their size.
+std::pair<CopyPixels, std::size_t> copier_for(const Image& image)
+{
+    const std::size_t bytes = std::size_t(image.channels) * (sample_bits(image) / 8);
+    const CopyPixels copy = bytes == 3 ? copy_pixels<3> : bytes == 4 ? copy_pixels<4> : bytes == 6 ? copy_pixels<6>
+                          : bytes == 8 ? copy_pixels<8> : bytes == 12 ? copy_pixels<12> : copy_pixels<16>;
+    return {copy, bytes};
+}
+
+unsigned char* bytes_of(Image& image)
+{
+    return std::visit([](auto& samples) { return reinterpret_cast<unsigned char*>(samples.data()); }, image.samples);
+}
+const unsigned char* bytes_of(const Image& image) { return bytes_of(const_cast<Image&>(image)); }
 
 } // namespace
 
@@ -197,17 +221,22 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
 {
     const Lenses lenses(*frame.metadata, grid);
     const Film& film = lenses.film;
-    std::vector<Image> views(grid.count(), blank_like(frame.image, lenses.window.columns, lenses.window.rows));
+    std::vector<Image> views(grid.count());
+    for_each_row(grid.count(), threads, [&](int k) { views[k] = blank_like(frame.image, lenses.window.columns, lenses.window.rows); });
 
     if (lenses.exact) {
-        const bool done = std::visit([&](const auto& samples) {
-            using Samples = std::decay_t<decltype(samples)>;
-            const WholePixels<typename Samples::value_type> pixels(lenses, views);
-            return for_each_row(lenses.film.height, threads, [&](int y) { pixels.each(y, [&](std::size_t of_film, auto* of_view) {
-                std::copy_n(samples.data() + of_film, frame.image.channels, of_view);
-            }); }, progress);
-        }, frame.image.samples);
-        if (!done)
+        const WholePixels pixels(lenses);
+        const auto [copy, size] = copier_for(frame.image);
+        std::vector<unsigned char*> to;
+        for (Image& view : views)
+            to.push_back(bytes_of(view));
+        const unsigned char* from = bytes_of(frame.image);
+        const auto row = [&, copy = copy, size = size](int y) {
+            pixels.each(y, [&](int view, std::size_t of_view, std::size_t of_film, int count) {
+                copy(to[view] + of_view * size, size, from + of_film * size, size * pixels.lens(), count);
+            });
+        };
+        if (!for_each_row(film.height, threads, row, progress))
             return std::nullopt;
         return views;
     }
@@ -247,14 +276,18 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
                                         + std::to_string(lenses.window.rows) + ", all of one form");
     Image image = blank_like(views[0], film.width, film.height);
     if (lenses.exact) {
-        const bool done = std::visit([&](auto& samples) {
-            using Samples = std::decay_t<decltype(samples)>;
-            const WholePixels<const typename Samples::value_type> pixels(lenses, views);
-            return for_each_row(lenses.film.height, threads, [&](int y) { pixels.each(y, [&](std::size_t of_film, const auto* of_view) {
-                std::copy_n(of_view, image.channels, samples.data() + of_film);
-            }); }, progress);
-        }, image.samples);
-        if (!done)
+        const WholePixels pixels(lenses);
+        const auto [copy, size] = copier_for(image);
+        unsigned char* to = bytes_of(image);
+        std::vector<const unsigned char*> from;
+        for (const Image& view : views)
+            from.push_back(bytes_of(view));
+        const auto row = [&, copy = copy, size = size](int y) {
+            pixels.each(y, [&](int view, std::size_t of_view, std::size_t of_film, int count) {
+                copy(to + of_film * size, size * pixels.lens(), from[view] + of_view * size, size, count);
+            });
+        };
+        if (!for_each_row(film.height, threads, row, progress))
             return std::nullopt;
         return image;
     }

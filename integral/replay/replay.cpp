@@ -46,7 +46,7 @@ class SheetSeen {
 public:
     SheetSeen(const Frame& frame, const View& view)
         : film_(frame.metadata->film), distance_(view.eye.distance),
-          film_gap_(view.film_gap), optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
+          film_gap_(view.film_gap), gap_parts_(view.film_gap / frame.metadata->sheet.thickness), optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
           radius_(surface_radius(frame.metadata->sheet)), deepest_(deepest_surface(frame.metadata->sheet)), pixel_(frame.image),
           outside_{0, 0, 0, frame.image.channels == 4 ? 0.0f : 1.0f}
     {
@@ -70,12 +70,11 @@ private:
         if (refracts_at_surface(optics_.model()))
             return film_point_behind_surface(point, eye);
         // The line from the sheet's point to the eye leaves the sheet in this direction ...
-        const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -distance_};
-        const Vec3 direction = (1 / length(to_eye)) * to_eye;
+        const Vec3 direction{eye.x - point.x, eye.y - point.y, -distance_};
         // ... and the beam of that direction, from that point's lens, comes from this point of the focal plane.
         const Vec2 focus = optics_.film_point_seen(point, direction);
         // A film beside the focus is met where the line from the lens's point to the focus meets it.
-        return focus + (film_gap_ / optics_.sheet().thickness) * (focus - point);
+        return focus + gap_parts_ * (focus - point);
     }
 
     /// A point of the lenses' surface that a line of sight meets.
@@ -161,7 +160,7 @@ private:
 
     Film film_;
     double distance_;
-    double film_gap_; ///< the film's distance behind the lenses' focus, mm
+    double film_gap_, gap_parts_; ///< the film's distance behind the lenses' focus: mm, and in thicknesses
     SheetOptics optics_;
     double radius_, deepest_; ///< of the lenses' surface, mm
     LinearReader pixel_;
@@ -215,13 +214,20 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
     // The view's pixels, as a film of their own over its part of the sheet.
     const SheetPart part = part_of_sheet(view, frame.metadata->film);
     const Film grid{view.width, view.height, {part.width / view.width, part.height / view.height}};
+    // The samples' places: evenly spread, the same in each row and each column.
     const int n = view.samples;
+    std::vector<double> across, down;
+    for (int k = 0; k < view.width * n; ++k)
+        across.push_back(part.middle.x + film_from_pixel(grid, {(k + 0.5) / n, 0}).x);
+    for (int k = 0; k < view.height * n; ++k)
+        down.push_back(part.middle.y + film_from_pixel(grid, {0, (k + 0.5) / n}).y);
+    const double weight = 1.0 / (double(n) * n);
     const auto row = [&](int y) {
         for (int x = 0; x < view.width; ++x) {
             double r = 0, g = 0, b = 0, a = 0;
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i) {
-                    const Vec2 point = part.middle + film_from_pixel(grid, {x + (i + 0.5) / n, y + (j + 0.5) / n});
+                    const Vec2 point{across[x * n + i], down[y * n + j]};
                     const Vec2 from = pupil.point(x, y, j * n + i);
                     const Color c = seen.at(point + sideways * (from - eye), from, spot.point(x, y, j * n + i));
                     r += c.r;
@@ -229,10 +235,7 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
                     b += c.b;
                     a += c.a;
                 }
-            const double weight = 1.0 / (double(n) * n);
-            store_linear(image, x, y,
-                         {float(r * weight), float(g * weight), float(b * weight),
-                          float(a * weight)});
+            store_linear(image, x, y, {float(r * weight), float(g * weight), float(b * weight), float(a * weight)});
         }
     };
     if (!for_each_row(view.height, threads, row, progress))
