@@ -9,6 +9,8 @@ build_bin_integral_SOURCES += \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
   integral/cli/replay_command.cpp \
+  integral/cli/replay_html.cpp \
+  integral/cli/replay_html.h \
   integral/cli/sheet_command.cpp \
   integral/cli/sheet_plots.cpp \
   integral/cli/sheet_plots.h \
