@@ -166,7 +166,7 @@ function fit() {
   const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   let size = state.size;
   if (!size) {
-    const room = [canvas.parentElement.clientWidth, Math.max(200, 0.62 * innerHeight)];
+    const room = [canvas.parentElement.clientWidth, Math.max(200, 0.54 * innerHeight)];
     const scale = Math.min(room[0] / film_width, room[1] / film_height) * dots;
     size = [film_width * scale, film_height * scale];
   }
@@ -226,7 +226,7 @@ function show_state() {
   const [x, y, distance] = state.eye;
   const places = [side(x, " to the left", " to the right"), side(y, " below", " above")].filter(Boolean);
   element("where").textContent = state.raw ? "The film, without its lens sheet"
-    : `The eye is ${mm(distance)} in front of the sheet, ${places.length ? places.join(" and ") : "at its middle"}`;
+    : `The eye is ${mm(distance)} in front of the sheet, ${places.length ? places.join(" and ") : "opposite its middle"}`;
   const slider = (id, value, text) => {
     const input = element(id);
     input.min = Math.min(input.min, value);
