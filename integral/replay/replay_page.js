@@ -39,7 +39,12 @@ function read_fragment() {
     bare: said.has("bare"),
     tile: Math.round(number("tile", 1, 1e6, 1e6)),
   };
+  focus_before_eye();
   document.body.classList.toggle("bare", state.bare);
+}
+
+function focus_before_eye() {
+  state.focus = Math.max(state.focus, -0.99 * state.eye[2]);
 }
 
 // As the command: more samples where a pupil scatters them, unless the writer of the page said otherwise.
@@ -62,7 +67,8 @@ function move_eye(x, y) {
 // ---- Drawing.
 const WHOLE = 0, PART = 1;
 const split = (v) => [Math.floor(v), v - Math.floor(v)];
-let gl, uniform, textures, drawn_size = [0, 0], pending = 0, settling = 0, moving = false;
+const quick = 4; // samples across a pixel while the eye moves, at most
+let gl, uniform, textures, ready = false, drawn_size = [0, 0], pending = 0, settling = 0, moving = false;
 
 // By columns or rows, as replay_page.glsl says. `axis` 0: columns.
 function steps(axis, count) {
@@ -134,7 +140,9 @@ function set_geometry() {
 
 // The frame's stored values, bit by bit, in tiles that the graphics processor can hold.
 async function set_film() {
-  const bytes = Uint8Array.from(atob(picture.src.split(",")[1]), (c) => c.charCodeAt(0));
+  const text = atob(picture.src.split(",")[1]), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < bytes.length; ++i)
+    bytes[i] = text.charCodeAt(i);
   const blob = new Blob([bytes], { type: "image/png" });
   const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), state.tile);
   const width = Math.min(film.width, most), height = Math.min(film.height, most);
@@ -166,7 +174,7 @@ function fit() {
   const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   let size = state.size;
   if (!size) {
-    const room = [canvas.parentElement.clientWidth, Math.max(200, 0.54 * innerHeight)];
+    const room = [canvas.parentElement.clientWidth, state.bare ? innerHeight : Math.max(200, 0.54 * innerHeight)];
     const scale = Math.min(room[0] / film_width, room[1] / film_height) * dots;
     size = [film_width * scale, film_height * scale];
   }
@@ -187,7 +195,7 @@ function fit() {
 function draw() {
   pending = 0;
   fit();
-  const [x, y, distance] = state.eye, quick = 4;
+  const [x, y, distance] = state.eye;
   gl.uniform2f(uniform("eye"), x, y);
   gl.uniform1f(uniform("eye_distance"), distance);
   gl.uniform1f(uniform("pupil_radius"), 0.5 * state.pupil);
@@ -200,16 +208,17 @@ function draw() {
 }
 
 function request() {
-  if (gl && !pending)
+  if (ready && !pending)
     pending = requestAnimationFrame(draw);
 }
 
 // The eye has moved: few samples at once, all of them when it stays.
 function changed() {
-  state.focus = Math.max(state.focus, -0.99 * state.eye[2]); // in front of the eye
-  moving = true;
+  focus_before_eye();
   clearTimeout(settling);
-  settling = setTimeout(() => { moving = false; request(); }, 150);
+  moving = samples() > quick;
+  if (moving)
+    settling = setTimeout(() => { moving = false; request(); }, 150);
   show_state();
   request();
 }
@@ -378,17 +387,19 @@ function on_controls() {
 }
 
 async function begin() {
+  gl = context;
   drawn_size = [0, 0];
   textures = Array.from({ length: 4 }, () => gl.createTexture());
   set_program();
   set_geometry();
   await set_film();
+  ready = true;
   draw();
 }
 
 // Without graphics the page still shows the frame.
 function give_up(why) {
-  gl = null;
+  ready = false;
   document.body.classList.add("flat");
   trouble(why + " Below is the frame as it is on the film.");
 }
@@ -398,8 +409,8 @@ show_geometry();
 on_controls();
 show_state();
 const context = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
-const run = () => { gl = context; begin().catch((error) => give_up(error.message)); };
-canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); gl = null; });
+const run = () => begin().catch((error) => give_up(error.message));
+canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); ready = false; });
 canvas.addEventListener("webglcontextrestored", run);
 if (context)
   run();
