@@ -13,7 +13,7 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const farthest = 1e9; // of an eye
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 
-// ---- Where the eye is: as the page was written, then as the address's fragment says, then as it is moved.
+// Where the eye is: as the page was written, then as the address's fragment says, then as it is moved.
 let state; // eye [x, y, distance], pupil, focus, gap, raw; and what the fragment alone says: samples, size, bare, tile
 
 function numbers(text, count) {
@@ -64,7 +64,7 @@ function move_eye(x, y) {
   changed();
 }
 
-// ---- Drawing.
+// Drawing.
 const WHOLE = 0, PART = 1;
 const split = (v) => [Math.floor(v), v - Math.floor(v)];
 const quick = 4; // samples across a pixel while the eye moves, at most
@@ -223,7 +223,7 @@ function changed() {
   request();
 }
 
-// ---- What the page says.
+// What the page says.
 const figures = (v, digits = 4) => String(Number(v.toPrecision(digits)));
 const mm = (v) => figures(v) + " mm";
 
@@ -264,18 +264,20 @@ function show_geometry() {
     lens.push(`moved by ${figures(offset[0])}, ${mm(offset[1])}`);
   if (start.model === "pinhole")
     lens.push("taken as pinholes");
-  const film_words = [`${film.width} × ${film.height} pixels of ${same ? mm(dx) : figures(dx) + " × " + mm(dy)} (${figures(25.4 / dx)}${same ? "" : " × " + figures(25.4 / dy)} dpi)`,
-    `${figures(film_width)} × ${mm(film_height)}`];
+  const both = (x, y, unit) => (same ? figures(x) : `${figures(x)} × ${figures(y)}`) + unit; // of across and down
+  const film_words = [`${film.width} × ${film.height} pixels of ${both(dx, dy, " mm")} (${both(25.4 / dx, 25.4 / dy, " dpi")})`,
+                      `${figures(film_width)} × ${mm(film_height)}`];
   if (film.subpixels)
-    film_words.push(`stripes ${film.subpixels}`);
+    film_words.push(`colour stripes ${film.subpixels}`);
   if (state.gap !== 0)
     film_words.push(`${mm(Math.abs(state.gap))} ${state.gap > 0 ? "beyond" : "before"} the lenses' focus`);
-  const zone_words = sheet.arrangement === "lenticular" ? extent(Math.abs(slant) <= Math.PI / 4 ? wide : high) + (Math.abs(slant) <= Math.PI / 4 ? " wide" : " high")
-    : `${wide === null ? "without limit" : figures(wide)} × ${extent(high)}`;
+  const upright = Math.abs(sheet.slant_degrees ?? 0) <= 45; // slit_is_horizontal
+  const zone_words = sheet.arrangement !== "lenticular" ? `${extent(wide)} × ${extent(high)}`
+                   : upright ? extent(wide) + " wide" : extent(high) + " high";
   const lines = [
     ["Scene", geometry.render?.scene], ["Rendered by", geometry.render?.program],
     ["Sheet", `${lenses[sheet.arrangement]}, ${lens.join(", ")}`], ["Film", film_words.join(", ")],
-    ["Pixels per lens", figures(sheet.pitch_mm / dx) + (same ? "" : " × " + figures(sheet.pitch_mm / dy))],
+    ["Pixels per lens", both(sheet.pitch_mm / dx, sheet.pitch_mm / dy, "")],
     ["Viewing distance", mm(distance)], ["Viewing zone", zone_words + " at that distance"]];
   for (const [term, text] of lines.filter((line) => line[1])) {
     element("words").append(document.createElement("dt"), document.createElement("dd"));
@@ -295,19 +297,20 @@ function trouble(text) {
   element("trouble").hidden = false;
 }
 
-// ---- What moves the eye.
+// What moves the eye.
 const reach = 1.2; // zones that the picture's width stands for
 
 // A mouse shows where the eye is; a finger pushes it.
 function on_pointer() {
   let held = null; // last place of the finger
   const moved = (event) => {
-    const box = canvas.getBoundingClientRect(), [width, height] = zone(state.eye[2]);
+    const box = canvas.getBoundingClientRect(), [width, height] = zone(state.eye[2]), [x, y] = state.eye;
+    const mm_across = reach * width / box.width, mm_down = reach * height / box.height;
     if (event.pointerType !== "touch") {
       if (event.buttons || !calm.matches)
-        move_eye(reach * width * ((event.clientX - box.left) / box.width - 0.5), reach * height * (0.5 - (event.clientY - box.top) / box.height));
+        move_eye(mm_across * (event.clientX - box.left - box.width / 2), mm_down * (box.height / 2 - (event.clientY - box.top)));
     } else if (held) {
-      move_eye(state.eye[0] + reach * width * (event.clientX - held.clientX) / box.width, state.eye[1] - reach * height * (event.clientY - held.clientY) / box.height);
+      move_eye(x + mm_across * (event.clientX - held.clientX), y - mm_down * (event.clientY - held.clientY));
       held = event;
     }
   };
@@ -360,8 +363,8 @@ async function tilt() {
       return;
     first ??= event;
     const turn = (angle, zero) => Math.tan(within(((angle - zero + 540) % 360 - 180), -60, 60) * radians);
-    const x = -turn(event.gamma, first.gamma), y = turn(event.beta, first.beta), screen_turn = (screen.orientation?.angle ?? 0) * radians;
-    const c = Math.cos(screen_turn), s = Math.sin(screen_turn);
+    const x = -turn(event.gamma, first.gamma), y = turn(event.beta, first.beta);
+    const held = (screen.orientation?.angle ?? 0) * radians, c = Math.cos(held), s = Math.sin(held);
     move_eye(from[0] + state.eye[2] * (c * x - s * y), from[1] + state.eye[2] * (s * x + c * y));
   });
   setTimeout(() => { if (!first) trouble("This device does not say how it is tilted."); }, 2000);

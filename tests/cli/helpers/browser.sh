@@ -15,6 +15,7 @@ browser_starts() {
         [ -n "$browser" ] || browser=$(command -v $name || true)
     done
     [ -n "$browser" ] || { browser_trouble="there is no Chromium"; return 1; }
+    trap '' PIPE # where it has ended, writing to it fails
     mkdir -p "$scratch/browser/home"
     mkfifo "$scratch/browser/to" "$scratch/browser/from"
     HOME=$scratch/browser/home timeout -k 5 ${BROWSER_SECONDS:-300} "$browser" --headless=new --no-sandbox --disable-gpu-sandbox \
