@@ -14,12 +14,13 @@ EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
 build_sanitized_unit_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
-build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FRAME_LIBS) $(BOOST_TEST_LIBS)
+build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(BOOST_TEST_LIBS)
 
 # One line per file.
 unit_sources = \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
+  tests/unit/lightfield_depth_range.cpp \
   tests/unit/lightfield_error_estimate.cpp \
   tests/unit/lightfield_image.cpp \
   tests/unit/lightfield_lens_profile.cpp \
@@ -35,6 +36,7 @@ unit_sources = \
   tests/unit/replay_page.cpp \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_parallel_views.cpp \
+  tests/unit/replay_paths.cpp \
   tests/unit/replay_views.cpp \
   tests/unit/main.cpp \
   tests/unit/numerics_table.cpp \

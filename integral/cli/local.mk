@@ -6,11 +6,17 @@ build_bin_integral_SOURCES += \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
   integral/cli/main.cpp \
+  integral/cli/picture_series.cpp \
+  integral/cli/picture_series.h \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
+  integral/cli/renderer.cpp \
+  integral/cli/renderer.h \
   integral/cli/replay_command.cpp \
   integral/cli/replay_html.cpp \
   integral/cli/replay_html.h \
+  integral/cli/scene_depth.cpp \
+  integral/cli/scene_depth.h \
   integral/cli/sheet_command.cpp \
   integral/cli/sheet_plots.cpp \
   integral/cli/sheet_plots.h \
@@ -18,4 +24,6 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_report.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
-  integral/cli/views_command.cpp
+  integral/cli/views_command.cpp \
+  integral/cli/views_to_frame.cpp \
+  integral/cli/views_to_frame.h

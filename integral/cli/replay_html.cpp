@@ -16,7 +16,7 @@ bool html_is_wanted(const options::variables_map& arguments)
         throw UsageError("--html: the name of a file is expected");
     if (output == text_of(arguments, "output"))
         throw UsageError("--html and -o do not go to the same file");
-    for (const char* other : {"stereo", "grid"})
+    for (const char* other : {"stereo", "grid", "path"})
         if (given(arguments, other))
             throw UsageError(std::string("--html and --") + other + " do not go together: the page shows one view");
     for (const char* other : {"anaglyph", "cross-eyed"})

@@ -267,7 +267,7 @@ std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
     return text + sampling_text(g, viewer);
 }
 
-std::string sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
+nlohmann::ordered_json sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
 {
     auto json = nlohmann::ordered_json::parse(to_json(g));
     for (const Figure& f : figures_of(g, viewer))
@@ -279,7 +279,7 @@ std::string sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
                                   {"observer_front_lpi", json_of(row.observer_front)},
                                   {"observer_back_lpi", row.observer_back}});
     json["sampling"] = sampling_json(g, viewer);
-    return json.dump(2) + "\n";
+    return json;
 }
 
 } // namespace integral

@@ -5,6 +5,8 @@
 
 #include "integral/lightfield/frame_metadata.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <vector>
 
@@ -29,7 +31,7 @@ Counted counted(const FrameMetadata& geometry);
 std::string sheet_report_text(const FrameMetadata& geometry, const Viewer& viewer);
 
 /// The geometry document (as to_json) with `figures`, `depths` and `sampling` added; absent figures are null.
-std::string sheet_report_json(const FrameMetadata& geometry, const Viewer& viewer);
+nlohmann::ordered_json sheet_report_json(const FrameMetadata& geometry, const Viewer& viewer);
 
 } // namespace integral
 

@@ -23,6 +23,16 @@ DecodedImage decode_png(const std::string& bytes);
 DecodedImage decode_exr(const std::string& bytes);
 DecodedImage decode_tiff(const std::string& bytes);
 
+/// The channels Z and A of a depth frame, its size and its document.
+struct DecodedDepths {
+    int width = 0, height = 0;
+    std::vector<float> depth, imaged;
+    std::string document;
+};
+
+/// Throws as decode_exr does.
+DecodedDepths decode_depths(const std::string& bytes);
+
 /// Each takes the forms that its format can hold: PNG 8 or 16 bits, not premultiplied; EXR
 /// 32 bits, linear, premultiplied; TIFF any. An empty document is left out.
 std::string encode_png(const DecodedImage& picture);

@@ -94,7 +94,16 @@ Imf::Slice slice(Image& image, int channel, const Imath::Box2i& window)
                             step * std::size_t(image.width));
 }
 
-DecodedImage decode(const std::string& bytes)
+int width_of(const Imath::Box2i& window) { return window.max.x - window.min.x + 1; }
+int height_of(const Imath::Box2i& window) { return window.max.y - window.min.y + 1; }
+
+std::string document_of(const Imf::Header& header)
+{
+    const auto* text = header.findTypedAttribute<Imf::StringAttribute>(attribute);
+    return text ? text->value() : "";
+}
+
+DecodedImage decode_picture(const std::string& bytes)
 {
     Imf::Header::setMaxImageSize(largest_side, largest_side);
     ByteSource source(bytes);
@@ -102,7 +111,7 @@ DecodedImage decode(const std::string& bytes)
     const Imf::Header& header = file.header();
     const auto names = channel_names(header.channels());
     const Imath::Box2i window = header.dataWindow();
-    const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+    const int width = width_of(window), height = height_of(window);
     const int channels = int(names.size());
     check_plausible_size(double(width) * height * channels * 2, double(bytes.size()),
                          greatest_ratio);
@@ -122,8 +131,7 @@ DecodedImage decode(const std::string& bytes)
         for (std::size_t i = 0; i < samples.size(); i += std::size_t(channels))
             samples[i] = samples[i + 1] = samples[i + 2];
     }
-    if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>(attribute))
-        picture.document = text->value();
+    picture.document = document_of(header);
     if (Imf::hasXDensity(header) && Imf::xDensity(header) > 0 && header.pixelAspectRatio() > 0) {
         const double pitch = mm_per_inch / Imf::xDensity(header);
         picture.pixel_pitch = Vec2{pitch, pitch / header.pixelAspectRatio()};
@@ -131,9 +139,34 @@ DecodedImage decode(const std::string& bytes)
     return picture;
 }
 
-} // namespace
+DecodedDepths decode_z(const std::string& bytes)
+{
+    Imf::Header::setMaxImageSize(largest_side, largest_side);
+    ByteSource source(bytes);
+    Imf::InputFile file(source);
+    const Imf::Header& header = file.header();
+    for (const char* name : {"Z", "A"}) {
+        const auto* channel = header.channels().findChannel(name);
+        if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
+            throw std::runtime_error("it is no depth frame: it has no channels Z and A");
+    }
+    const Imath::Box2i window = header.dataWindow();
+    DecodedDepths depths{width_of(window), height_of(window), {}, {}, document_of(header)};
+    const double pixels = double(depths.width) * depths.height;
+    check_plausible_size(pixels * 2 * sizeof(float), double(bytes.size()), greatest_ratio);
+    Imf::FrameBuffer target;
+    const std::size_t step = sizeof(float), row = step * std::size_t(depths.width);
+    for (auto* channel : {&depths.depth, &depths.imaged}) {
+        channel->resize(std::size_t(pixels));
+        target.insert(channel == &depths.depth ? "Z" : "A", Imf::Slice::Make(Imf::FLOAT, channel->data(), window, step, row));
+    }
+    file.setFrameBuffer(target);
+    file.readPixels(window.min.y, window.max.y);
+    return depths;
+}
 
-DecodedImage decode_exr(const std::string& bytes)
+/// What `decode` makes of the bytes; errors as the header says.
+template <class Decode> auto guarded(Decode decode, const std::string& bytes)
 {
     try {
         return decode(bytes);
@@ -148,6 +181,12 @@ DecodedImage decode_exr(const std::string& bytes)
         throw std::runtime_error(text);
     }
 }
+
+} // namespace
+
+DecodedImage decode_exr(const std::string& bytes) { return guarded(decode_picture, bytes); }
+
+DecodedDepths decode_depths(const std::string& bytes) { return guarded(decode_z, bytes); }
 
 std::string encode_exr(const DecodedImage& picture)
 {

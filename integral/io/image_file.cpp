@@ -46,11 +46,12 @@ std::string one_line(std::string text)
     throw InputError(display_name(path, "standard input") + ": " + one_line(what));
 }
 
-DecodedImage read_image(const std::string& path)
+/// What `decode` makes of a file.
+template <class Decode> auto decoded(const std::string& path, Decode decode)
 {
     const std::string bytes = read_file(path);
     try {
-        return decode_any(bytes);
+        return decode(bytes);
     } catch (const std::bad_alloc&) {
         refuse(path, "it needs more memory than there is");
     } catch (const std::exception& error) {
@@ -159,18 +160,25 @@ ImageFormat format_for(const std::string& path)
                       ".png, .exr or .tiff");
 }
 
-Frame read_frame(const std::string& path, const std::string& sheet_file)
+namespace {
+
+/// A picture, its encoding as read_frame's comment has it, and its geometry.
+Views read_with_geometry(const std::string& path, const std::string& sheet_file)
 {
-    DecodedImage picture = read_image(path);
-    Frame frame;
-    frame.image = std::move(picture.image);
-    const auto metadata = geometry_for(path, sheet_file, picture.document);
-    if (!metadata)
+    DecodedImage picture = decoded(path, decode_any);
+    Views views{std::move(picture.image), geometry_for(path, sheet_file, picture.document)};
+    if (views.metadata && sheet_file.empty()) // a document for other frames says nothing of this one's encoding
+        views.image.encoding = views.metadata->encoding;
+    return views;
+}
+
+Frame frame_of(const std::string& path, const std::string& sheet_file, Views picture)
+{
+    Frame frame{std::move(picture.image), std::nullopt};
+    if (!picture.metadata || picture.metadata->quilt)
         return frame;
-    if (sheet_file.empty()) // a document for other frames says nothing of this one's encoding
-        frame.image.encoding = metadata->encoding;
     try {
-        set_metadata(frame, *metadata);
+        set_metadata(frame, *picture.metadata);
     } catch (const std::invalid_argument& error) {
         refuse(path, std::string(error.what()) +
                          (sheet_file.empty() ? give_sheet
@@ -180,21 +188,42 @@ Frame read_frame(const std::string& path, const std::string& sheet_file)
     return frame;
 }
 
+} // namespace
+
+Frame read_frame(const std::string& path, const std::string& sheet_file)
+{
+    return frame_of(path, sheet_file, read_with_geometry(path, sheet_file));
+}
+
+Views read_views(const std::string& path)
+{
+    Views views = read_with_geometry(path, "");
+    if (views.metadata && !views.metadata->quilt)
+        views.metadata.reset();
+    return views;
+}
+
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file)
 {
-    Frame frame = read_frame(path, sheet_file);
-    if (!frame.metadata)
+    Views picture = read_with_geometry(path, sheet_file);
+    if (!picture.metadata)
         refuse(path, std::string("it carries no `integral` metadata") + give_sheet +
                          " (integral sheet --json writes one)");
-    return frame;
+    if (picture.metadata->quilt)
+        refuse(path, "it holds views of a frame, not a frame; integral views --to-frame makes one of them");
+    return frame_of(path, sheet_file, std::move(picture));
 }
 
 FrameMetadata read_metadata(const std::string& path)
 {
     const std::string bytes = read_file(path);
     const auto first = bytes.find_first_not_of(" \t\r\n");
-    if (first != std::string::npos && bytes[first] == '{')
-        return parse(path, bytes, "");
+    FrameMetadata geometry;
+    if (first != std::string::npos && bytes[first] == '{') {
+        geometry = parse(path, bytes, "");
+        geometry.quilt.reset();
+        return geometry;
+    }
     DecodedImage picture;
     try {
         picture = decode_any(bytes);
@@ -204,7 +233,20 @@ FrameMetadata read_metadata(const std::string& path)
     const auto metadata = geometry_for(path, "", picture.document);
     if (!metadata)
         refuse(path, "it carries no `integral` metadata");
-    return *metadata;
+    geometry = *metadata;
+    geometry.quilt.reset();
+    return geometry;
+}
+
+DepthFrame read_depths(const std::string& path)
+{
+    DecodedDepths file = decoded(path, decode_depths);
+    if (file.document.empty())
+        refuse(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes depth frames that do");
+    DepthFrame frame{std::move(file.depth), std::move(file.imaged), parse(path, file.document, "")};
+    if (frame.metadata.film.width != file.width || frame.metadata.film.height != file.height)
+        refuse(path, "its geometry is of a frame of another size");
+    return frame;
 }
 
 void write_frame(const std::string& path, Frame frame)
@@ -218,7 +260,8 @@ void write_frame(const std::string& path, Frame frame)
             FrameMetadata metadata = *frame.metadata;
             metadata.encoding = picture.image.encoding;
             picture.document = to_json(metadata);
-            picture.pixel_pitch = metadata.film.pixel_pitch;
+            if (!metadata.quilt)
+                picture.pixel_pitch = metadata.film.pixel_pitch;
         }
         bytes = format == ImageFormat::png   ? encode_png(picture)
                 : format == ImageFormat::exr ? encode_exr(picture)

@@ -4,6 +4,7 @@
 #define INTEGRAL_IO_IMAGE_FILE_H
 
 #include "integral/io/file_bytes.h"
+#include "integral/lightfield/depth_range.h"
 #include "integral/lightfield/frame.h"
 
 #include <string>
@@ -19,17 +20,30 @@ ImageFormat format_for(const std::string& path);
 /// Reads a picture, its format told by its first bytes; "-" is standard input. Geometry:
 /// `sheet_file` if it is not empty (a JSON document in a file), else the picture's own, else the
 /// document beside it (FRAME.json or FRAME.EXTENSION.json for FRAME.EXTENSION), else none.
+/// Views of a frame have no geometry of their own.
 /// The encoding is the document's, else what the format says of it, else sRGB.
 /// Throws InputError.
 Frame read_frame(const std::string& path, const std::string& sheet_file = "");
 
-/// The same, of a picture that must have geometry.
+/// Views of a frame, and the geometry of that frame, where the picture says it.
+struct Views {
+    Image image;
+    std::optional<FrameMetadata> metadata; ///< with its quilt record
+};
+
+/// Reads a quilt or one view of it. Throws InputError.
+Views read_views(const std::string& path);
+
+/// As read_frame, of a picture that must have geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
 
-/// Reads a geometry document: a JSON file, or a picture's own. Throws InputError.
+/// Reads a geometry document: a JSON file, or a picture's own (of views: their frame's). Throws InputError.
 FrameMetadata read_metadata(const std::string& path);
 
-/// Writes a frame or picture, its format by its name, with the document and the physical
+/// Reads a depth frame, which has its geometry in it. Throws InputError.
+DepthFrame read_depths(const std::string& path);
+
+/// Writes a frame, views of one or a picture, its format by its name, with the document and the physical
 /// resolution if it has metadata. Converts to what the format holds: EXR linear light, premultiplied;
 /// PNG 16 bits and sRGB for floats. Throws OutputError; what was at `path` is then unharmed.
 void write_frame(const std::string& path, Frame frame);

@@ -2,6 +2,8 @@
 # Sources of integral/io: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/io/animation.cpp \
+  integral/io/animation.h \
   integral/io/codecs.h \
   integral/io/exr_codec.cpp \
   integral/io/file_bytes.cpp \

@@ -259,6 +259,21 @@ RenderRecord render_from(const Object& object)
     return render;
 }
 
+QuiltRecord quilt_from(const Object& object)
+{
+    constexpr int most_a_side = 4096;
+    QuiltRecord quilt;
+    quilt.grid = {whole_at(object, "columns", 1, most_a_side), whole_at(object, "rows", 1, most_a_side)};
+    if (object.has("view"))
+        quilt.view = whole_at(object, "view", 0, quilt.grid.count() - 1);
+    if (object.has("eyes")) {
+        const Object eyes = object_at(object, "eyes");
+        quilt.eyes = EyeGrid{{number_at(eyes, "width_mm", 0, largest_extent), number_at(eyes, "height_mm", 0, largest_extent)},
+                             number_at(eyes, "distance_mm", least_distance, largest_distance)};
+    }
+    return quilt;
+}
+
 Json list(Vec2 v) { return Json::array({v.x, v.y}); }
 Json list(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -339,6 +354,16 @@ Json json_of(const RenderRecord& render)
     return json;
 }
 
+Json json_of(const QuiltRecord& quilt)
+{
+    Json json = {{"columns", quilt.grid.columns}, {"rows", quilt.grid.rows}};
+    if (quilt.view)
+        json["view"] = *quilt.view;
+    if (quilt.eyes)
+        json["eyes"] = {{"distance_mm", quilt.eyes->distance}, {"width_mm", quilt.eyes->zone.x}, {"height_mm", quilt.eyes->zone.y}};
+    return json;
+}
+
 } // namespace
 
 std::string to_json(const FrameMetadata& metadata)
@@ -358,6 +383,8 @@ std::string to_json(const FrameMetadata& metadata)
     add("encoding", json_of(metadata.encoding));
     if (metadata.render)
         add("render", json_of(*metadata.render));
+    if (metadata.quilt)
+        add("quilt", json_of(*metadata.quilt));
     return text + "}\n";
 }
 
@@ -386,6 +413,8 @@ FrameMetadata frame_metadata_from_json(const std::string& text)
         metadata.encoding = encoding_from(object_at(document, "encoding"));
     if (document.has("render"))
         metadata.render = render_from(object_at(document, "render"));
+    if (document.has("quilt"))
+        metadata.quilt = quilt_from(object_at(document, "quilt"));
     return metadata;
 }
 

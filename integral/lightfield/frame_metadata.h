@@ -5,6 +5,7 @@
 #define INTEGRAL_LIGHTFIELD_FRAME_METADATA_H
 
 #include "integral/lightfield/error_estimate.h"
+#include "integral/lightfield/view_grid.h"
 #include "integral/optics/camera.h"
 
 #include <optional>
@@ -32,9 +33,10 @@ struct FrameMetadata {
     std::optional<Placement> placement; ///< where the sheet stood in its scene
     Encoding encoding;
     std::optional<RenderRecord> render;
+    std::optional<QuiltRecord> quilt; ///< the picture is not the frame, but views of it
 };
 
-/// The JSON document, of objects `sheet`, `film`, `aperture`, `camera`, `render` (interfaces.md).
+/// The JSON document, of objects `sheet`, `film`, `aperture`, `camera`, `render` (interfaces.md), `quilt`.
 /// Numbers are written so that they read back to the same double.
 std::string to_json(const FrameMetadata& metadata);
 

@@ -2,6 +2,7 @@
 #include "integral/lightfield/image.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <limits>
 
 namespace integral {
@@ -47,6 +48,27 @@ Color encoded(Color linear, Encoding encoding)
 }
 
 } // namespace
+
+Image tiled(const std::vector<Image>& pictures, int columns, int border)
+{
+    if (pictures.empty() || columns < 1)
+        throw std::invalid_argument("there are no pictures");
+    const Image& first = pictures[0];
+    for (const Image& picture : pictures)
+        if (!same_form(first, picture))
+            throw std::invalid_argument("the pictures differ in size or form");
+    const int rows = (int(pictures.size()) + columns - 1) / columns;
+    Image sheet = blank_like(first, columns * (first.width + border) - border, rows * (first.height + border) - border);
+    for (int y = 0; y < sheet.height; ++y)
+        for (int x = 0; x < sheet.width; ++x) {
+            const int i = x / (first.width + border), j = y / (first.height + border);
+            const int inner_x = x - i * (first.width + border), inner_y = y - j * (first.height + border);
+            const std::size_t k = std::size_t(j) * columns + i;
+            const bool inside = k < pictures.size() && inner_x < first.width && inner_y < first.height;
+            store_pixel(sheet, x, y, inside ? stored_pixel(pictures[k], inner_x, inner_y) : Color{0, 0, 0, 1});
+        }
+    return sheet;
+}
 
 int sample_bits(const Image& image)
 {
@@ -152,6 +174,12 @@ void store_linear(Image& image, int x, int y, Color linear)
         linear.b /= linear.a;
     }
     store_pixel(image, x, y, encoded(linear, image.encoding));
+}
+
+bool same_form(const Image& a, const Image& b)
+{
+    return a.width == b.width && a.height == b.height && a.channels == b.channels && a.samples.index() == b.samples.index()
+        && a.premultiplied == b.premultiplied;
 }
 
 Image blank_like(const Image& like, int width, int height)

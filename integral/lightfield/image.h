@@ -43,11 +43,18 @@ template <class Sample> Image make_image(int width, int height, int channels, En
     return image;
 }
 
+/// Whether two pictures are alike in all but their samples' values and the encoding.
+bool same_form(const Image& a, const Image& b);
+
 /// A picture of zeros of the same form.
 Image blank_like(const Image& like, int width, int height);
 
 /// The rectangle of a picture whose top left pixel is (x, y); it must be inside.
 Image part_of(const Image& picture, int x, int y, int width, int height);
+
+/// The pictures, all of one size and form, row by row from the top left, `columns` in a row, with `border` pixels of black
+/// (opaque) between them. Throws std::invalid_argument where they differ, or are none.
+Image tiled(const std::vector<Image>& pictures, int columns, int border);
 
 /// Bits per sample: 8, 16, or 32 for floats.
 int sample_bits(const Image& image);

@@ -2,6 +2,8 @@
 # Sources of integral/lightfield: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/lightfield/depth_range.cpp \
+  integral/lightfield/depth_range.h \
   integral/lightfield/encoding.h \
   integral/lightfield/error_estimate.cpp \
   integral/lightfield/error_estimate.h \
@@ -26,4 +28,5 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/sampling_forecast.cpp \
   integral/lightfield/sampling_forecast.h \
   integral/lightfield/sheet_figures.cpp \
-  integral/lightfield/sheet_figures.h
+  integral/lightfield/sheet_figures.h \
+  integral/lightfield/view_grid.h

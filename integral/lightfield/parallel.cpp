@@ -11,6 +11,13 @@
 
 namespace integral {
 
+Progress piece_of(const Progress& whole, int index, int count)
+{
+    if (!whole)
+        return {};
+    return [=](int done, int total) { return whole(index * total + done, count * total); };
+}
+
 bool for_each_row(int rows, int threads, const std::function<void(int row)>& work,
                   const Progress& progress)
 {

@@ -11,6 +11,9 @@ namespace integral {
 /// threads at once. Returning false stops the work. May be empty.
 using Progress = std::function<bool(int done, int total)>;
 
+/// The progress of one of `count` pieces of work of the same length.
+Progress piece_of(const Progress& whole, int index, int count);
+
 /// Calls work(row) once for each row in [0, rows), from `threads` threads (0: one per core).
 /// Returns whether every row was done: false if `progress` stopped it. Rethrows the first
 /// exception that `work` throws, after all threads have ended.

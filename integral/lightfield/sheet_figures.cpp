@@ -69,6 +69,11 @@ std::optional<double> depth_budget(const LensSheet& sheet, double pixel)
     return *at_unit_depth * sheet.pitch / half_inch;
 }
 
+std::optional<double> pixel_for_budget(const LensSheet& sheet, double budget)
+{
+    return depth_budget(sheet, budget); // pixel times budget is the same for every pixel of a sheet
+}
+
 double observer_resolution(double pitch, double viewing, double object)
 {
     return half_inch / ((viewing - object) * (pitch / viewing));

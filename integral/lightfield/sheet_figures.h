@@ -39,6 +39,9 @@ std::optional<double> depth_resolution(const LensSheet& sheet, double pixel, dou
 /// on either side of the sheet.
 std::optional<double> depth_budget(const LensSheet& sheet, double pixel);
 
+/// Inverse: the pixel pitch whose depth budget is `budget` mm, > 0.
+std::optional<double> pixel_for_budget(const LensSheet& sheet, double budget);
+
 /// (4-7): resolution by the lenses alone, for an observer at `viewing` and an object `object`
 /// in front of the sheet (negative: behind); object < viewing.
 double observer_resolution(double pitch, double viewing, double object);

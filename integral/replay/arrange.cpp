@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/arrange.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace integral {
 
 namespace {
 
-void demand_alike(const Image& a, const Image& b)
-{
-    if (a.width != b.width || a.height != b.height || a.channels != b.channels || sample_bits(a) != sample_bits(b)
-        || a.premultiplied != b.premultiplied)
-        throw std::invalid_argument("the pictures differ in size or form");
-}
+constexpr double pi = 3.14159265358979323846;
 
 } // namespace
+
+Vec2 viewing_zone(const FrameMetadata& metadata, double distance)
+{
+    const Aperture& aperture = metadata.aperture;
+    const Vec2 cell = cell_extent(metadata.sheet);
+    const double scale = distance / aperture.distance;
+    const auto extent = [&](double captured, double filled) {
+        return scale * std::min(captured, filling_width(metadata.sheet, aperture.distance, filled).value_or(2 * aperture.distance));
+    };
+    return {extent(aperture.width, cell.x), extent(aperture.height, cell.y)};
+}
 
 std::vector<Eye> eye_pair(Eye middle, double separation)
 {
@@ -24,39 +32,66 @@ std::vector<Eye> eye_pair(Eye middle, double separation)
     return {left, right};
 }
 
-std::vector<Eye> eye_grid(Eye middle, int columns, int rows, double width, double height)
+std::vector<Eye> eye_grid(Eye middle, int columns, int rows, Vec2 zone)
 {
     std::vector<Eye> eyes;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
-            eyes.push_back({middle.x + ((i + 0.5) / columns - 0.5) * width, middle.y - ((j + 0.5) / rows - 0.5) * height,
+            eyes.push_back({middle.x + ((i + 0.5) / columns - 0.5) * zone.x, middle.y - ((j + 0.5) / rows - 0.5) * zone.y,
                             middle.distance});
     return eyes;
 }
 
-Image tiled(const std::vector<Image>& pictures, int columns, int border)
+std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span, int steps)
 {
-    if (pictures.empty() || columns < 1)
-        throw std::invalid_argument("there are no pictures");
-    const Image& first = pictures[0];
-    for (const Image& picture : pictures)
-        demand_alike(first, picture);
-    const int rows = (int(pictures.size()) + columns - 1) / columns;
-    Image sheet = blank_like(first, columns * (first.width + border) - border, rows * (first.height + border) - border);
-    for (int y = 0; y < sheet.height; ++y)
-        for (int x = 0; x < sheet.width; ++x) {
-            const int i = x / (first.width + border), j = y / (first.height + border);
-            const int inner_x = x - i * (first.width + border), inner_y = y - j * (first.height + border);
-            const std::size_t k = std::size_t(j) * columns + i;
-            const bool inside = k < pictures.size() && inner_x < first.width && inner_y < first.height;
-            store_pixel(sheet, x, y, inside ? stored_pixel(pictures[k], inner_x, inner_y) : Color{0, 0, 0, 1});
+    std::vector<Eye> eyes;
+    for (int k = 0; k < steps; ++k) {
+        const double along = steps > 1 ? double(k) / (steps - 1) - 0.5 : 0; // -0.5 to 0.5
+        Eye eye = middle;
+        switch (path) {
+        case EyePath::turntable: {
+            const double all = span ? *span * pi / 180 : 2 * std::atan2(0.5 * zone.x, middle.distance);
+            const double radius = std::hypot(middle.x, middle.distance), turn = std::atan2(middle.x, middle.distance) + along * all;
+            eye.x = radius * std::sin(turn);
+            eye.distance = radius * std::cos(turn);
+            break;
         }
-    return sheet;
+        case EyePath::sweep:
+            eye.x += along * span.value_or(zone.x);
+            break;
+        case EyePath::circle: {
+            const double scale = 0.5 * (span ? *span / std::max(zone.x, zone.y) : 0.8), turn = 2 * pi * k / steps;
+            eye.x -= scale * zone.x * std::cos(turn);
+            eye.y += scale * zone.y * std::sin(turn);
+            break;
+        }
+        case EyePath::dolly:
+            eye.distance *= std::pow(span.value_or(4), -along);
+            break;
+        }
+        eyes.push_back(eye);
+    }
+    return eyes;
+}
+
+std::optional<std::vector<Image>> replay_each(const Frame& frame, View view, const std::vector<Eye>& eyes, int threads,
+                                              const Progress& progress)
+{
+    std::vector<Image> pictures;
+    for (const Eye& eye : eyes) {
+        view.eye = eye;
+        auto picture = replay(frame, view, threads, piece_of(progress, int(pictures.size()), int(eyes.size())));
+        if (!picture)
+            return std::nullopt;
+        pictures.push_back(std::move(*picture));
+    }
+    return pictures;
 }
 
 Image anaglyph(const Image& left, const Image& right)
 {
-    demand_alike(left, right);
+    if (!same_form(left, right))
+        throw std::invalid_argument("the pictures differ in size or form");
     Image image = blank_like(left, left.width, left.height);
     for (int y = 0; y < left.height; ++y)
         for (int x = 0; x < left.width; ++x) {

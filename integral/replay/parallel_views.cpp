@@ -3,6 +3,7 @@
 
 #include "integral/lightfield/image.h"
 #include "integral/optics/lens_mapping.h"
+#include "integral/replay/interpolate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,38 +175,6 @@ private:
     std::vector<Column> columns_;
 };
 
-Color weighted(Color sum, Color c, double weight)
-{
-    const float w = float(weight);
-    return {sum.r + w * c.r, sum.g + w * c.g, sum.b + w * c.b, sum.a + w * c.a};
-}
-
-/// Between the four neighbours of a place among `columns` x `rows` centres, whose first is at (0, 0); beyond the outermost, these.
-template <class At> Color between(double x, double y, int columns, int rows, At at)
-{
-    x = std::clamp(x, 0.0, columns - 1.0);
-    y = std::clamp(y, 0.0, rows - 1.0);
-    const int left = std::min(int(x), std::max(0, columns - 2)), top = std::min(int(y), std::max(0, rows - 2));
-    Color sum{0, 0, 0, 0};
-    for (int j = 0; j < 2; ++j)
-        for (int i = 0; i < 2; ++i) {
-            const double weight = (i ? x - left : 1 - (x - left)) * (j ? y - top : 1 - (y - top));
-            if (weight > 0)
-                sum = weighted(sum, at(left + i, top + j), weight);
-        }
-    return sum;
-}
-
-/// A colour whose channels stand side by side on the film, each a shift (in pixels) from the pixel's centre; their mean alpha.
-template <class At> Color each_channel(Subpixels subpixels, At at)
-{
-    if (subpixels == Subpixels::none)
-        return at(0.0);
-    const auto of = [&](int channel) { return at(subpixel_shift(subpixels, channel)); };
-    const Color red = of(0), green = of(1), blue = of(2);
-    return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
-}
-
 } // namespace
 
 ViewGrid natural_views(const FrameMetadata& m)
@@ -272,8 +241,7 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
     if (int(views.size()) != grid.count())
         throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " + std::to_string(grid.count()));
     for (const Image& view : views)
-        if (view.width != lenses.window.columns || view.height != lenses.window.rows || view.channels != views[0].channels
-            || view.samples.index() != views[0].samples.index())
+        if (view.width != lenses.window.columns || view.height != lenses.window.rows || !same_form(view, views[0]))
             throw std::invalid_argument("views of " + std::to_string(view.width) + "x" + std::to_string(view.height)
                                         + " pixels; this sheet and film have views of " + std::to_string(lenses.window.columns) + "x"
                                         + std::to_string(lenses.window.rows) + ", all of one form");

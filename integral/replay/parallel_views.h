@@ -6,18 +6,12 @@
 
 #include "integral/lightfield/frame.h"
 #include "integral/lightfield/parallel.h"
+#include "integral/lightfield/view_grid.h"
 
 #include <optional>
 #include <vector>
 
 namespace integral {
-
-/// How many directions across and up. View number row * columns + column: column 0 is seen from the far left, row 0
-/// from below, as in quilts. (The thesis counts by the film's pixels, which lie the other way round.)
-struct ViewGrid {
-    int columns = 0, rows = 0; ///< > 0; lenticular: rows is 1
-    int count() const { return columns * rows; }
-};
 
 /// The pixels of a view: one for each lens of which the film has a pixel, in the lattice's rows, the top one first. Of hexagonal
 /// lenses each has two, side by side, so that odd rows stand half a lens to the right. Lenticular: a row for each of the film's.

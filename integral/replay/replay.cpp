@@ -13,35 +13,52 @@ Eye centre_eye(const FrameMetadata& metadata)
     return {0, 0, metadata.aperture.distance};
 }
 
+namespace {
+
+SheetPart part_of_sheet(const View& view, const Film& film)
+{
+    if (view.part.width > 0)
+        return view.part;
+    return {{0, 0}, film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
+}
+
+} // namespace
+
 void set_view_size(View& view, const Film& film, int longer)
 {
-    const double width = film.width * film.pixel_pitch.x, height = film.height * film.pixel_pitch.y;
-    const double scale = longer / std::max(width, height);
-    view.width = std::max(1, int(std::lround(width * scale)));
-    view.height = std::max(1, int(std::lround(height * scale)));
+    const SheetPart part = part_of_sheet(view, film);
+    const double scale = longer / std::max(part.width, part.height);
+    view.width = std::max(1, int(std::lround(part.width * scale)));
+    view.height = std::max(1, int(std::lround(part.height * scale)));
 }
 
 namespace {
+
+/// z of the farthest points of the lenses' surface: their cells' corners; 0 where there is no surface.
+double deepest_surface(const LensSheet& sheet)
+{
+    const auto corner = tangent_plane(surface_radius(sheet), cell_circumradius(sheet));
+    return corner ? corner->height : 0;
+}
 
 /// What the eye sees at a point of the sheet: linear, premultiplied.
 class SheetSeen {
 public:
     SheetSeen(const Frame& frame, const View& view)
         : film_(frame.metadata->film), distance_(view.eye.distance),
-          past_focus_(view.film_gap / frame.metadata->sheet.thickness),
-          optics_(frame.metadata->sheet, frame.metadata->aperture, view.model), pixel_(frame.image),
+          film_gap_(view.film_gap), optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
+          radius_(surface_radius(frame.metadata->sheet)), deepest_(deepest_surface(frame.metadata->sheet)), pixel_(frame.image),
           outside_{0, 0, 0, frame.image.channels == 4 ? 0.0f : 1.0f}
     {
     }
 
-    /// At a point of the sheet, from a point `eye` of the pupil's plane.
-    Color at(Vec2 point, Vec2 eye) const
+    /// At a point of the sheet, from a point `eye` of the pupil's plane, `aside` of the film point that is seen.
+    Color at(Vec2 point, Vec2 eye, Vec2 aside) const
     {
         const auto film_point = film_point_seen(point, eye);
         if (!film_point)
             return outside_;
-        // A film beside the focus is met where the line from the lens's point to the focus meets it.
-        const Vec2 pixel = pixel_from_film(film_, *film_point + past_focus_ * (*film_point - point));
+        const Vec2 pixel = pixel_from_film(film_, *film_point + aside);
         if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 && pixel.y < film_.height))
             return outside_;
         return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y)) : stripes_at(pixel);
@@ -50,35 +67,85 @@ public:
 private:
     std::optional<Vec2> film_point_seen(Vec2 point, Vec2 eye) const
     {
-        if (refracts_at_surface(optics_.model())) {
-            const LensIndex lens = optics_.lattice().nearest(point);
-            Vec2 offset = point - optics_.lattice().pole(lens);
-            if (optics_.sheet().arrangement == Arrangement::lenticular)
-                offset = dot(offset, optics_.lattice().across()) * optics_.lattice().across();
-            return surface_film_point(point, eye, offset);
-        }
+        if (refracts_at_surface(optics_.model()))
+            return film_point_behind_surface(point, eye);
         // The line from the sheet's point to the eye leaves the sheet in this direction ...
         const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -distance_};
         const Vec3 direction = (1 / length(to_eye)) * to_eye;
-        // ... and the beam of that direction, from that point's lens, comes from this film point.
-        return optics_.film_point_seen(point, direction);
+        // ... and the beam of that direction, from that point's lens, comes from this point of the focal plane.
+        const Vec2 focus = optics_.film_point_seen(point, direction);
+        // A film beside the focus is met where the line from the lens's point to the focus meets it.
+        return focus + (film_gap_ / optics_.sheet().thickness) * (focus - point);
     }
 
-    /// The line from the eye to the point of the lens's surface behind `point`, refracted there, down to the film. `offset`: from
-    /// the pole (lenticular: from the axis).
-    std::optional<Vec2> surface_film_point(Vec2 point, Vec2 eye, Vec2 offset) const
+    /// A point of the lenses' surface that a line of sight meets.
+    struct Met {
+        double depth; ///< its z, mm
+        Vec2 offset;  ///< from the pole (lenticular: from the axis), mm
+    };
+
+    /// The line from the eye through `point`, refracted where it first meets glass, down to the film.
+    std::optional<Vec2> film_point_behind_surface(Vec2 point, Vec2 eye) const
     {
-        const auto plane = tangent_plane(surface_radius(optics_.sheet()), length(offset));
+        const Vec2 slope = (1 / distance_) * (point - eye);
+        const auto met = first_met(point, slope);
+        if (!met)
+            return std::nullopt;
+        const auto plane = tangent_plane(radius_, length(met->offset));
         if (!plane)
             return std::nullopt;
-        const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -distance_ - plane->height};
+        const Vec3 to_eye{-slope.x, -slope.y, -1};
         const Vec3 direction = (1 / length(to_eye)) * to_eye;
-        const Vec2 b = plane->v > 0 ? (1 / plane->v) * offset : Vec2{1, 0}, a{-b.y, b.x};
+        const Vec2 b = plane->v > 0 ? (1 / plane->v) * met->offset : Vec2{1, 0}, a{-b.y, b.x};
         const Vec2 seen{direction.x, direction.y};
         const auto way = way_refracted_into(optics_.medium(), *plane, {dot(b, seen), dot(a, seen), direction.z});
         if (!way)
             return std::nullopt;
-        return point - way->x * b - way->y * a;
+        const double stretch = 1 + film_gap_ / (optics_.medium().t - plane->height);
+        return point + met->depth * slope - (stretch * way->x) * b - (stretch * way->y) * a;
+    }
+
+    /// The glass is whatever lies in the ball (cylinder) of some lens, so what is met first of all of them is its surface: down to the
+    /// surface's deepest points. A flat line is followed a pitch at a time, so that few lenses are asked at once.
+    /// `slope`: mm to the side for each mm of depth.
+    std::optional<Met> first_met(Vec2 point, Vec2 slope) const
+    {
+        const Lattice& lattice = optics_.lattice();
+        const double reach = cell_circumradius(optics_.sheet()), aside = deepest_ * length(slope);
+        constexpr double most = 1000; // pitches; flatter lines see no film
+        if (!(aside < most * lattice.pitch()))
+            return std::nullopt;
+        const int pieces = 1 + int(aside / lattice.pitch());
+        for (int piece = 0; piece < pieces; ++piece) {
+            std::optional<Met> first;
+            const Vec2 middle = point + (deepest_ * (piece + 0.5) / pieces) * slope;
+            lattice.for_each_within(middle, reach + 0.5 * aside / pieces, [&](LensIndex lens) {
+                const auto met = met_at(lens, point, slope);
+                if (met && (!first || met->depth < first->depth))
+                    first = met;
+            });
+            if (first && (first->depth <= deepest_ * (piece + 1) / pieces || piece + 1 == pieces))
+                return first;
+        }
+        return std::nullopt;
+    }
+
+    /// Where the line enters a lens's ball (cylinder). It lies at z >= 0, as the ball does.
+    std::optional<Met> met_at(LensIndex lens, Vec2 point, Vec2 slope) const
+    {
+        Vec2 offset = point - optics_.lattice().pole(lens);
+        if (optics_.sheet().arrangement == Arrangement::lenticular) {
+            const Vec2 across = optics_.lattice().across();
+            offset = dot(offset, across) * across;
+            slope = dot(slope, across) * across;
+        }
+        // |offset + z slope|^2 + (z - R)^2 = R^2, its lesser root
+        const double half = radius_ - dot(offset, slope), square = dot(offset, offset);
+        const double root2 = half * half - (1 + dot(slope, slope)) * square;
+        if (!(half > 0 && root2 >= 0))
+            return std::nullopt;
+        const double depth = square / (half + std::sqrt(root2));
+        return Met{depth, offset + depth * slope};
     }
 
     /// Each colour channel of its own nearest stripe; their pixels' mean alpha.
@@ -94,27 +161,30 @@ private:
 
     Film film_;
     double distance_;
-    double past_focus_; ///< the film's distance behind the lenses' focus, in thicknesses
+    double film_gap_; ///< the film's distance behind the lenses' focus, mm
     SheetOptics optics_;
+    double radius_, deepest_; ///< of the lenses' surface, mm
     LinearReader pixel_;
     Color outside_;
 };
 
-/// Points of the pupil, spread evenly over the samples of a pixel and otherwise than in the pixels around it.
-class Pupil {
+/// Points of a disc, spread evenly over the samples of a pixel and otherwise than in the pixels around it.
+class DiscPoints {
 public:
-    explicit Pupil(const View& view) : centre_{view.eye.x, view.eye.y}, radius_(0.5 * view.pupil) {}
+    /// `steps`: of the two coordinates from sample to sample, in parts of the whole. `seed` shifts one disc's against another's.
+    DiscPoints(Vec2 centre, double diameter, Vec2 steps, std::uint64_t seed)
+        : centre_(centre), radius_(0.5 * diameter), steps_(steps), seed_(seed)
+    {
+    }
 
     Vec2 point(int x, int y, int sample) const
     {
         if (radius_ == 0)
             return centre_;
-        // Roberts' (2018) sequence, shifted at random for each pixel
-        constexpr double step_x = 0.75487766624669276, step_y = 0.56984029099805327;
-        const std::uint64_t bits = random_bits(std::uint64_t(x), std::uint64_t(y));
+        const std::uint64_t bits = random_bits(std::uint64_t(x) ^ seed_, std::uint64_t(y));
         const auto part = [](double v) { return v - std::floor(v); };
-        const double u = part(double(bits >> 32) * 0x1p-32 + sample * step_x);
-        const double v = part(double(bits & 0xffffffff) * 0x1p-32 + sample * step_y);
+        const double u = part(double(bits >> 32) * 0x1p-32 + sample * steps_.x);
+        const double v = part(double(bits & 0xffffffff) * 0x1p-32 + sample * steps_.y);
         constexpr double turn = 6.28318530717958647692;
         const double r = radius_ * std::sqrt(u);
         return centre_ + Vec2{r * std::cos(turn * v), r * std::sin(turn * v)};
@@ -123,7 +193,12 @@ public:
 private:
     Vec2 centre_;
     double radius_;
+    Vec2 steps_;
+    std::uint64_t seed_;
 };
+
+constexpr Vec2 roberts_steps{0.75487766624669276, 0.56984029099805327};    // Roberts (2018)
+constexpr Vec2 richtmyer_steps{0.41421356237309505, 0.73205080756887729}; // of sqrt(2) and sqrt(3): another plane than those
 
 } // namespace
 
@@ -131,26 +206,24 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
                             const Progress& progress)
 {
     const SheetSeen seen(frame, view);
-    const Pupil pupil(view);
     const Vec2 eye{view.eye.x, view.eye.y};
+    const DiscPoints pupil(eye, view.pupil, roberts_steps, 0), spot({0, 0}, view.blur, richtmyer_steps, std::uint64_t(1) << 32);
     // Where the line from a point of the pupil to the point in focus meets the sheet: so much of the way to it, sideways.
     const double sideways = view.focus / (view.eye.distance + view.focus);
-    const Film& film = frame.metadata->film;
     Image image = blank_like(frame.image, view.width, view.height);
 
-    // The view's pixels, as a film of their own over the same rectangle.
-    const Film grid{view.width, view.height,
-                    {film.width * film.pixel_pitch.x / view.width,
-                     film.height * film.pixel_pitch.y / view.height}};
+    // The view's pixels, as a film of their own over its part of the sheet.
+    const SheetPart part = part_of_sheet(view, frame.metadata->film);
+    const Film grid{view.width, view.height, {part.width / view.width, part.height / view.height}};
     const int n = view.samples;
     const auto row = [&](int y) {
         for (int x = 0; x < view.width; ++x) {
             double r = 0, g = 0, b = 0, a = 0;
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i) {
-                    const Vec2 point = film_from_pixel(grid, {x + (i + 0.5) / n, y + (j + 0.5) / n});
+                    const Vec2 point = part.middle + film_from_pixel(grid, {x + (i + 0.5) / n, y + (j + 0.5) / n});
                     const Vec2 from = pupil.point(x, y, j * n + i);
-                    const Color c = seen.at(point + sideways * (from - eye), from);
+                    const Color c = seen.at(point + sideways * (from - eye), from, spot.point(x, y, j * n + i));
                     r += c.r;
                     g += c.g;
                     b += c.b;

@@ -4,6 +4,7 @@
 #include "build/generated/replay_page_text.h" // replay_page_html, replay_page_glsl, replay_page_js
 #include "integral/io/codecs.h"
 #include "integral/lightfield/names.h"
+#include "integral/replay/arrange.h"
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +44,7 @@ std::string within_html(const std::string& json)
     return text;
 }
 
-std::string json_of(const View& start)
+std::string json_of(const View& start, Vec2 zone)
 {
     return nlohmann::ordered_json{{"eye", {start.eye.x, start.eye.y, start.eye.distance}},
                                   {"size", {start.width, start.height}},
@@ -51,7 +52,10 @@ std::string json_of(const View& start)
                                   {"pupil", start.pupil},
                                   {"focus", start.focus},
                                   {"film_gap", start.film_gap},
-                                  {"model", name_of(start.model)}}.dump();
+                                  {"blur", start.blur},
+                                  {"model", name_of(start.model)},
+                                  {"part", {start.part.middle.x, start.part.middle.y, start.part.width, start.part.height}},
+                                  {"zone", {zone.x, zone.y}}}.dump();
 }
 
 struct Blank {
@@ -77,11 +81,13 @@ std::string filled_in(const std::string& page, const std::vector<Blank>& blanks)
 
 std::string replay_page(const Frame& frame, const View& start)
 {
+    const FrameMetadata& metadata = *frame.metadata;
+    const Vec2 zone = viewing_zone(metadata, metadata.aperture.distance);
     DecodedImage picture;
     picture.image = converted(frame.image, 8, Encoding{}, false);
     return filled_in(replay_page_html, {{"@FRAME@", base64(encode_png(picture))},
-                                        {"@GEOMETRY@", within_html(to_json(*frame.metadata))},
-                                        {"@START@", within_html(json_of(start))},
+                                        {"@GEOMETRY@", within_html(to_json(metadata))},
+                                        {"@START@", within_html(json_of(start, zone))},
                                         {"@SHADER@", replay_page_glsl},
                                         {"@SCRIPT@", replay_page_js}});
 }

@@ -1,6 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What an eye sees of a frame through its lens sheet: replay.cpp's SheetSeen and Pupil, lens_sheet.cpp's Lattice and
+// What an eye sees of a frame through its lens sheet: replay.cpp's SheetSeen and DiscPoints, lens_sheet.cpp's Lattice and
 // refraction.h's extended pinhole, for a processor of 32 bit numbers. A coordinate that would lose its last bits in those
 // is a whole part and a part beside it; the whole parts and steps come from replay_page.js, which has 64 bits.
 // Lengths in mm, in the sheet frame; "view" is the canvas, "film" the frame.
@@ -31,7 +31,7 @@ uniform int view_height;
 
 uniform vec2 eye;
 uniform float eye_distance;
-uniform float pupil_radius;
+uniform float pupil_radius, spot_radius; // spot: on the film, that a point of a lens gathers light from
 uniform float sideways; // so much of the way from the pupil's centre, a line to the point in focus moves on the sheet
 uniform int samples;    // across and down
 uniform bool raw;       // the film itself, without lenses
@@ -110,8 +110,9 @@ vec4 stripes_at(ivec2 pixel, float part)
     return vec4(red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3.0);
 }
 
-// What the eye sees from a point of its pupil at a place in a pixel of the view, `inside` [0, 1) of it from its upper left.
-vec4 seen(ivec2 view, vec2 inside, vec2 from)
+// What the eye sees from a point of its pupil at a place in a pixel of the view, `inside` [0, 1) of it from its upper left, `aside` of
+// the film point that is seen.
+vec4 seen(ivec2 view, vec2 inside, vec2 from, vec2 aside)
 {
     vec4 column = texelFetch(columns, ivec2(view.x, 0), 0), row = texelFetch(rows, ivec2(view.y, 0), 0);
     vec4 column_place = texelFetch(columns, ivec2(view.x, 1), 0), row_place = texelFetch(rows, ivec2(view.y, 1), 0);
@@ -123,7 +124,7 @@ vec4 seen(ivec2 view, vec2 inside, vec2 from)
         vec2 carry = floor(part);
         vec2 to_pole = to_nearest_pole(column.xz + row.xz + carry, part - carry);
         // A film beside the focus is met where the line from the lens's point to the focus meets it.
-        film_step += (1.0 + past_focus) * film_point_seen(to_pole, from - vec2(column_place.z, row_place.z) - moved);
+        film_step += (1.0 + past_focus) * film_point_seen(to_pole, from - vec2(column_place.z, row_place.z) - moved) + aside;
     }
     vec2 pixel = vec2(column_place.y, row_place.y) + vec2(film_step.x, -film_step.y) / pixel_pitch;
     vec2 carry = floor(pixel);
@@ -158,28 +159,34 @@ uvec2 scrambled(uvec2 v)
     return folded(v, 31);
 }
 
-uvec2 random_bits(uint seed, uint value) { return scrambled(uvec2(0, seed) ^ scrambled(uvec2(0, value))); }
+uvec2 random_bits(uvec2 seed, uint value) { return scrambled(seed ^ scrambled(uvec2(0, value))); }
 
-// Pupil::point: Roberts' sequence in steps of 2^-32, which run over as its parts of a whole do.
-vec2 pupil_point(uvec2 bits, int index)
+// DiscPoints::point about 0: its coordinates are counted in 2^-32, and run over as parts of a whole do.
+vec2 disc_point(float radius, uvec2 bits, uvec2 steps, int index)
 {
     const float unit = 1.0 / 4294967296.0, turn = 6.28318530717958647692;
-    float u = unit * float(bits.x + uint(index) * 3242174889u), v = unit * float(bits.y + uint(index) * 2447445414u);
-    float r = pupil_radius * sqrt(u);
-    return eye + r * vec2(cos(turn * v), sin(turn * v));
+    uvec2 coordinates = bits + uint(index) * steps;
+    float r = radius * sqrt(unit * float(coordinates.x)), angle = turn * unit * float(coordinates.y);
+    return r * vec2(cos(angle), sin(angle));
 }
+const uvec2 roberts_steps = uvec2(3242174889u, 2447445414u), richtmyer_steps = uvec2(1779033704u, 3144134278u);
 
 float srgb_from_linear(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
 
 void main()
 {
     ivec2 view = ivec2(int(gl_FragCoord.x), view_height - 1 - int(gl_FragCoord.y));
-    uvec2 bits = random_bits(uint(view.x), uint(view.y));
+    uvec2 pupil_bits = random_bits(uvec2(0, view.x), uint(view.y)), spot_bits = random_bits(uvec2(1, view.x), uint(view.y));
     vec3 total = vec3(0);
     for (int j = 0; j < samples; ++j)
         for (int i = 0; i < samples; ++i) {
-            vec2 from = pupil_radius == 0.0 ? eye : pupil_point(bits, j * samples + i);
-            total += seen(view, (vec2(i, j) + 0.5) / float(samples), raw ? eye : from).rgb;
+            int index = j * samples + i;
+            vec2 from = eye, aside = vec2(0);
+            if (pupil_radius > 0.0 && !raw)
+                from += disc_point(pupil_radius, pupil_bits, roberts_steps, index);
+            if (spot_radius > 0.0)
+                aside = disc_point(spot_radius, spot_bits, richtmyer_steps, index);
+            total += seen(view, (vec2(i, j) + 0.5) / float(samples), from, aside).rgb;
         }
     vec3 linear = min(total / float(samples * samples), 1.0);
     shown = vec4(floor(255.0 * vec3(srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b)) + 0.5) / 255.0, 1);

@@ -6,7 +6,7 @@ const element = (id) => document.getElementById(id);
 const geometry = JSON.parse(element("geometry").textContent), start = JSON.parse(element("start").textContent);
 const { sheet, film, aperture } = geometry;
 const canvas = element("view"), picture = element("frame");
-const film_width = film.width * film.pixel_pitch_mm[0], film_height = film.height * film.pixel_pitch_mm[1];
+const film_size = [film.width * film.pixel_pitch_mm[0], film.height * film.pixel_pitch_mm[1]];
 const offset = sheet.offset_mm ?? [0, 0], slant = (sheet.slant_degrees ?? 0) * Math.PI / 180;
 const ior = start.model === "pinhole" ? 1 : sheet.ior;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -14,7 +14,7 @@ const farthest = 1e9; // of an eye
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 
 // Where the eye is: as the page was written, then as the address's fragment says, then as it is moved.
-let state; // eye [x, y, distance], pupil, focus, gap, raw; and what the fragment alone says: samples, size, bare, tile
+let state; // eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; of the fragment alone: samples, bare, tile
 
 function numbers(text, count) {
   const values = (text ?? "").split(/[,x]/).map((v) => v.trim() === "" ? NaN : Number(v));
@@ -28,11 +28,14 @@ function read_fragment() {
     return value ? within(value[0], least, greatest) : otherwise;
   };
   const eye = numbers(said.get("eye"), 3), size = numbers(said.get("size"), 2);
+  const part = numbers(said.get("part"), 4) ?? start.part;
   state = {
     eye: eye && eye[2] > 0 ? eye : [...start.eye],
     pupil: number("pupil", 0, 1e6, start.pupil),
     focus: number("focus", -1e6, 1e6, start.focus),
     gap: number("film-gap", -0.999 * sheet.thickness_mm, 1e6, start.film_gap),
+    blur: number("lens-blur", 0, 1e6, start.blur),
+    part: part[2] > 0 && part[3] > 0 ? part : [0, 0, ...film_size],
     samples: Math.round(number("samples", 1, 64, 0)),
     size: size && Math.min(...size) >= 1 ? size.map(Math.round) : start.size[0] > 0 ? start.size : null,
     raw: said.has("raw"),
@@ -47,16 +50,17 @@ function focus_before_eye() {
   state.focus = Math.max(state.focus, -0.99 * state.eye[2]);
 }
 
-// As the command: more samples where a pupil scatters them, unless the writer of the page said otherwise.
+// As the command: more samples where pupil or blur scatters them, unless the writer of the page said otherwise.
 function samples() {
-  return state.samples || ((state.pupil > 0) === (start.pupil > 0) ? start.samples : state.pupil > 0 ? 8 : 3);
+  const scattered = (view) => view.pupil > 0 || view.blur > 0;
+  return state.samples || (scattered(state) === scattered(start) ? start.samples : scattered(state) ? 8 : 3);
 }
 
-// Sizes of the aperture at a distance: the viewing zone. Where it has no end, or is a slit: as wide the other way.
+// The viewing zone at a distance, mm; a slit's is as high as it is wide, for the eye to move in.
 function zone(distance) {
-  const scale = distance / aperture.distance_mm, { width_mm: w, height_mm: h } = aperture;
-  const width = w > 0 ? w : h > 0 ? h : 0.4 * aperture.distance_mm;
-  return [scale * width, scale * (h > 0 ? h : width)];
+  const scale = distance / aperture.distance_mm, [w, h] = start.zone;
+  const width = w || h || 0.4 * aperture.distance_mm;
+  return [scale * width, scale * (h || width)];
 }
 
 function move_eye(x, y) {
@@ -68,7 +72,7 @@ function move_eye(x, y) {
 const WHOLE = 0, PART = 1;
 const split = (v) => [Math.floor(v), v - Math.floor(v)];
 const quick = 4; // samples across a pixel while the eye moves, at most
-let gl, uniform, textures, ready = false, drawn_size = [0, 0], pending = 0, settling = 0, moving = false;
+let gl, uniform, textures, ready = false, drawn = "", pending = 0, settling = 0, moving = false;
 
 // By columns or rows, as replay_page.glsl says. `axis` 0: columns.
 function steps(axis, count) {
@@ -76,10 +80,10 @@ function steps(axis, count) {
   const across = [Math.cos(slant), Math.sin(slant)], along = [-across[1], across[0]];
   const texels = new Float32Array(8 * count);
   for (let i = 0; i < count; ++i) {
-    const mm = axis === 0 ? (i / count - 0.5) * film_width : (0.5 - i / count) * film_height;
+    const mm = state.part[axis] + (axis === 0 ? i / count - 0.5 : 0.5 - i / count) * state.part[2 + axis];
     const u = split(across[axis] * (mm - offset[axis]) / sheet.pitch_mm);
     const v = split(along[axis] * (mm - offset[axis]) / (sheet.pitch_mm * row_spacing));
-    const pixel = split(i * (axis === 0 ? film.width : film.height) / count);
+    const pitch = film.pixel_pitch_mm[axis], pixel = split(axis === 0 ? mm / pitch + film.width / 2 : film.height / 2 - mm / pitch);
     texels.set([u[WHOLE], u[PART], v[WHOLE], v[PART]], 4 * i);
     texels.set([pixel[WHOLE], pixel[PART], mm, 0], 4 * (count + i));
   }
@@ -172,23 +176,24 @@ async function set_film() {
 // The view is as large as the fragment or the page says, else as the window allows.
 function fit() {
   const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  const [, , width, height] = state.part;
   let size = state.size;
   if (!size) {
     const room = [canvas.parentElement.clientWidth, state.bare ? innerHeight : Math.max(200, 0.54 * innerHeight)];
-    const scale = Math.min(room[0] / film_width, room[1] / film_height) * dots;
-    size = [film_width * scale, film_height * scale];
+    const scale = Math.min(room[0] / width, room[1] / height) * dots;
+    size = [width * scale, height * scale];
   }
   size = size.map((v) => within(Math.round(v), 1, most));
-  if (String(size) === String(drawn_size))
+  if (String([size, state.part]) === drawn)
     return;
-  drawn_size = size;
+  drawn = String([size, state.part]);
   [canvas.width, canvas.height] = size;
   canvas.style.width = size[0] / dots + "px";
   canvas.style.height = size[1] / dots + "px";
   floats_texture(2, gl.RGBA32F, gl.RGBA, size[0], 2, steps(0, size[0]));
   floats_texture(3, gl.RGBA32F, gl.RGBA, size[1], 2, steps(1, size[1]));
   gl.viewport(0, 0, size[0], size[1]);
-  gl.uniform2f(uniform("view_pixel"), film_width / size[0], film_height / size[1]);
+  gl.uniform2f(uniform("view_pixel"), width / size[0], height / size[1]);
   gl.uniform1i(uniform("view_height"), size[1]);
 }
 
@@ -199,6 +204,7 @@ function draw() {
   gl.uniform2f(uniform("eye"), x, y);
   gl.uniform1f(uniform("eye_distance"), distance);
   gl.uniform1f(uniform("pupil_radius"), 0.5 * state.pupil);
+  gl.uniform1f(uniform("spot_radius"), 0.5 * state.blur);
   gl.uniform1f(uniform("sideways"), state.focus / (distance + state.focus));
   gl.uniform1f(uniform("past_focus"), state.gap / sheet.thickness_mm);
   gl.uniform1i(uniform("samples"), moving ? Math.min(quick, samples()) : samples());
@@ -253,32 +259,34 @@ function show_state() {
 }
 
 function show_geometry() {
-  const { width_mm: wide, height_mm: high, distance_mm: distance } = aperture;
+  const [wide, high] = start.zone;
   const [dx, dy] = film.pixel_pitch_mm, same = dx === dy;
   const lenses = { lenticular: "lenticular: cylinders", square: "lenses in a square grid", hexagonal: "lenses in a hexagonal grid" };
-  const extent = (v) => v === null ? "without limit" : mm(v);
   const lens = [mm(sheet.pitch_mm) + " apart", mm(sheet.thickness_mm) + " thick", "refractive index " + figures(sheet.ior)];
   if (slant !== 0)
     lens.push(`slanted by ${figures(sheet.slant_degrees)}°`);
   if (offset[0] !== 0 || offset[1] !== 0)
     lens.push(`moved by ${figures(offset[0])}, ${mm(offset[1])}`);
+  if (state.blur > 0)
+    lens.push(`light from a spot ${mm(state.blur)} wide`);
   if (start.model === "pinhole")
     lens.push("taken as pinholes");
   const both = (x, y, unit) => (same ? figures(x) : `${figures(x)} × ${figures(y)}`) + unit; // of across and down
   const film_words = [`${film.width} × ${film.height} pixels of ${both(dx, dy, " mm")} (${both(25.4 / dx, 25.4 / dy, " dpi")})`,
-                      `${figures(film_width)} × ${mm(film_height)}`];
+                      `${figures(film_size[0])} × ${mm(film_size[1])}`];
   if (film.subpixels)
     film_words.push(`colour stripes ${film.subpixels}`);
   if (state.gap !== 0)
     film_words.push(`${mm(Math.abs(state.gap))} ${state.gap > 0 ? "beyond" : "before"} the lenses' focus`);
   const upright = Math.abs(sheet.slant_degrees ?? 0) <= 45; // slit_is_horizontal
-  const zone_words = sheet.arrangement !== "lenticular" ? `${extent(wide)} × ${extent(high)}`
-                   : upright ? extent(wide) + " wide" : extent(high) + " high";
+  const zone_words = sheet.arrangement !== "lenticular" ? `${figures(wide)} × ${mm(high)}`
+                   : upright ? mm(wide) + " wide" : mm(high) + " high";
   const lines = [
     ["Scene", geometry.render?.scene], ["Rendered by", geometry.render?.program],
     ["Sheet", `${lenses[sheet.arrangement]}, ${lens.join(", ")}`], ["Film", film_words.join(", ")],
+    ["Part shown", state.part[2] === film_size[0] ? "" : `${figures(state.part[2])} × ${mm(state.part[3])}`],
     ["Pixels per lens", both(sheet.pitch_mm / dx, sheet.pitch_mm / dy, "")],
-    ["Viewing distance", mm(distance)], ["Viewing zone", zone_words + " at that distance"]];
+    ["Viewing distance", mm(aperture.distance_mm)], ["Viewing zone", zone_words + " at that distance"]];
   for (const [term, text] of lines.filter((line) => line[1])) {
     element("words").append(document.createElement("dt"), document.createElement("dd"));
     element("words").lastChild.previousSibling.textContent = term;
@@ -391,7 +399,7 @@ function on_controls() {
 
 async function begin() {
   gl = context;
-  drawn_size = [0, 0];
+  drawn = "";
   textures = Array.from({ length: 4 }, () => gl.createTexture());
   set_program();
   set_geometry();

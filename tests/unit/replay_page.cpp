@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The interactive page's parts. What it shows is for tests/cli/replay_html.test, in a browser.
 #include "integral/io/codecs.h"
+#include "integral/replay/arrange.h"
 #include "integral/replay/replay_page.h"
 
 #include "tests/unit/replay_frames.h"
@@ -90,7 +91,9 @@ BOOST_AUTO_TEST_CASE(holds_geometry_and_start)
     start.pupil = 4;
     start.focus = -8;
     start.film_gap = 0.1;
+    start.blur = 0.2;
     start.samples = 5;
+    start.part = {{1, -2}, 30, 20};
     start.model = LensModel::pinhole;
     const std::string page = replay_page(frame, start);
 
@@ -102,8 +105,11 @@ BOOST_AUTO_TEST_CASE(holds_geometry_and_start)
     BOOST_TEST(read.film.width == 7);
 
     const auto view = nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"start\">", "</script>"));
-    const auto wanted = nlohmann::json::parse(R"({"eye": [1.5, -2, 300], "size": [0, 0], "samples": 5, "pupil": 4,
-                                                 "focus": -8, "film_gap": 0.1, "model": "pinhole"})");
+    auto wanted = nlohmann::json::parse(R"({"eye": [1.5, -2, 300], "size": [0, 0], "samples": 5, "pupil": 4,
+                                                 "focus": -8, "film_gap": 0.1, "blur": 0.2, "model": "pinhole",
+                                                 "part": [1, -2, 30, 20], "zone": [0, 0]})");
+    const Vec2 zone = viewing_zone(*frame.metadata, 300);
+    wanted["zone"] = {zone.x, zone.y};
     BOOST_TEST(view == wanted);
 }
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Several pictures of one command, in order: an animated WebP, or files with numbers.
+#ifndef INTEGRAL_CLI_PICTURE_SERIES_H
+#define INTEGRAL_CLI_PICTURE_SERIES_H
+
+#include "integral/cli/command.h"
+#include "integral/io/animation.h"
+#include "integral/lightfield/image.h"
+
+#include <string>
+
+namespace integral {
+
+/// The options that say how an animation is played: --fps and --quality.
+void add_series_options(options::options_description& all);
+
+/// Whether a path is an animation's: it ends in .webp.
+bool is_animation(const std::string& path);
+
+class PictureSeries {
+public:
+    /// `path`: NAME.webp, or NAME.png (.exr, .tiff) for files NAMEn.png, n from `first` on with as many digits as the last needs, as
+    /// POV-Ray numbers an animation's. Throws UsageError for what the options say, OutputError for a path that cannot be written.
+    PictureSeries(const options::variables_map& arguments, const std::string& path, int count, int first);
+
+    /// The next picture: a numbered file is written at once, with its document if there is one. Throws OutputError.
+    void add(Image picture, const std::optional<FrameMetadata>& metadata = std::nullopt);
+
+    /// Writes the animation, if it is one. there_and_back: it plays back to the first picture, too. Throws OutputError.
+    void finish(bool there_and_back);
+
+private:
+    std::string file(int number) const;
+
+    std::string path_;
+    int last_, next_;
+    double pictures_a_second_;
+    Animation animation_;
+};
+
+} // namespace integral
+
+#endif
