@@ -296,7 +296,8 @@ function show_geometry() {
     element("title").textContent = geometry.render.scene;
     document.title = geometry.render.scene + " – integral photograph";
   }
-  element("help").textContent = `${calm.matches ? "Drag" : "Point or drag"} on the picture, or use the arrow keys (with Shift in small steps), to move the eye; `
+  element("help").textContent = (calm.matches ? "Drag" : "Point or drag")
+    + " on the picture, or use the arrow keys (with Shift in small steps), to move the eye; "
     + "Page Up and Page Down bring it nearer and farther, Home back.";
 }
 
