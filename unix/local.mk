@@ -62,4 +62,4 @@ distclean-local:
 	rm -rf build
 
 EXTRA_DIST += unix/upstream.pin unix/series unix/queue.sh unix/fetch-upstream unix/apt-source unix/assemble unix/edits \
-  unix/refresh unix/check-patches unix/lint-patches unix/build-povray unix/stage-share unix/packages source vfe
+  unix/refresh unix/check-patches unix/lint-patches unix/build-povray unix/stage-share unix/packages unix/packages-test source vfe

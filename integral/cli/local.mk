@@ -13,6 +13,8 @@ build_bin_integral_SOURCES += \
   integral/cli/renderer.cpp \
   integral/cli/renderer.h \
   integral/cli/replay_command.cpp \
+  integral/cli/replay_html.cpp \
+  integral/cli/replay_html.h \
   integral/cli/scene_depth.cpp \
   integral/cli/scene_depth.h \
   integral/cli/sheet_command.cpp \

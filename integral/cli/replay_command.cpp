@@ -3,6 +3,7 @@
 #include "integral/cli/command.h"
 #include "integral/cli/picture_series.h"
 #include "integral/cli/progress.h"
+#include "integral/cli/replay_html.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
@@ -23,6 +24,9 @@ options::options_description make_options()
         ("output,o", options::value<std::string>()->value_name("VIEW"),
          "the picture to write: .png, .exr or .tiff; - writes a PNG to standard output; with --path FILE.webp, an animation, or "
          "FILE.png, files with numbers")
+        ("html", options::value<std::string>()->value_name("FILE"),
+         "a page for any browser, of the frame and its replay, to look at from all sides; the options of a view "
+         "say how it starts; - writes to standard output")
         ("eye", options::value<std::string>()->value_name("X,Y,DISTANCE"),
          "the eye: mm to the right of and above the sheet's centre, and mm in front of the sheet "
          "(default: the centre of the frame's capture aperture)")
@@ -206,7 +210,8 @@ void check_view(const View& view, const FrameMetadata& metadata)
 int run(const options::variables_map& arguments)
 {
     const std::string output = text_of(arguments, "output");
-    if (output.empty())
+    const bool html = html_is_wanted(arguments);
+    if (output.empty() && !html)
         throw UsageError("-o VIEW is missing");
     View view;
     view.pupil = parse_mm(arguments, "pupil", 0, "a diameter from 0 to 1e6 mm", 0);
@@ -229,11 +234,13 @@ int run(const options::variables_map& arguments)
     if (given(arguments, "part"))
         view.part = parse_part(text_of(arguments, "part"));
     const ArrangementOfViews seen(arguments);
+    if (html)
+        check_writable(text_of(arguments, "html"));
     const Movement movement(arguments);
     std::optional<PictureSeries> series;
     if (movement.any()) {
         series.emplace(arguments, output, in_range(arguments, "steps", 2, 10000), 1);
-    } else {
+    } else if (!output.empty()) {
         if (is_animation(output))
             throw UsageError("-o " + output + ": an animation needs --path, how the eye moves");
         format_for(output);
@@ -245,9 +252,13 @@ int run(const options::variables_map& arguments)
     stop_if_interrupted();
     if (!given(arguments, "eye"))
         view.eye = centre_eye(*frame.metadata);
+    check_view(view, *frame.metadata);
+    if (html)
+        write_html(arguments, frame, view);
+    if (output.empty())
+        return exit_done;
     if (!given(arguments, "size"))
         set_view_size(view, frame.metadata->film, default_longer_side);
-    check_view(view, *frame.metadata);
 
     seen.check_size(view);
     const std::vector<Eye> stops = movement.eyes_about(view.eye, *frame.metadata);
@@ -273,7 +284,7 @@ int run(const options::variables_map& arguments)
 const Command replay_command = {
     "replay",
     "what an eye sees of a frame through its lens sheet",
-    "FRAME -o VIEW [--eye X,Y,DISTANCE] [--size WxH] [--stereo MM | --grid CxR] [--path KIND]",
+    "FRAME (-o VIEW | --html PAGE) [--eye X,Y,DISTANCE] [--size WxH] [--stereo MM | --grid CxR] [--path KIND]",
     "Draws the view that an eye at a given place has of a frame under its lens sheet. The sheet\n"
     "fills the picture. From the aperture's centre (the default) it is the picture that the\n"
     "scene's perspective camera takes; beyond the viewing zone the eye sees side lobes, and black\n"

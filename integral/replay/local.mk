@@ -12,4 +12,23 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/perspective_views.cpp \
   integral/replay/perspective_views.h \
   integral/replay/replay.cpp \
-  integral/replay/replay.h
+  integral/replay/replay.h \
+  integral/replay/replay_page.cpp \
+  integral/replay/replay_page.h
+
+# The interactive page's own files, as C++ strings named like them: replay_page.html is replay_page_html.
+replay_page_files = \
+  integral/replay/replay_page.glsl \
+  integral/replay/replay_page.html \
+  integral/replay/replay_page.js
+
+EXTRA_DIST += $(replay_page_files)
+CLEANFILES += build/generated/replay_page_text.h
+build/generated/replay_page_text.h: $(replay_page_files)
+	$(AM_V_GEN)$(MKDIR_P) build/generated && { \
+	  for file in $(replay_page_files); do \
+	    if test -f $$file; then path=$$file; else path=$(srcdir)/$$file; fi; \
+	    echo "const char `basename $$file | tr . _`[] = R\"page(" && cat $$path && echo ')page";' || exit 1; \
+	  done; } > $@.tmp && mv $@.tmp $@
+integral/replay/replay_page.$(OBJEXT): build/generated/replay_page_text.h
+integral/replay/build_sanitized_libintegral_a-replay_page.$(OBJEXT): build/generated/replay_page_text.h

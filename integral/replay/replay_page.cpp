@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/replay/replay_page.h"
+
+#include "build/generated/replay_page_text.h" // replay_page_html, replay_page_glsl, replay_page_js
+#include "integral/io/codecs.h"
+#include "integral/lightfield/names.h"
+#include "integral/replay/arrange.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace integral {
+namespace {
+
+std::string base64(const std::string& bytes)
+{
+    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t three = 0; // bytes, the first one highest
+        for (std::size_t k = 0; k < 3; ++k)
+            three = three << 8 | (k < count ? std::uint8_t(bytes[i + k]) : 0);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k <= count ? digits[three >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
+/// JSON that no HTML parser takes for markup: `<` stands in its strings alone.
+std::string within_html(const std::string& json)
+{
+    std::string text;
+    for (const char c : json)
+        if (c == '<')
+            text += "\\u003c";
+        else
+            text += c;
+    return text;
+}
+
+std::string json_of(const View& start, Vec2 zone)
+{
+    return nlohmann::ordered_json{{"eye", {start.eye.x, start.eye.y, start.eye.distance}},
+                                  {"size", {start.width, start.height}},
+                                  {"samples", start.samples},
+                                  {"pupil", start.pupil},
+                                  {"focus", start.focus},
+                                  {"film_gap", start.film_gap},
+                                  {"blur", start.blur},
+                                  {"model", name_of(start.model)},
+                                  {"part", {start.part.middle.x, start.part.middle.y, start.part.width, start.part.height}},
+                                  {"zone", {zone.x, zone.y}}}.dump();
+}
+
+struct Blank {
+    std::string mark, text;
+};
+
+/// The template, each mark in it (they stand in this order) replaced by its text.
+std::string filled_in(const std::string& page, const std::vector<Blank>& blanks)
+{
+    std::string text;
+    std::size_t done = 0;
+    for (const Blank& blank : blanks) {
+        const auto at = page.find(blank.mark, done);
+        if (at == std::string::npos)
+            throw std::logic_error("replay_page.html has no " + blank.mark);
+        text += page.substr(done, at - done) + blank.text;
+        done = at + blank.mark.size();
+    }
+    return text + page.substr(done);
+}
+
+} // namespace
+
+std::string replay_page(const Frame& frame, const View& start)
+{
+    const FrameMetadata& metadata = *frame.metadata;
+    const Vec2 zone = viewing_zone(metadata, metadata.aperture.distance);
+    DecodedImage picture;
+    picture.image = converted(frame.image, 8, Encoding{}, false);
+    return filled_in(replay_page_html, {{"@FRAME@", base64(encode_png(picture))},
+                                        {"@GEOMETRY@", within_html(to_json(metadata))},
+                                        {"@START@", within_html(json_of(start, zone))},
+                                        {"@SHADER@", replay_page_glsl},
+                                        {"@SCRIPT@", replay_page_js}});
+}
+
+} // namespace integral
