@@ -32,21 +32,26 @@ std::vector<EyePosition> CameraArray::eyes() const
     return result;
 }
 
-void render(const Renderer& renderer, const std::string& scene, const std::vector<std::string>& options, const CameraArray& array,
-            const std::function<void(const Image&, int)>& see)
+void render(const Renderer& renderer, const std::string& scene, const std::vector<std::string>& options,
+            const CameraArray& array, const std::function<void(const Image&, int)>& see)
 {
-    const int count = array.columns * array.rows, parts = std::clamp(count / 2, 1, renderers); // one picture would not be numbered
+    const int count = array.columns * array.rows;
+    const int parts = std::clamp(count / 2, 1, renderers); // a single picture's file would not be numbered
     std::mutex seeing;
+    const auto declare = [](const char* name, double value) {
+        return std::string("Declare=") + name + "=" + std::to_string(value);
+    };
     for_each_row(parts, parts, [&](int part) {
-        const int first = int((long long)(count)*part / parts), pictures = int((long long)(count) * (part + 1) / parts) - first;
+        const int first = int((long long)(count)*part / parts);
+        const int pictures = int((long long)(count) * (part + 1) / parts) - first;
         Renderer own = renderer; // in a folder of its own
         own.work_folder += "/array-" + std::to_string(part);
         std::filesystem::create_directories(own.work_folder);
-        const auto declare = [](const char* name, double value) { return std::string("Declare=") + name + "=" + std::to_string(value); };
         std::vector<std::string> words = options;
         words.insert(words.end(), {"+W" + std::to_string(array.picture_width), "+H" + std::to_string(array.picture_height),
-                    declare("Array_Columns", array.columns), declare("Array_Rows", array.rows), declare("Array_Width", array.width),
-                    declare("Array_Height", array.height), declare("Array_First", first), "+KFI1", "+KFF" + std::to_string(pictures)});
+                                   declare("Array_Columns", array.columns), declare("Array_Rows", array.rows),
+                                   declare("Array_Width", array.width), declare("Array_Height", array.height),
+                                   declare("Array_First", first), "+KFI1", "+KFF" + std::to_string(pictures)});
         own.render(scene, "array", std::nullopt, words);
         const std::size_t digits = pictures > 1 ? std::to_string(pictures).size() : 0;
         for (int k = 0; k < pictures; ++k) {

@@ -20,8 +20,8 @@ struct CameraArray {
 
 /// Their pictures in the order of eyes(), as animations of several renderers at once (a renderer mostly waits between
 /// pictures). `see` is called from one thread with each picture and its number.
-void render(const Renderer& renderer, const std::string& scene, const std::vector<std::string>& options, const CameraArray& array,
-            const std::function<void(const Image&, int)>& see);
+void render(const Renderer& renderer, const std::string& scene, const std::vector<std::string>& options,
+            const CameraArray& array, const std::function<void(const Image&, int)>& see);
 
 /// Light gathered on a film: each pixel is the mean (linear) of what fell on it. A picture's pixel is a ray that crosses
 /// the sheet there; the lens that it meets sends it to its place on the film (SheetOptics::film_point_seen). So with eyes

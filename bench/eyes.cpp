@@ -51,7 +51,8 @@ const Setting settings[] = {{Family::one_ray, "one-ray", "", {}},
                             {Family::light_field, "antialiased", "", {"+A0.05", "+R5", "+AM2"}},
                             {Family::both, "converged", "pixel_samples 8 beam_samples 8", {}}};
 constexpr int antialiased = 1;
-const std::string floor_below_all_eyes = "Declare=Floor=-40"; // the zone's lowest are at -28; from below a floor they see nothing else
+// The zone's lowest are at -28 mm; from below a floor they see nothing else.
+const std::string floor_below_all_eyes = "Declare=Floor=-40";
 
 /// What is rendered.
 struct Plan {
@@ -67,7 +68,8 @@ const Plan quick{{"matte"}, 120, 80, 3, 16, 32, "matte", "square"};
 /// A scene behind a sheet.
 class Experiment {
 public:
-    Experiment(const Renderer& integral, const Renderer& pristine, const Plan& plan, const std::string& scene, const Sheet& sheet)
+    Experiment(const Renderer& integral, const Renderer& pristine, const Plan& plan, const std::string& scene,
+               const Sheet& sheet)
         : integral_(integral), pristine_(pristine), plan_(plan)
     {
         panel.scene = scene;
@@ -121,7 +123,8 @@ void Experiment::gather()
     const CameraArray cameras = array(row ? plan_.row_array : plan_.square_array, 1, row ? 2 : 1, row ? 1 : 2);
     const std::vector<EyePosition> eyes = cameras.eyes();
     GatheredFrame film(frames_[0]);
-    render(pristine_, panel.scene, {floor_below_all_eyes}, cameras, [&](const Image& picture, int k) { film.add(picture, eyes[k]); });
+    render(pristine_, panel.scene, {floor_below_all_eyes}, cameras,
+           [&](const Image& picture, int k) { film.add(picture, eyes[k]); });
     ideal_ = film.frame();
     panel.missing = film.missing();
     panel.rays_a_pixel = film.rays_a_pixel();
@@ -173,7 +176,8 @@ void Experiment::write_picture(const std::string& path) const
     constexpr ViewForm form{2, 7, perspective_times};
     constexpr double gain = 3;
     const std::size_t count = panel.eyes.size(), middle = count / 2;
-    LabelledPictures table{{"perspective picture", "view of the frame, +A", "difference x 3", "view of sheet and film's limit"}, {}, {}};
+    LabelledPictures table;
+    table.columns = {"perspective picture", "view of the frame, +A", "difference x 3", "view of sheet and film's limit"};
     const char* names[] = {"top left eye", "centre", "bottom right eye"};
     int name = 0;
     for (const std::size_t k : {std::size_t(0), middle, count - 1}) {
@@ -211,7 +215,8 @@ std::string csv(const std::vector<Panel>& panels)
 /// Markdown.
 std::string table(const std::vector<Panel>& panels)
 {
-    std::string out = "| scene, sheet | frame | PSNR least | mean | greatest | SSIM least | mean | greatest | frame's RMSE | own |\n"
+    std::string out = "| scene, sheet | frame | PSNR least | mean | greatest | SSIM least | mean | greatest "
+                      "| frame's RMSE | own |\n"
                       "|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Panel& panel : panels)
         for (const Seen& seen : panel.all) {
