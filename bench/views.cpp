@@ -10,6 +10,7 @@
 #include "integral/replay/compare.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace integral::bench {
 
@@ -37,8 +38,10 @@ Frame view_of(const Frame& frame, const EyePosition& eye, const ViewForm& form)
     view.eye = centre_eye(*frame.metadata);
     view.eye.x += eye.x;
     view.eye.y += eye.y;
-    view.width = frame.image.width / form.film_pixels;
-    view.height = frame.image.height / form.film_pixels;
+    const Film& film = frame.metadata->film;
+    const double pixel = form.film_pixels * mm_per_inch / dots_per_inch;
+    view.width = int(std::lround(film.width * film.pixel_pitch.x / pixel));
+    view.height = int(std::lround(film.height * film.pixel_pitch.y / pixel));
     view.samples = form.samples;
     return inner_part(*replay(frame, view, 1), form);
 }

@@ -15,7 +15,7 @@ struct Renderer;
 
 /// The views' pixels.
 struct ViewForm {
-    int film_pixels; ///< of the film to a view's pixel, across and down
+    int film_pixels; ///< of a film of dots_per_inch to a view's pixel, across and down; as many mm of a coarser film
     int margin;      ///< view pixels left out all round: through the outermost lenses the eye looks past the film's edge
     int samples;     ///< across a pixel and down it
 };
