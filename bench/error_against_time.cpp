@@ -2,15 +2,12 @@
 // Error against run time: renders a ladder of settings, six scenes behind two sheets, and measures each frame and its
 // replayed view against a converged frame of both samplings (doc/error-against-time.md).
 #include "bench/error_against_time.h"
-
-#include "integral/io/file_bytes.h"
+#include "bench/program.h"
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <iostream>
 #include <regex>
 
 namespace {
@@ -19,10 +16,6 @@ namespace options = boost::program_options;
 namespace files = std::filesystem;
 using namespace integral;
 using namespace integral::bench;
-
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 std::string all_scenes()
 {
@@ -51,9 +44,6 @@ options::options_description make_options()
         ("help", "print this");
     return all;
 }
-
-/// Where this program stands: BUILD/bench.
-files::path own_folder() { return files::read_symlink("/proc/self/exe").parent_path(); }
 
 std::vector<std::string> chosen_scenes(const options::variables_map& arguments)
 {
@@ -150,31 +140,12 @@ int run(const options::variables_map& arguments)
 
 int main(int count, char** words)
 {
-    const char* name = "error_against_time: ";
-    const options::options_description all = make_options();
-    try {
-        options::variables_map arguments;
-        options::store(options::command_line_parser(count, words).options(all).positional({}).run(), arguments);
-        options::notify(arguments);
-        if (arguments.count("help")) {
-            std::cout << "error_against_time [--quick | --samplers] [--scene NAME] -o FOLDER\n\n" << all;
-            return 0;
-        }
-        return run(arguments);
-    } catch (const UsageError& error) {
-        std::cerr << name << error.what() << std::endl;
-        return 2;
-    } catch (const options::error& error) {
-        std::cerr << name << error.what() << std::endl;
-        return 2;
-    } catch (const OutputError& error) {
-        std::cerr << name << error.what() << std::endl;
-        return 4;
-    } catch (const files::filesystem_error& error) {
-        std::cerr << name << error.what() << std::endl;
-        return 4;
-    } catch (const std::exception& error) {
-        std::cerr << name << error.what() << std::endl;
-        return 1;
-    }
+    return status_of("error_against_time", [&] {
+        const options::options_description all = make_options();
+        const options::variables_map arguments = parsed(count, words, all);
+        if (!arguments.count("help"))
+            return run(arguments);
+        std::cout << "error_against_time [--quick | --samplers] [--scene NAME] -o FOLDER\n\n" << all;
+        return 0;
+    });
 }

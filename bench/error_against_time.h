@@ -4,6 +4,8 @@
 #ifndef BENCH_ERROR_AGAINST_TIME_H
 #define BENCH_ERROR_AGAINST_TIME_H
 
+#include "bench/views.h"
+
 #include "integral/lightfield/frame.h"
 
 #include <functional>
@@ -77,20 +79,8 @@ std::string camera_words(const Sheet& sheet, const Setting& setting);
 
 // ---- measurements (error_against_time_measure.cpp) ----
 
-/// How far a replayed view is from another picture of what that eye should see.
-struct ViewFigures {
-    double psnr = 0, ssim = 0;
-};
-
-/// An eye in the aperture, mm from its centre.
-struct EyePosition {
-    double x = 0, y = 0;
-};
 /// 3 x 3 over the aperture; behind cylinders, which show nothing new along themselves, 9 in a row across it.
-constexpr int eye_count = 9;
-
-ViewFigures mean(const std::vector<ViewFigures>& views);
-ViewFigures least(const std::vector<ViewFigures>& views);
+constexpr int eyes_across = 3;
 
 struct Measurement {
     Setting setting;

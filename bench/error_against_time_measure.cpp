@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "bench/error_against_time.h"
-#include "bench/pictures.h"
 
 #include "integral/io/image_file.h"
-#include "integral/optics/lens_mapping.h"
 #include "integral/replay/compare.h"
-#include "integral/replay/replay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,72 +13,14 @@ namespace integral::bench {
 
 namespace {
 
-// A view's pixel is 5 of the film's across and down, 2.7 (square) or 3 (lenticular) to a lens: finer than the lenses, so
-// that what they blur is seen, and coarse enough that its 5 x 5 samples leave no error of their own.
-constexpr int film_pixels_a_view_pixel = 5;
-// Through the outermost lenses the eye looks past the film's edge: as much as a lens is left out all round.
-constexpr int view_margin = 3;
 constexpr double side = 0.45;           // of the aperture's width: where the view from its edge is taken
-constexpr int perspective_times = 3;    // the perspective picture's pixels to one of the film's: 15 to the view's
 constexpr double short_run = 0.3;       // seconds: below this a run is repeated within its round
 constexpr double long_run = 1;          // seconds: above this one run is enough
 constexpr int rounds = 2, most_repeats = 3;
-constexpr double zone = 0.8;            // of the aperture: what the eyes are spread over
 
-/// A picture without its margin.
-Frame inner_part(const Image& image)
-{
-    return {part_of(image, view_margin, view_margin, image.width - 2 * view_margin, image.height - 2 * view_margin), {}};
-}
-
-/// What is seen of a frame from there.
-Frame view_of(const Frame& frame, const EyePosition& eye)
-{
-    View view;
-    view.eye = centre_eye(*frame.metadata);
-    view.eye.x += eye.x;
-    view.eye.y += eye.y;
-    view.width = frame.image.width / film_pixels_a_view_pixel;
-    view.height = frame.image.height / film_pixels_a_view_pixel;
-    view.samples = film_pixels_a_view_pixel;
-    return inner_part(*replay(frame, view, 1));
-}
+Frame view_of(const Frame& frame, const EyePosition& eye) { return bench::view_of(frame, eye, usual_form); }
 
 EyePosition eye_at_side(const Frame& frame) { return {side * frame.metadata->aperture.width, 0}; }
-
-std::vector<EyePosition> eyes_of(const Frame& frame)
-{
-    const Aperture& aperture = frame.metadata->aperture;
-    const bool row = frame.metadata->sheet.arrangement == Arrangement::lenticular;
-    const int across = row ? eye_count : 3;
-    std::vector<EyePosition> eyes;
-    for (int k = 0; k < eye_count; ++k)
-        eyes.push_back({aperture.width * zone * ((k % across + 0.5) / across - 0.5),
-                        row ? 0 : aperture.height * zone * (0.5 - (k / across + 0.5) / across)});
-    return eyes;
-}
-
-ViewFigures view_figures(const Frame& view, const Frame& wanted)
-{
-    const Comparison comparison = compare(view, wanted);
-    return {comparison.psnr, comparison.ssim};
-}
-
-/// Root mean square difference of the colours, over the pixels that the first frame's setting lights.
-double lit_rmse(const Frame& frame, const Frame& reference)
-{
-    const FrameMetadata& metadata = *frame.metadata;
-    const SheetOptics optics(metadata.sheet, metadata.aperture, metadata.render->model);
-    ColorDifferences differences;
-    for (int y = 0; y < frame.image.height; ++y)
-        for (int x = 0; x < frame.image.width; ++x) {
-            if (!optics.map(film_from_pixel(metadata.film, {x + 0.5, y + 0.5}), metadata.render->mapping).ray)
-                continue;
-            const Color a = stored_pixel(frame.image, x, y), b = stored_pixel(reference.image, x, y);
-            differences.add(a, b);
-        }
-    return differences.rms();
-}
 
 /// The camera of a panel's settings, and its plainest setting's pictures to compare with.
 class Bench {
@@ -107,24 +46,16 @@ private:
     std::string scene_;
     Sheet sheet_;
     std::string name_;
-    /// The scene's perspective picture, from the eye if one is given, as coarse as a view.
-    Frame perspective(const std::string& name, const std::optional<EyePosition>& eye) const;
+    Frame perspective(const std::string& name, const std::optional<EyePosition>& eye) const
+    {
+        return perspective_of(renderer_, scene_, name, eye, {}, perspective_times, usual_form);
+    }
     std::vector<ViewFigures> figures_from_eyes(const Frame& frame) const;
 
     Frame reference_, reference_view_, reference_side_view_, perspective_;
     std::vector<EyePosition> eyes_;
     std::vector<Frame> perspectives_; ///< from each of them
 };
-
-Frame Bench::perspective(const std::string& name, const std::optional<EyePosition>& eye) const
-{
-    std::vector<std::string> options;
-    if (eye)
-        options = {"Declare=Eye_X=" + std::to_string(eye->x), "Declare=Eye_Y=" + std::to_string(eye->y)};
-    renderer_.render(scene_, name, std::nullopt, options, perspective_times);
-    const Image flat = read_frame(renderer_.picture(name)).image;
-    return inner_part(shrunk(flat, perspective_times * film_pixels_a_view_pixel));
-}
 
 std::vector<ViewFigures> Bench::figures_from_eyes(const Frame& frame) const
 {
@@ -149,7 +80,7 @@ void Bench::make_wanted(Panel& panel)
 
     perspective_ = perspective(picture, std::nullopt);
     reference.to_perspective = view_figures(reference_view_, perspective_);
-    panel.eyes = eyes_ = eyes_of(reference_);
+    panel.eyes = eyes_ = eyes_of(reference_, eyes_across);
     for (std::size_t k = 0; k < eyes_.size(); ++k)
         perspectives_.push_back(perspective(picture + "-" + std::to_string(k + 1), eyes_[k]));
     reference.from_eyes = figures_from_eyes(reference_);
@@ -248,24 +179,6 @@ Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& s
     }
     mark_fronts(panel);
     return panel;
-}
-
-ViewFigures mean(const std::vector<ViewFigures>& views)
-{
-    ViewFigures sum;
-    for (const ViewFigures& view : views) {
-        sum.psnr += view.psnr / double(views.size());
-        sum.ssim += view.ssim / double(views.size());
-    }
-    return sum;
-}
-
-ViewFigures least(const std::vector<ViewFigures>& views)
-{
-    ViewFigures result = views.front();
-    for (const ViewFigures& view : views)
-        result = {std::min(result.psnr, view.psnr), std::min(result.ssim, view.ssim)};
-    return result;
 }
 
 const Sampler& brute_force()

@@ -28,7 +28,10 @@ build_bench_error_against_time_SOURCES = \
   bench/error_against_time_renderer.cpp \
   bench/error_against_time_report.cpp \
   bench/pictures.cpp \
-  bench/pictures.h
+  bench/pictures.h \
+  bench/program.h \
+  bench/views.cpp \
+  bench/views.h
 build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
 .PHONY: error-against-time
@@ -38,11 +41,31 @@ error-against-time: all build/bench/error_against_time
 # The thesis's table 4-1, a few minutes of rendering: doc/images/table-4-1.png and its figures.
 EXTRA_PROGRAMS += build/bench/table_4_1
 build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \
-  bench/pictures.cpp bench/pictures.h
-build_bench_table_4_1_LDADD = $(LIBINTEGRAL_LIBS)
+  bench/pictures.cpp bench/pictures.h bench/program.h bench/views.cpp bench/views.h
+build_bench_table_4_1_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
 .PHONY: table-4-1
 table-4-1: all build/bench/table_4_1
 	build/bench/table_4_1 build/bench/table-4-1 $(srcdir)/bench/scenes
+
+# What 25 eyes see of a frame, its own sampling's limit beside it: minutes of rendering (doc/eyes.md). Its test runs a small part.
+check_PROGRAMS += build/bench/eyes
+build_bench_eyes_SOURCES = \
+  bench/camera_array.cpp \
+  bench/camera_array.h \
+  bench/error_against_time.h \
+  bench/error_against_time_ladder.cpp \
+  bench/error_against_time_renderer.cpp \
+  bench/eyes.cpp \
+  bench/pictures.cpp \
+  bench/pictures.h \
+  bench/program.h \
+  bench/views.cpp \
+  bench/views.h
+build_bench_eyes_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+
+.PHONY: eyes
+eyes: all pristine build/bench/eyes
+	build/bench/eyes --scenes $(srcdir)/bench/scenes -o build/bench/eyes-tables
 
 EXTRA_DIST += bench

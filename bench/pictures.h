@@ -5,6 +5,9 @@
 
 #include "integral/lightfield/image.h"
 
+#include <string>
+#include <vector>
+
 namespace integral::bench {
 
 /// Means over squares of `block` x `block` pixels, in linear light.
@@ -19,6 +22,14 @@ public:
 private:
     double squares_ = 0;
     long long values_ = 0;
+};
+
+/// Pictures of one size as a table, with their names.
+struct LabelledPictures {
+    std::vector<std::string> columns, rows; ///< as many labels; along the top, and upwards on the left
+    std::vector<Image> pictures;            ///< row by row
+    /// A PNG of 8 bits, each pixel `times` as wide and high.
+    void write(const std::string& path, int times) const;
 };
 
 } // namespace integral::bench

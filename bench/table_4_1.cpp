@@ -6,18 +6,14 @@
 // table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md; SCENES: bench/scenes, by default this build's source's
 #include "bench/error_against_time.h"
 #include "bench/pictures.h"
+#include "bench/program.h"
 
-#include "integral/io/file_bytes.h"
 #include "integral/io/image_file.h"
-#include "integral/io/plot_canvas.h"
 #include "integral/replay/compare.h"
-#include "integral/replay/replay.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <iostream>
 #include <map>
 
 namespace {
@@ -29,9 +25,8 @@ using namespace integral::bench;
 constexpr int width = 708, height = 532; // pixels at 300 dpi: 59.9 x 45.0 mm, and whole pixels at 150 and 75
 // A view's pixel is 4 of the film's, 0.34 mm: as many to a lens, 3.75, as let single lenses be told apart in the profile.
 // Its samples stand two to a pixel of the finest film.
-constexpr int film_pixels_a_view_pixel = 4, view_samples = 8, perspective_times = 3;
-constexpr int margin = 4; // of a view: a lens's breadth, in which the eye looks past the film's edge
-constexpr double view_pixel = film_pixels_a_view_pixel * mm_per_inch / dots_per_inch;
+constexpr ViewForm form{4, 4, 8};
+constexpr double view_pixel = form.film_pixels * mm_per_inch / dots_per_inch;
 constexpr double side = 0.45; // of the aperture's width
 // Where the steps of a profile fall is chance: the spheres' edges lie a third of a pixel's beam at 300 dpi (2.2 mm) apart.
 constexpr double radius = 24, radius_step = 0.8;
@@ -74,14 +69,10 @@ Shot by_pixels_of(int depth, const std::string& threshold)
             {"+A" + threshold, "+R" + std::to_string(depth), "+AM2", "Integral_Antialiasing=pixels"}};
 }
 
-Image inner_part(const Image& image) { return part_of(image, margin, margin, image.width - 2 * margin, image.height - 2 * margin); }
-
 /// `right`: of the aperture's centre, in its widths.
 Image view_of(const Frame& frame, double right)
 {
-    View view{centre_eye(*frame.metadata), width / film_pixels_a_view_pixel, height / film_pixels_a_view_pixel, view_samples};
-    view.eye.x += right * frame.metadata->aperture.width;
-    return inner_part(*replay(frame, view, 1));
+    return view_of(frame, {right * frame.metadata->aperture.width, 0}, form).image;
 }
 
 /// A view's linear luma, between its pixels by interpolation. Linear, so that half the light is half covered.
@@ -205,11 +196,9 @@ private:
     /// The scene's own picture from an eye that far right of the centre, mm, as coarse as a view.
     Image perspective(double right) const
     {
-        const std::string name = sheet_.name + "-perspective";
-        const std::vector<std::string> options{"Declare=Eye_X=" + std::to_string(right), "Declare=Eye_Y=0",
-                                               "Declare=Sphere_Radius=" + std::to_string(radius)};
-        renderer_.render("sphere", name, std::nullopt, options, perspective_times);
-        return inner_part(shrunk(read_frame(renderer_.picture(name)).image, perspective_times * film_pixels_a_view_pixel));
+        return perspective_of(renderer_, "sphere", sheet_.name + "-perspective", EyePosition{right, 0},
+                              {"Declare=Sphere_Radius=" + std::to_string(radius)}, perspective_times, form)
+            .image;
     }
 
     /// Of one of the spheres. Returns the number of camera rays.
@@ -322,32 +311,22 @@ std::string Experiment::table() const
 /// the centre and one from the side. Not those of the converged frame.
 void write_montage(const std::vector<Experiment>& sheets, const std::string& path)
 {
-    constexpr int times = 2, border = 4, head = 24;
-    const int columns = int(sheets[0].rows.size()) - 1, lines = 2 * int(sheets.size());
     const Image& any = sheets[0].rows[0].centre_view;
-    const int cut = any.height, over = any.width - any.height, edge = times * cut + border;
-    PlotCanvas canvas(head + columns * edge, head + lines * edge, PlotFormat::png);
-    canvas.set_font(15, false);
-    const auto middle_of = [&](const std::string& label) { return 0.5 * (edge - border - canvas.text_width(label)); };
-    for (int i = 0; i < columns; ++i) {
-        const std::string& label = sheets[0].rows[i].shot.label;
-        canvas.write(label, head + i * edge + middle_of(label), head - 7, {0, 0, 0});
-    }
-    for (int j = 0; j < lines; ++j) {
-        const std::string label = sheets[j / 2].title() + (j % 2 ? ", side" : ", centre");
-        canvas.write_upwards(label, head - 7, head + (j + 1) * edge - border - middle_of(label), {0, 0, 0});
-    }
-    write_file(path, canvas.finish(""));
-    Image montage = read_frame(path).image;
-    for (int j = 0; j < lines; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const Row& row = sheets[j / 2].rows[i];
-            const Image square = j % 2 ? part_of(row.side_view, over, 0, cut, cut) : part_of(row.centre_view, over / 2, 0, cut, cut);
-            for (int y = 0; y < times * cut; ++y)
-                for (int x = 0; x < times * cut; ++x)
-                    store_pixel(montage, head + i * edge + x, head + j * edge + y, stored_pixel(square, x / times, y / times));
+    const int cut = any.height, over = any.width - any.height;
+    LabelledPictures montage;
+    for (const Row& row : sheets[0].rows)
+        montage.columns.push_back(row.shot.label);
+    montage.columns.pop_back();
+    for (const Experiment& sheet : sheets)
+        for (const bool aside : {false, true}) {
+            montage.rows.push_back(sheet.title() + (aside ? ", side" : ", centre"));
+            for (std::size_t i = 0; i < montage.columns.size(); ++i) {
+                const Row& row = sheet.rows[i];
+                montage.pictures.push_back(aside ? part_of(row.side_view, over, 0, cut, cut)
+                                                 : part_of(row.centre_view, over / 2, 0, cut, cut));
+            }
         }
-    write_frame(path, {montage, {}});
+    montage.write(path, 2);
 }
 
 void run(const files::path& folder, const files::path& scenes, const files::path& program)
@@ -376,23 +355,11 @@ void run(const files::path& folder, const files::path& scenes, const files::path
 
 int main(int count, char** words)
 {
-    if (count < 2 || count > 3 || !*words[1] || *words[1] == '-') {
-        std::cerr << "table_4_1: usage: table_4_1 FOLDER [SCENES]" << std::endl;
-        return 2;
-    }
-    try {
-        const files::path own = files::read_symlink("/proc/self/exe").parent_path(); // BUILD/bench
-        const files::path scenes = count > 2 ? files::path(words[2]) : own / "../../bench/scenes";
-        run(words[1], scenes.lexically_normal(), (own / "../bin/povray-integral").lexically_normal());
+    return status_of("table_4_1", [&] {
+        if (count < 2 || count > 3 || !*words[1] || *words[1] == '-')
+            throw UsageError("usage: table_4_1 FOLDER [SCENES]");
+        const files::path scenes = count > 2 ? files::path(words[2]) : own_folder() / "../../bench/scenes";
+        run(words[1], scenes.lexically_normal(), (own_folder() / "../bin/povray-integral").lexically_normal());
         return 0;
-    } catch (const OutputError& error) {
-        std::cerr << "table_4_1: " << error.what() << std::endl;
-        return 4;
-    } catch (const files::filesystem_error& error) {
-        std::cerr << "table_4_1: " << error.what() << std::endl;
-        return 4;
-    } catch (const std::exception& error) {
-        std::cerr << "table_4_1: " << error.what() << std::endl;
-        return 1;
-    }
+    });
 }

@@ -10,6 +10,10 @@ check_PROGRAMS += build/tests/centroid
 build_tests_centroid_SOURCES = tests/replay/centroid.cpp
 build_tests_centroid_LDADD = -lpng
 
+check_PROGRAMS += build/tests/parallax
+build_tests_parallax_SOURCES = tests/replay/parallax.cpp
+build_tests_parallax_LDADD = $(LIBINTEGRAL_LIBS)
+
 EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
@@ -79,7 +83,8 @@ build_tests_depths_SOURCES = \
 build_tests_depths_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-test_programs = build/tests/unit build/tests/centroid build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths
+test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
+  build/bench/error_against_time build/bench/eyes
 
 .PHONY: check-long
 check-local: $(test_programs) pristine

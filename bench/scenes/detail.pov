@@ -9,7 +9,7 @@ light_source { <-200, 300, -400> rgb 1 }
 // the wall behind: bricks of 4 x 1.5 mm
 plane { -z, -60 pigment { brick rgb 0.9, rgb <0.7, 0.25, 0.15> brick_size <4, 1.5, 4> mortar 0.35 } }
 // a floor of 2 mm squares that runs through the sheet, and a board with stripes of 1 mm
-plane { y, -6 pigment { checker rgb <0.95, 0.9, 0.8> rgb <0.1, 0.25, 0.45> scale 2 } }
+plane { y, Floor pigment { checker rgb <0.95, 0.9, 0.8> rgb <0.1, 0.25, 0.45> scale 2 } }
 box { <-4, -0.3, -50>, <4, 0.3, 50> rotate z*35 rotate x*-4 translate <5.5, 1, 12>
       pigment { gradient z color_map { [0.5 rgb <0.95, 0.75, 0.1>] [0.5 rgb 0.05] } scale 2 } }
 // pegs, 1 mm thick, at every depth

@@ -8,7 +8,7 @@ light_source { <-200, 300, -400> rgb 0.7 }
 light_source { <250, 150, -200> rgb <0.3, 0.35, 0.4> }
 light_source { <-50, 80, -350> rgb <0.25, 0.2, 0.15> }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.85, 0.85, 0.8>] [0.5 rgb <0.35, 0.5, 0.8>] } } }
-plane { y, -6 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.35, 0.45, 0.4> scale 6 } }
+plane { y, Floor pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.35, 0.45, 0.4> scale 6 } }
 plane { -z, -90 pigment { bozo turbulence 0.5 scale 14 color_map { [0 rgb <0.7, 0.65, 0.6>] [1 rgb <0.5, 0.55, 0.65>] } } }
 sphere { <-5, -2, 12>, 4 pigment { marble turbulence 0.6 scale 3 color_map { [0 rgb 0.9] [1 rgb <0.35, 0.3, 0.45>] } } }
 box { <-2, -6, -2>, <2, -1.5, 2> rotate y*35 translate <4.5, 0, -8> pigment { wood turbulence 0.1 rotate y*85 scale 1.2
