@@ -27,7 +27,7 @@ std::string padded(int number, std::size_t digits)
 std::vector<EyePosition> CameraArray::eyes() const
 {
     std::vector<EyePosition> result;
-    for (const Eye& eye : eye_grid({}, columns, rows, width, height))
+    for (const Eye& eye : eye_grid({}, columns, rows, {width, height}))
         result.push_back({eye.x, eye.y});
     return result;
 }

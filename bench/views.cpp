@@ -21,8 +21,8 @@ std::vector<EyePosition> eyes_of(const Frame& frame, int across)
     const Aperture& aperture = frame.metadata->aperture;
     const bool row = shows_a_row(frame);
     std::vector<EyePosition> eyes;
-    for (const Eye& eye : eye_grid({}, row ? across * across : across, row ? 1 : across, zone * aperture.width,
-                                   row ? 0 : zone * aperture.height))
+    for (const Eye& eye : eye_grid({}, row ? across * across : across, row ? 1 : across,
+                                   {zone * aperture.width, row ? 0 : zone * aperture.height}))
         eyes.push_back({eye.x, eye.y});
     return eyes;
 }

@@ -44,7 +44,7 @@ options::options_description make_options()
         ("report", value("SCENE"),
          "add how deep a scene reaches against the depth budget: a .pov or .ini, which povray-integral looks through (what else is on "
          "the command line is for it, as +W900 +H600), or a depth frame (.exr); the geometry is the scene's")
-        ("plot", value("KIND"), "draw instead: spread, lens, sheets or resolution; needs -o FILE.svg or FILE.png")
+        ("plot", value("KIND"), "draw instead: spread, lens, sheets, resolution or film; needs -o FILE.svg or FILE.png")
         ("sheet", value("FILE.json"), "start from this geometry: a JSON document, or a frame")
         ("json", "print the geometry and the figures as JSON, which --sheet of every command reads")
         ("output,o", value("FILE"), "print to FILE instead of standard output")
@@ -256,7 +256,8 @@ const Command sheet_command = {
     "--plot draws instead: spread, the width of a micro-image against the distance, by the\n"
     "pinhole, the extended pinhole and a real lens (figure 3-26); lens, the real lens's beam\n"
     "against the extended pinhole's ray from axis to margin; sheets, the same for the thesis's\n"
-    "sheets; resolution, against depth (figures 4-12 and 4-15).\n",
+    "sheets; resolution, against depth (figures 4-12 and 4-15); film, what of it a lens shows with the\n"
+    "film at its focus, nearer and farther (figures 4-3 to 4-6).\n",
     0, 1000, make_options, run};
 
 } // namespace integral

@@ -5,6 +5,7 @@
 #include "integral/lightfield/lens_profile.h"
 #include "integral/lightfield/names.h"
 #include "integral/lightfield/sheet_figures.h"
+#include "integral/optics/lens_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,6 +197,45 @@ Plot resolution_plot(const FrameMetadata& g, const Viewer& viewer)
     return plot;
 }
 
+Plot film_plot(const FrameMetadata& g)
+{
+    const LensSheet& sheet = g.sheet;
+    demand_surface(sheet, "film");
+    const Counted c = counted(g);
+    const double d = g.aperture.distance, t = sheet.thickness, margin = 0.5 * sheet.pitch;
+    Plot plot;
+    plot.title = "What of the film a lens shows, near its focus and beside it (figures 4-3 to 4-6)";
+    plot.subtitle = description(sheet) + "; the lens on the axis, an eye " + written(d) +
+                    " mm before it; rising: upright, falling: inverted";
+    plot.x.label = "place on the lens (mm)";
+    plot.y.label = "place on the film that the eye sees there (mm)";
+    plot.x.low = -margin;
+    plot.x.high = margin;
+    const double image = micro_image_width(sheet, d, c.aperture);
+    for (const double part : {-0.3, -0.15, 0.0, 0.15, 0.3}) { // of the thickness
+        const double film_gap = part * t;
+        PlotSeries seen = series(part == 0 ? "film at the focus" : "film " + written(std::fabs(film_gap)) + " mm " +
+                                 (part < 0 ? "nearer" : "farther"), Style::line);
+        const Medium medium(t + film_gap, sheet.ior);
+        constexpr int steps = 100;
+        for (int i = 0; i <= steps; ++i) {
+            const double v = margin * (2.0 * i / steps - 1);
+            const auto plane = tangent_plane(surface_radius(sheet), v);
+            if (!plane)
+                continue;
+            const Vec3 to_eye{-v, 0, -(d + plane->height)};
+            if (const auto way = way_refracted_into(medium, *plane, (1 / length(to_eye)) * to_eye))
+                add(seen, v, v - way->x);
+        }
+        plot.series.push_back(seen);
+    }
+    if (std::isfinite(image)) {
+        plot.series.push_back(level("the capture aperture's micro-image", -margin, margin, 0.5 * image, true));
+        plot.series.back().colour = 6;
+    }
+    return plot;
+}
+
 } // namespace
 
 Plot sheet_plot(const std::string& kind, const FrameMetadata& g, const Viewer& viewer)
@@ -208,7 +248,9 @@ Plot sheet_plot(const std::string& kind, const FrameMetadata& g, const Viewer& v
         return sheets_plot();
     if (kind == "resolution")
         return resolution_plot(g, viewer);
-    throw UsageError("--plot " + kind + ": spread, lens, sheets or resolution is expected");
+    if (kind == "film")
+        return film_plot(g);
+    throw UsageError("--plot " + kind + ": spread, lens, sheets, resolution or film is expected");
 }
 
 } // namespace integral

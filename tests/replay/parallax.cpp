@@ -66,8 +66,8 @@ void measure(const char* path, double z)
     const Aperture& aperture = frame.metadata->aperture;
     const bool row = is_row(frame);
     const double part = zone(frame);
-    const std::vector<Eye> eyes = eye_grid(centre_eye(*frame.metadata), row ? 25 : 5, row ? 1 : 5, part * aperture.width,
-                                           row ? 0 : part * aperture.height);
+    const std::vector<Eye> eyes = eye_grid(centre_eye(*frame.metadata), row ? 25 : 5, row ? 1 : 5,
+                                           {part * aperture.width, row ? 0 : part * aperture.height});
     std::vector<Vec2> seen;
     for (const Eye& eye : eyes)
         seen.push_back(seen_at(frame, eye));
