@@ -8,6 +8,7 @@ build_bin_integral_SOURCES += \
   integral/cli/main.cpp \
   integral/cli/picture_series.cpp \
   integral/cli/picture_series.h \
+  integral/cli/print_command.cpp \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
   integral/cli/renderer.cpp \

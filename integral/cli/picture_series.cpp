@@ -49,21 +49,21 @@ PictureSeries::PictureSeries(const options::variables_map& arguments, const std:
         return;
     }
     format_for(path);
-    check_writable(file(last_));
+    check_writable(numbered(path_, last_, last_));
 }
 
-std::string PictureSeries::file(int number) const
+std::string numbered(const std::string& path, int number, int last)
 {
     std::string digits = std::to_string(number);
-    digits.insert(0, std::to_string(last_).size() - digits.size(), '0');
-    const std::size_t dot = path_.rfind('.');
-    return path_.substr(0, dot) + digits + path_.substr(dot);
+    digits.insert(0, std::to_string(last).size() - digits.size(), '0');
+    const std::size_t dot = path.rfind('.');
+    return path.substr(0, dot) + digits + path.substr(dot);
 }
 
 void PictureSeries::add(Image picture, const std::optional<FrameMetadata>& metadata)
 {
     if (!is_animation(path_)) {
-        write_frame(file(next_++), Frame{std::move(picture), metadata});
+        write_frame(numbered(path_, next_++, last_), Frame{std::move(picture), metadata});
         return;
     }
     try {

@@ -17,6 +17,9 @@ void add_series_options(options::options_description& all);
 /// Whether a path is an animation's: it ends in .webp.
 bool is_animation(const std::string& path);
 
+/// The path of one of several files: its number before the extension, with as many digits as the last one's.
+std::string numbered(const std::string& path, int number, int last);
+
 class PictureSeries {
 public:
     /// `path`: NAME.webp, or NAME.png (.exr, .tiff) for files NAMEn.png, n from `first` on with as many digits as the last needs, as
@@ -30,8 +33,6 @@ public:
     void finish(bool there_and_back);
 
 private:
-    std::string file(int number) const;
-
     std::string path_;
     int last_, next_;
     double pictures_a_second_;

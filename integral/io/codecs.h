@@ -15,6 +15,7 @@ struct DecodedImage {
     Image image;
     std::string document;           ///< the JSON document, unparsed; empty if there is none
     std::optional<Vec2> pixel_pitch; ///< mm, from the file's resolution
+    std::string profile = "";        ///< an ICC file's bytes; only written, by PNG and TIFF; empty: none
 };
 
 /// Each throws std::runtime_error with the reason (no file name) if the bytes make no sense.

@@ -249,20 +249,15 @@ DepthFrame read_depths(const std::string& path)
     return frame;
 }
 
-void write_frame(const std::string& path, Frame frame)
+namespace {
+
+/// A picture in a format's bytes; errors as OutputError.
+template <class Prepare> void write_encoded(const std::string& path, Prepare prepare)
 {
     const ImageFormat format = format_for(path);
     std::string bytes;
     try {
-        DecodedImage picture;
-        picture.image = in_form_of(format, std::move(frame.image), frame.metadata.has_value());
-        if (frame.metadata) {
-            FrameMetadata metadata = *frame.metadata;
-            metadata.encoding = picture.image.encoding;
-            picture.document = to_json(metadata);
-            if (!metadata.quilt)
-                picture.pixel_pitch = metadata.film.pixel_pitch;
-        }
+        const DecodedImage picture = prepare(format);
         bytes = format == ImageFormat::png   ? encode_png(picture)
                 : format == ImageFormat::exr ? encode_exr(picture)
                                              : encode_tiff(picture);
@@ -272,6 +267,37 @@ void write_frame(const std::string& path, Frame frame)
         throw OutputError(path + ": " + one_line(error.what()));
     }
     write_file(path, bytes);
+}
+
+} // namespace
+
+void write_frame(const std::string& path, Frame frame)
+{
+    write_encoded(path, [&](ImageFormat format) {
+        DecodedImage picture;
+        picture.image = in_form_of(format, std::move(frame.image), frame.metadata.has_value());
+        if (frame.metadata) {
+            FrameMetadata metadata = *frame.metadata;
+            metadata.encoding = picture.image.encoding;
+            picture.document = to_json(metadata);
+            if (!metadata.quilt)
+                picture.pixel_pitch = metadata.film.pixel_pitch;
+        }
+        return picture;
+    });
+}
+
+void write_page(const std::string& path, Image page, Vec2 pixel_pitch, const std::string& profile, const std::optional<FrameMetadata>& geometry)
+{
+    write_encoded(path, [&](ImageFormat) {
+        DecodedImage picture;
+        picture.image = std::move(page);
+        if (geometry)
+            picture.document = to_json(*geometry);
+        picture.pixel_pitch = pixel_pitch;
+        picture.profile = profile;
+        return picture;
+    });
 }
 
 } // namespace integral

@@ -48,6 +48,10 @@ DepthFrame read_depths(const std::string& path);
 /// PNG 16 bits and sRGB for floats. Throws OutputError; what was at `path` is then unharmed.
 void write_frame(const std::string& path, Frame frame);
 
+/// Writes a page for a printer, PNG or TIFF, as it is (8 or 16 bits, three channels): its own resolution, its colours' ICC profile, and
+/// the geometry that it has as a frame, if any. Throws as write_frame.
+void write_page(const std::string& path, Image page, Vec2 pixel_pitch, const std::string& profile, const std::optional<FrameMetadata>& geometry);
+
 } // namespace integral
 
 #endif

@@ -104,7 +104,10 @@ bool write_all(Session& s, const DecodedImage& picture, png_bytepp rows)
     png_set_IHDR(s.png, s.info, png_uint_32(image.width), png_uint_32(image.height),
                  sample_bits(image), image.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (image.encoding.kind == Encoding::Kind::srgb)
+    if (!picture.profile.empty())
+        png_set_iCCP(s.png, s.info, "printer", PNG_COMPRESSION_TYPE_BASE, reinterpret_cast<png_const_bytep>(picture.profile.data()),
+                     png_uint_32(picture.profile.size()));
+    else if (image.encoding.kind == Encoding::Kind::srgb)
         png_set_sRGB_gAMA_and_cHRM(s.png, s.info, PNG_sRGB_INTENT_PERCEPTUAL);
     else
         png_set_gAMA(s.png, s.info,

@@ -266,6 +266,8 @@ std::string encode_tiff(const DecodedImage& picture)
             TIFFSetField(tiff, TIFFTAG_XRESOLUTION, mm_per_inch / picture.pixel_pitch->x);
             TIFFSetField(tiff, TIFFTAG_YRESOLUTION, mm_per_inch / picture.pixel_pitch->y);
         }
+        if (!picture.profile.empty())
+            TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(picture.profile.size()), picture.profile.data());
         if (!picture.document.empty())
             TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, picture.document.c_str());
 

@@ -2,5 +2,17 @@
 # Sources of integral/output: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/output/colour_profile.cpp \
+  integral/output/colour_profile.h \
+  integral/output/page.cpp \
+  integral/output/page.h \
+  integral/output/page_marks.cpp \
+  integral/output/page_marks.h \
+  integral/output/page_pdf.cpp \
+  integral/output/page_pdf.h \
+  integral/output/page_raster.cpp \
+  integral/output/page_raster.h \
+  integral/output/paper.cpp \
+  integral/output/paper.h \
   integral/output/quilt.cpp \
   integral/output/quilt.h
