@@ -107,6 +107,36 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
     BOOST_TEST(m.render->error->seconds == 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(views_say_which_they_are)
+{
+    const std::string frame = complete;
+    const std::string text = frame.substr(0, frame.rfind('}')) + R"(, "quilt": {"columns": 5, "rows": 9, "view": 44,
+        "eyes": {"distance_mm": 350, "width_mm": 120.5, "height_mm": 0}}})";
+    const auto read = frame_metadata_from_json(frame_metadata_from_json(text).quilt ? to_json(frame_metadata_from_json(text)) : "");
+    BOOST_REQUIRE(read.quilt);
+    BOOST_TEST(read.quilt->grid.columns == 5);
+    BOOST_TEST(read.quilt->grid.rows == 9);
+    BOOST_TEST(*read.quilt->view == 44);
+    BOOST_REQUIRE(read.quilt->eyes);
+    BOOST_TEST(read.quilt->eyes->distance == 350);
+    check_equal(read.quilt->eyes->zone, {120.5, 0});
+    BOOST_TEST(!frame_metadata_from_json(frame).quilt);
+    const struct { const char *old_text, *new_text, *named; } cases[] = {
+        {"\"view\": 44", "\"view\": 45", "quilt.view is 45"},          {"\"columns\": 5", "\"columns\": 0", "quilt.columns is 0"},
+        {"\"rows\": 9", "\"rows\": 9.5", "quilt.rows must be a whole"}, {"350", "0", "quilt.eyes.distance_mm is 0"},
+        {"120.5", "-1", "quilt.eyes.width_mm is -1"},                     {"\"rows\": 9,", "", "quilt.rows is missing"}};
+    for (const auto& c : cases) {
+        std::string bad = text;
+        bad.replace(bad.find(c.old_text, bad.find("quilt")), std::string(c.old_text).size(), c.new_text);
+        try {
+            frame_metadata_from_json(bad);
+            BOOST_ERROR(std::string(c.new_text) + " was read");
+        } catch (const std::invalid_argument& error) {
+            BOOST_TEST(std::string(error.what()).find(c.named) != std::string::npos, error.what());
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
 {
     std::mt19937_64 random(1);
