@@ -35,8 +35,11 @@ options::options_description make_options()
         ("eyes", options::bool_switch(),
          "what eyes see that are spread over the frame's viewing zone, in place of parallel views; needs --views")
         ("files", options::bool_switch(), "a file for each view, with its number before the extension, in place of a quilt")
+        ("upright", options::bool_switch(),
+         "parallel views as they look, of the film's shape and without the lenses' slant, in place of a pixel a lens; not for --to-frame. "
+         "An animation's are")
         ("size", options::value<std::string>()->value_name("WxH"),
-         "pixels of each view of --eyes, or of an animation (default: 500 on the longer side)")
+         "pixels of each view of --eyes and --upright (default: 500 on the longer side)")
         ("to-frame", options::bool_switch(), "back: the frame that shows the views of a quilt, or of files")
         ("sheet", options::value<std::string>()->value_name("FILE.json"),
          "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not carry it, or instead of that")
@@ -83,6 +86,24 @@ std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, PixelSize si
     return views;
 }
 
+/// Parallel views as they look: upright and of the film's shape. Black where the lenses reflect totally.
+std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, PixelSize size, int threads)
+{
+    View view;
+    view.width = size.width;
+    view.height = size.height;
+    std::vector<Image> views;
+    const Progress bar = progress_bar("views");
+    for (const auto& eye : far_eyes(*frame.metadata, grid)) {
+        auto picture = eye ? replay_each(frame, view, {*eye}, threads, piece_of(bar, int(views.size()), grid.count()))
+                           : std::vector<Image>{blank_like(frame.image, size.width, size.height)};
+        if (!picture)
+            throw Interrupted();
+        views.push_back(std::move(picture->front()));
+    }
+    return views;
+}
+
 std::vector<Image> views_of_frame(const Frame& frame, ViewGrid grid, int threads)
 {
     auto views = parallel_views(frame, grid, threads, progress_bar("views"));
@@ -103,24 +124,13 @@ void state_loss(const Frame& frame, const std::vector<Image>& views, ViewGrid gr
                  compare(Frame{frame.image, std::nullopt}, Frame{*back, std::nullopt}).psnr);
 }
 
-/// Each pixel of the larger picture is that of the smaller one which covers its centre.
-Image stretched(const Image& picture, PixelSize size)
-{
-    Image large = blank_like(picture, size.width, size.height);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
-            store_pixel(large, x, y, stored_pixel(picture, int((x + 0.5) * picture.width / size.width),
-                                                  int((y + 0.5) * picture.height / size.height)));
-    return large;
-}
-
 /// Row by row upwards, the even rows from the left, the odd ones from the right: each view beside the one before.
-void play(PictureSeries& series, const std::vector<Image>& views, ViewGrid grid, PixelSize size)
+void play(PictureSeries& series, const std::vector<Image>& views, ViewGrid grid)
 {
     for (int row = 0; row < grid.rows; ++row)
         for (int i = 0; i < grid.columns; ++i) {
             stop_if_interrupted();
-            series.add(stretched(views[row * grid.columns + (row % 2 ? grid.columns - 1 - i : i)], size));
+            series.add(views[row * grid.columns + (row % 2 ? grid.columns - 1 - i : i)]);
         }
     series.finish(true);
 }
@@ -131,6 +141,7 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     stop_if_interrupted();
     const FrameMetadata& metadata = *frame.metadata;
     const bool eyes = arguments["eyes"].as<bool>(), files = arguments["files"].as<bool>(), animated = is_animation(output);
+    const bool upright = !eyes && (animated || arguments["upright"].as<bool>());
     const ViewGrid grid = given(arguments, "views") ? parse_view_grid(arguments) : natural_views(metadata);
     const PixelSize size = size_to_look_at(arguments, metadata.film);
     std::optional<PictureSeries> series;
@@ -146,7 +157,8 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
             throw UsageError("--views " + text_of(arguments, "views") + ": lenticular lenses show nothing new from above: one row is expected");
         try {
             const LensWindow window = lens_window(metadata);
-            of_a_view = {window.columns, window.rows};
+            if (!upright)
+                of_a_view = {window.columns, window.rows};
         } catch (const std::invalid_argument& error) {
             throw UsageError(inputs_of(arguments)[0] + ": " + error.what());
         }
@@ -154,16 +166,21 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     if (!series)
         check_quilt_size(grid, of_a_view.width, of_a_view.height);
 
-    const std::vector<Image> views = eyes ? views_of_eyes(frame, grid, size, threads) : views_of_frame(frame, grid, threads);
-    FrameMetadata of_views = metadata;
-    of_views.quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
+    const std::vector<Image> views = eyes    ? views_of_eyes(frame, grid, size, threads)
+                                   : upright ? upright_views(frame, grid, size, threads)
+                                             : views_of_frame(frame, grid, threads);
+    std::optional<FrameMetadata> of_views = metadata;
+    of_views->quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
     if (eyes)
-        of_views.quilt->eyes = EyeGrid{viewing_zone(metadata, metadata.aperture.distance), metadata.aperture.distance};
+        of_views->quilt->eyes = EyeGrid{viewing_zone(metadata, metadata.aperture.distance), metadata.aperture.distance};
+    if (upright)
+        of_views.reset(); // to look at; there is no way back from them
     if (animated) {
-        play(*series, views, grid, size);
+        play(*series, views, grid);
     } else if (files) {
         for (int k = 0; k < grid.count(); ++k) {
-            of_views.quilt->view = k;
+            if (of_views)
+                of_views->quilt->view = k;
             series->add(views[k], of_views);
         }
     } else {
@@ -171,7 +188,7 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
         if (path != output)
             std::cout << path << '\n';
     }
-    if (!eyes && !animated)
+    if (!eyes && !upright)
         state_loss(frame, views, grid, threads);
     return exit_done;
 }
@@ -189,8 +206,11 @@ int run(const options::variables_map& arguments)
         throw UsageError(std::string("--files does not go with ") + (back ? "--to-frame" : "an animation"));
     if (eyes && !back && !given(arguments, "views"))
         throw UsageError("--eyes needs --views CxR, how many eyes");
-    if (given(arguments, "size") && (back || (!eyes && !animated)))
-        throw UsageError("--size is for --eyes and animations; parallel views have a pixel a lens");
+    const bool upright = arguments["upright"].as<bool>();
+    if (upright && (back || eyes))
+        throw UsageError(std::string("--upright does not go with ") + (back ? "--to-frame" : "--eyes, whose views are upright"));
+    if (given(arguments, "size") && (back || (!eyes && !animated && !upright)))
+        throw UsageError("--size is for --eyes, --upright and animations; else parallel views have a pixel a lens");
     if (!back && inputs_of(arguments).size() > 1)
         throw UsageError("one frame is expected; --to-frame takes several views");
     const int threads = in_range(arguments, "threads", 0, 1024);

@@ -123,6 +123,11 @@ public:
             return {middle.x + part.x * breadth, middle.y};
         return middle + (part.x * breadth) * lattice.across() + (part.y * row) * lattice.along();
     }
+    /// The place that view number k sees in every lens.
+    Vec2 part_of_view(int k) const
+    {
+        return {0.5 - (k % grid.columns + 0.5) / grid.columns, 0.5 - (k / grid.columns + 0.5) / grid.rows};
+    }
     Vec2 part_of(Vec2 middle, Vec2 film_point) const
     {
         const Vec2 off = film_point - middle;
@@ -246,9 +251,7 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
         for (int column = 0; column < lenses.window.columns; ++column) {
             const Vec2 middle = lenses.middle(lenses.lens_at(column, row), row);
             for (int k = 0; k < grid.count(); ++k) {
-                const int across = k % grid.columns, up = k / grid.columns;
-                const Vec2 part{0.5 - (across + 0.5) / grid.columns, 0.5 - (up + 0.5) / grid.rows};
-                const Vec2 at = pixel_from_film(film, lenses.film_point(middle, part));
+                const Vec2 at = pixel_from_film(film, lenses.film_point(middle, lenses.part_of_view(k)));
                 if (!(at.x >= 0 && at.y >= 0 && at.x < film.width && at.y < film.height))
                     continue;
                 store_linear(views[k], column, row, each_channel(film.subpixels, [&](double shift) {
@@ -260,6 +263,22 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
     if (!for_each_row(lenses.window.rows, threads, work, progress))
         return std::nullopt;
     return views;
+}
+
+std::vector<std::optional<Eye>> far_eyes(const FrameMetadata& metadata, ViewGrid grid)
+{
+    constexpr double far = 1e9; // mm
+    const Lenses lenses(metadata, grid);
+    const Medium medium(metadata.sheet.thickness, metadata.sheet.ior);
+    std::vector<std::optional<Eye>> eyes;
+    for (int k = 0; k < grid.count(); ++k) {
+        const auto direction = direction_from_offset(medium, Vec2{0, 0} - lenses.film_point({0, 0}, lenses.part_of_view(k)));
+        if (direction)
+            eyes.push_back(Eye{-far * direction->x / direction->z, -far * direction->y / direction->z, far});
+        else
+            eyes.push_back(std::nullopt);
+    }
+    return eyes;
 }
 
 std::optional<Image> frame_from_views(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid, int threads,

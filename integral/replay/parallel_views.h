@@ -7,6 +7,7 @@
 #include "integral/lightfield/frame.h"
 #include "integral/lightfield/parallel.h"
 #include "integral/lightfield/view_grid.h"
+#include "integral/replay/replay.h"
 
 #include <optional>
 #include <vector>
@@ -35,6 +36,10 @@ bool views_are_exact(const FrameMetadata& metadata, ViewGrid grid);
 /// of its height, or for hexagonal lenses their rows'). Of a film with subpixels each colour channel is read at its own stripes.
 /// `threads` as in replay; empty: `progress` stopped it. Throws as lens_window does.
 std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid grid, int threads = 0, const Progress& progress = {});
+
+/// The same directions as eyes so far away (1e9 mm) that they see the whole sheet from one: what `replay` draws for them are the parallel views
+/// upright, of the film's shape and any size. Nothing: that part of the lenses is totally reflected. Throws as lens_window does.
+std::vector<std::optional<Eye>> far_eyes(const FrameMetadata& metadata, ViewGrid grid);
 
 /// Inverse: the frame of that geometry which shows the views. Not exact: each film pixel, or stripe of one, is interpolated
 /// between the directions of the views. The views are alike and of lens_window's size, or std::invalid_argument is thrown.

@@ -145,6 +145,62 @@ BOOST_AUTO_TEST_CASE(a_view_is_what_a_far_eye_sees)
         }
 }
 
+BOOST_AUTO_TEST_CASE(far_eyes_see_the_parallel_views_upright)
+{
+    // Where lenses stand upright and each has a pixel of the picture, the view is the lenses' pixels to the bit; slanted lenses see the film
+    // point behind the axis that is nearest to each point of the sheet, by the lattice's definition.
+    for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square}) {
+        const double pixel = 0.125;
+        const int height = arrangement == Arrangement::square ? 8 * 21 : 100;
+        FrameMetadata m = geometry(arrangement, 1, 0, {0, 0}, 8 * 31, height, {pixel, pixel}); // 31 lenses, the middle one at 0
+        Frame frame{make_image<std::uint8_t>(m.film.width, m.film.height, 3, {}), {}};
+        std::mt19937 random(3);
+        for (auto& sample : std::get<std::vector<std::uint8_t>>(frame.image.samples))
+            sample = std::uint8_t(random());
+        set_metadata(frame, m);
+        const ViewGrid grid = natural_views(m);
+        const auto views = parallel_views(frame, grid);
+        const auto eyes = far_eyes(m, grid);
+        BOOST_REQUIRE(views);
+        for (int k = 0; k < grid.count(); ++k) {
+            BOOST_REQUIRE(eyes[k]);
+            const auto seen = replay(frame, View{*eyes[k], (*views)[k].width, (*views)[k].height, 1});
+            BOOST_TEST((seen->samples == (*views)[k].samples));
+        }
+    }
+    for (const double slant : {12.0, -30.0}) {
+        FrameMetadata m = geometry(Arrangement::lenticular, 1.27, slant, {0.2, -0.1}, 400, 300, {0.0847, 0.07});
+        Frame frame{make_image<float>(m.film.width, m.film.height, 3, linear), {}};
+        for (int y = 0; y < m.film.height; ++y)
+            for (int x = 0; x < m.film.width; ++x) {
+                const Vec2 at = film_from_pixel(m.film, {x + 0.5, y + 0.5});
+                store_pixel(frame.image, x, y, {float(at.x), float(at.y), 1, 1});
+            }
+        set_metadata(frame, m);
+        const ViewGrid grid{5, 1};
+        const auto eyes = far_eyes(m, grid);
+        const double a = slant * 3.14159265358979323846 / 180;
+        int judged = 0;
+        for (int k = 0; k < 5; ++k) {
+            const auto seen = replay(frame, View{*eyes[k], 40, 30, 1});
+            for (int y = 3; y < 27; ++y)
+                for (int x = 3; x < 37; ++x) {
+                    const double px = ((x + 0.5) / 40 - 0.5) * 400 * 0.0847, py = (0.5 - (y + 0.5) / 30) * 300 * 0.07;
+                    const double across = (px - 0.2) * std::cos(a) + (py + 0.1) * std::sin(a), off = across - 1.27 * std::round(across / 1.27);
+                    if (std::fabs(off) > 0.62)
+                        continue; // at a lens's border
+                    // the axis's nearest point, and the middle of the view's part of the lens beside it, in its row
+                    const double fx = px - off * std::cos(a) + (0.5 - (k + 0.5) / 5) * 1.27 / std::cos(a), fy = py - off * std::sin(a);
+                    const Color c = stored_pixel(*seen, x, y);
+                    BOOST_TEST(std::fabs(c.r - fx) < 0.0847 / 2 + 1e-4);
+                    BOOST_TEST(std::fabs(c.g - fy) < 0.07 / 2 + 1e-4);
+                    ++judged;
+                }
+        }
+        BOOST_TEST(judged > 2000);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(fractional_pixels_a_lens_come_back_nearly)
 {
     // A smooth light field: what there and back costs, where nothing is whole. Finer views cost less.
