@@ -48,6 +48,10 @@ BOOST_AUTO_TEST_CASE(paths_by_hand)
     is_at(eyes[3], 10, -5 - 48, 300);
     is_at(eye_path(EyePath::circle, middle, zone, 20, 4)[1], 10, -5 + 6, 300);
 
+    // Around a zone that is a point: round where a span is given, else nowhere.
+    is_at(eye_path(EyePath::circle, middle, {0, 0}, 20, 4)[1], 10, -5 + 10, 300);
+    is_at(eye_path(EyePath::circle, middle, {0, 0}, {}, 4)[1], 10, -5, 300);
+
     eyes = eye_path(EyePath::dolly, middle, zone, {}, 3);
     is_at(eyes[0], 10, -5, 600);
     is_at(eyes[1], 10, -5, 300);
