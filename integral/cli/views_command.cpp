@@ -137,8 +137,13 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     if (files || animated)
         series.emplace(arguments, output, grid.count(), 0);
     const std::string path = series || output == "-" ? output : quilt_name(output, grid, aspect_of(metadata.film));
-    if (!series)
+    if (!series) {
+        const auto named = grid_in_name(path);
+        if (named && (named->columns != grid.columns || named->rows != grid.rows))
+            throw UsageError("-o " + output + ": its name says " + std::to_string(named->columns) + "x" + std::to_string(named->rows)
+                             + " views, but there are " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows));
         check_writable(path);
+    }
 
     PixelSize of_a_view = size;
     if (!eyes) {

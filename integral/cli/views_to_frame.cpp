@@ -51,6 +51,11 @@ GivenViews read_quilt(const options::variables_map& arguments, const std::string
     return all;
 }
 
+bool of_one_kind(const QuiltRecord& a, const QuiltRecord& b)
+{
+    return a.grid.columns == b.grid.columns && a.grid.rows == b.grid.rows && a.eyes.has_value() == b.eyes.has_value();
+}
+
 /// Files that say which view each is; or, where they do not, in the order in which they are given.
 GivenViews read_files(const options::variables_map& arguments, const std::vector<std::string>& inputs)
 {
@@ -59,6 +64,8 @@ GivenViews read_files(const options::variables_map& arguments, const std::vector
     for (const std::string& input : inputs) {
         stop_if_interrupted();
         Views file = read_views(input);
+        if (file.metadata && all.metadata && !of_one_kind(*file.metadata->quilt, *all.metadata->quilt))
+            throw UsageError(input + ": it is a view of another set than the files before it");
         const bool numbered = file.metadata && file.metadata->quilt->view;
         const int number = numbered ? *file.metadata->quilt->view : int(by_number.size());
         if (!by_number.emplace(number, std::move(file.image)).second)
@@ -92,6 +99,8 @@ int frame_of_views(const options::variables_map& arguments, const std::string& o
     if (geometry.film.width < 1)
         throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
     stop_if_interrupted();
+    if (arguments["eyes"].as<bool>() && given_views.metadata && !given_views.metadata->quilt->eyes)
+        throw UsageError(inputs[0] + ": it says that it holds parallel views, not those of --eyes");
     const bool eyes = arguments["eyes"].as<bool>() || (given_views.metadata && given_views.metadata->quilt->eyes);
     EyeGrid eye_grid{viewing_zone(geometry, geometry.aperture.distance), geometry.aperture.distance};
     if (given_views.metadata)
