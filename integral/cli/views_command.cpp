@@ -46,6 +46,13 @@ options::options_description make_options()
     return all;
 }
 
+void check_view_size(int width, int height)
+{
+    if (std::max(width, height) > largest_side)
+        throw UsageError("views of " + std::to_string(width) + "x" + std::to_string(height) + " pixels have more than "
+                         + std::to_string(largest_side) + " one way");
+}
+
 void check_quilt_size(ViewGrid grid, int width, int height)
 {
     if (std::max(double(grid.columns) * width, double(grid.rows) * height) > largest_side)
@@ -156,6 +163,7 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
             throw UsageError(inputs_of(arguments)[0] + ": " + error.what());
         }
     }
+    check_view_size(of_a_view.width, of_a_view.height);
     if (!series)
         check_quilt_size(grid, of_a_view.width, of_a_view.height);
 
