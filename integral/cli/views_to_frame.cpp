@@ -44,7 +44,10 @@ GivenViews read_quilt(const options::variables_map& arguments, const std::string
     if (quilt.metadata && quilt.metadata->quilt->view && grid.count() > 1)
         throw UsageError(input + ": it is view " + std::to_string(*quilt.metadata->quilt->view) + " of " + std::to_string(grid.count())
                          + "; give the files of all of them");
-    if (grid.columns < 1 || grid.rows < 1 || quilt.image.width % grid.columns != 0 || quilt.image.height % grid.rows != 0)
+    // Pictures that eyes see may leave a rest, as 5 x 9 in 4096 x 4096; a parallel view has just so many pixels.
+    const bool eyes = arguments["eyes"].as<bool>();
+    const auto divides = [&](int side, int views) { return views >= 1 && (eyes ? side >= views : side % views == 0); };
+    if (!divides(quilt.image.width, grid.columns) || !divides(quilt.image.height, grid.rows))
         throw UsageError(input + ": " + std::to_string(quilt.image.width) + "x" + std::to_string(quilt.image.height)
                          + " pixels are not " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows) + " equal views");
     all.views = views_of_quilt(quilt.image, grid);
