@@ -107,8 +107,11 @@ class Movement {
 public:
     explicit Movement(const options::variables_map& arguments) : steps_(in_range(arguments, "steps", 2, 10000))
     {
-        if (!given(arguments, "path"))
+        if (!given(arguments, "path")) {
+            if (!arguments["steps"].defaulted())
+                throw UsageError("--steps needs --path, how the eye moves");
             return;
+        }
         const std::string text = text_of(arguments, "path"), word = text.substr(0, text.find(','));
         for (const auto& [name, path] : {std::pair("turntable", EyePath::turntable), std::pair("sweep", EyePath::sweep),
                                          std::pair("circle", EyePath::circle), std::pair("dolly", EyePath::dolly)})
