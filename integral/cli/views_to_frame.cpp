@@ -29,7 +29,7 @@ struct GivenViews {
 
 GivenViews read_quilt(const options::variables_map& arguments, const std::string& input)
 {
-    Views quilt = read_views(input);
+    Views quilt = read_views(input, !given(arguments, "sheet"));
     const auto named = grid_in_name(input);
     GivenViews all{{}, {}, quilt.metadata};
     if (given(arguments, "views"))
@@ -66,7 +66,7 @@ GivenViews read_files(const options::variables_map& arguments, const std::vector
     std::map<int, Image> by_number;
     for (const std::string& input : inputs) {
         stop_if_interrupted();
-        Views file = read_views(input);
+        Views file = read_views(input, !given(arguments, "sheet"));
         if (file.metadata && all.metadata && !of_one_kind(*file.metadata->quilt, *all.metadata->quilt))
             throw UsageError(input + ": it is a view of another set than the files before it");
         const bool numbered = file.metadata && file.metadata->quilt->view;
