@@ -5,12 +5,15 @@
 #include "integral/io/file_bytes.h"
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 extern char** environ;
@@ -69,6 +72,21 @@ std::string reason_in(const std::string& said)
     return last;
 }
 
+/// Waits for its end and returns its status. An interrupt of this program is passed on, as it may have come to this one alone.
+int wait_for(pid_t child)
+{
+    int status = 0;
+    bool told = false;
+    for (pid_t ended = 0; ended == 0 || (ended < 0 && errno == EINTR);) {
+        if (interrupted() && !told)
+            told = kill(child, SIGTERM) == 0;
+        ended = waitpid(child, &status, WNOHANG); // and not until it ends: a signal just before would go unnoticed
+        if (ended == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return status;
+}
+
 } // namespace
 
 void render(const std::string& what, const std::vector<std::string>& options, const ScratchFolder& scratch)
@@ -91,9 +109,7 @@ void render(const std::string& what, const std::vector<std::string>& options, co
     posix_spawn_file_actions_destroy(&actions);
     if (failed)
         throw InputError(what + ": povray-integral cannot be run: " + std::strerror(failed) + "; it belongs beside this program, or on PATH");
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) // a signal went to the renderer as well, which then ends
-        ;
+    const int status = wait_for(child);
     stop_if_interrupted();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         throw InputError(what + ": it cannot be rendered: " + reason_in(read_file(log)));

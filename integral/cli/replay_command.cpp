@@ -107,8 +107,11 @@ class Movement {
 public:
     explicit Movement(const options::variables_map& arguments) : steps_(in_range(arguments, "steps", 2, 10000))
     {
-        if (!given(arguments, "path"))
+        if (!given(arguments, "path")) {
+            if (!arguments["steps"].defaulted())
+                throw UsageError("--steps needs --path, how the eye moves");
             return;
+        }
         const std::string text = text_of(arguments, "path"), word = text.substr(0, text.find(','));
         for (const auto& [name, path] : {std::pair("turntable", EyePath::turntable), std::pair("sweep", EyePath::sweep),
                                          std::pair("circle", EyePath::circle), std::pair("dolly", EyePath::dolly)})
@@ -170,7 +173,8 @@ public:
     void check_size(const View& view) const
     {
         const int columns = pair_ && !anaglyph_ ? 2 : std::max(1, grid_.width), rows = std::max(1, grid_.height);
-        if (columns * (view.width + border) > largest_side || rows * (view.height + border) > largest_side)
+        const int between = pair_ ? 0 : border;
+        if (columns * (view.width + between) - between > largest_side || rows * (view.height + between) - between > largest_side)
             throw UsageError(std::to_string(columns) + " by " + std::to_string(rows) + " views of " + std::to_string(view.width) + "x"
                              + std::to_string(view.height) + " pixels are more than " + std::to_string(largest_side)
                              + " pixels one way; a smaller --size would help");
@@ -205,6 +209,16 @@ void check_view(const View& view, const FrameMetadata& metadata)
                          + std::to_string(metadata.sheet.thickness) + " mm behind them");
     if (view.model == LensModel::full && !has_surface(metadata.sheet))
         throw UsageError("--lens-model full: these lenses have no surface that reaches their edge");
+}
+
+/// The same for each place of an eye that moves.
+void check_stop(const Eye& stop, const View& view)
+{
+    if (!(stop.distance > 0))
+        throw UsageError("--path: from this --eye it goes behind the sheet; a lesser span would do");
+    if (!(view.focus > -stop.distance))
+        throw UsageError("--path: it comes as near to the sheet as " + std::to_string(stop.distance) + " mm, and --focus "
+                         + std::to_string(view.focus) + " would be behind the eye there");
 }
 
 int run(const options::variables_map& arguments)
@@ -262,6 +276,8 @@ int run(const options::variables_map& arguments)
 
     seen.check_size(view);
     const std::vector<Eye> stops = movement.eyes_about(view.eye, *frame.metadata);
+    for (const Eye& stop : stops)
+        check_stop(stop, view);
     const Progress bar = progress_bar("replay");
     for (std::size_t i = 0; i < stops.size(); ++i) {
         auto pictures = replay_each(frame, view, seen.eyes_for(stops[i], *frame.metadata), threads,

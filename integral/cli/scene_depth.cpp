@@ -95,7 +95,7 @@ std::string scene_depth_text(const std::string& path, const DepthFrame& depths)
 {
     const Judged j = judge(depths);
     const DepthRange& r = j.range;
-    std::string text = line("\nDepths of %s\n", path.c_str());
+    std::string text = "\nDepths of " + path + "\n";
     if (r.surfaces == 0)
         return text + "  no pixel shows a surface\n";
     text += "                mm behind     lpi there\n"

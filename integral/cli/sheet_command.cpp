@@ -197,6 +197,8 @@ int report_scene(const options::variables_map& arguments)
         if (given(arguments, option))
             throw UsageError(std::string("--report and --") + option + " do not go together: the geometry is the scene's");
     const Viewer viewer = read_viewer(arguments);
+    if (given(arguments, "output"))
+        check_writable(text_of(arguments, "output")); // rather than after a long look through the scene
     const DepthFrame depths = depths_of_scene(scene, inputs_of(arguments));
     stop_if_interrupted();
     if (given(arguments, "json")) {

@@ -49,6 +49,13 @@ options::options_description make_options()
     return all;
 }
 
+void check_view_size(int width, int height)
+{
+    if (std::max(width, height) > largest_side)
+        throw UsageError("views of " + std::to_string(width) + "x" + std::to_string(height) + " pixels have more than "
+                         + std::to_string(largest_side) + " one way");
+}
+
 void check_quilt_size(ViewGrid grid, int width, int height)
 {
     if (std::max(double(grid.columns) * width, double(grid.rows) * height) > largest_side)
@@ -148,8 +155,13 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     if (files || animated)
         series.emplace(arguments, output, grid.count(), 0);
     const std::string path = series || output == "-" ? output : quilt_name(output, grid, aspect_of(metadata.film));
-    if (!series)
+    if (!series) {
+        const auto named = grid_in_name(path);
+        if (named && (named->columns != grid.columns || named->rows != grid.rows))
+            throw UsageError("-o " + output + ": its name says " + std::to_string(named->columns) + "x" + std::to_string(named->rows)
+                             + " views, but there are " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows));
         check_writable(path);
+    }
 
     PixelSize of_a_view = size;
     if (!eyes) {
@@ -163,6 +175,7 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
             throw UsageError(inputs_of(arguments)[0] + ": " + error.what());
         }
     }
+    check_view_size(of_a_view.width, of_a_view.height);
     if (!series)
         check_quilt_size(grid, of_a_view.width, of_a_view.height);
 

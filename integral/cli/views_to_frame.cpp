@@ -29,7 +29,7 @@ struct GivenViews {
 
 GivenViews read_quilt(const options::variables_map& arguments, const std::string& input)
 {
-    Views quilt = read_views(input);
+    Views quilt = read_views(input, !given(arguments, "sheet"));
     const auto named = grid_in_name(input);
     GivenViews all{{}, {}, quilt.metadata};
     if (given(arguments, "views"))
@@ -44,11 +44,19 @@ GivenViews read_quilt(const options::variables_map& arguments, const std::string
     if (quilt.metadata && quilt.metadata->quilt->view && grid.count() > 1)
         throw UsageError(input + ": it is view " + std::to_string(*quilt.metadata->quilt->view) + " of " + std::to_string(grid.count())
                          + "; give the files of all of them");
-    if (grid.columns < 1 || grid.rows < 1 || quilt.image.width % grid.columns != 0 || quilt.image.height % grid.rows != 0)
+    // Pictures that eyes see may leave a rest, as 5 x 9 in 4096 x 4096; a parallel view has just so many pixels.
+    const bool eyes = arguments["eyes"].as<bool>();
+    const auto divides = [&](int side, int views) { return views >= 1 && (eyes ? side >= views : side % views == 0); };
+    if (!divides(quilt.image.width, grid.columns) || !divides(quilt.image.height, grid.rows))
         throw UsageError(input + ": " + std::to_string(quilt.image.width) + "x" + std::to_string(quilt.image.height)
                          + " pixels are not " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows) + " equal views");
     all.views = views_of_quilt(quilt.image, grid);
     return all;
+}
+
+bool of_one_kind(const QuiltRecord& a, const QuiltRecord& b)
+{
+    return a.grid.columns == b.grid.columns && a.grid.rows == b.grid.rows && a.eyes.has_value() == b.eyes.has_value();
 }
 
 /// Files that say which view each is; or, where they do not, in the order in which they are given.
@@ -58,7 +66,9 @@ GivenViews read_files(const options::variables_map& arguments, const std::vector
     std::map<int, Image> by_number;
     for (const std::string& input : inputs) {
         stop_if_interrupted();
-        Views file = read_views(input);
+        Views file = read_views(input, !given(arguments, "sheet"));
+        if (file.metadata && all.metadata && !of_one_kind(*file.metadata->quilt, *all.metadata->quilt))
+            throw UsageError(input + ": it is a view of another set than the files before it");
         const bool numbered = file.metadata && file.metadata->quilt->view;
         const int number = numbered ? *file.metadata->quilt->view : int(by_number.size());
         if (!by_number.emplace(number, std::move(file.image)).second)
@@ -92,6 +102,8 @@ int frame_of_views(const options::variables_map& arguments, const std::string& o
     if (geometry.film.width < 1)
         throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
     stop_if_interrupted();
+    if (arguments["eyes"].as<bool>() && given_views.metadata && !given_views.metadata->quilt->eyes)
+        throw UsageError(inputs[0] + ": it says that it holds parallel views, not those of --eyes");
     const bool eyes = arguments["eyes"].as<bool>() || (given_views.metadata && given_views.metadata->quilt->eyes);
     EyeGrid eye_grid{viewing_zone(geometry, geometry.aperture.distance), geometry.aperture.distance};
     if (given_views.metadata)

@@ -195,9 +195,18 @@ Frame read_frame(const std::string& path, const std::string& sheet_file)
     return frame_of(path, sheet_file, read_with_geometry(path, sheet_file));
 }
 
-Views read_views(const std::string& path)
+Views read_views(const std::string& path, bool needs_geometry)
 {
-    Views views = read_with_geometry(path, "");
+    DecodedImage picture = decoded(path, decode_any);
+    Views views{std::move(picture.image), std::nullopt};
+    try {
+        views.metadata = geometry_for(path, "", picture.document);
+    } catch (const InputError&) {
+        if (needs_geometry)
+            throw;
+    }
+    if (views.metadata)
+        views.image.encoding = views.metadata->encoding;
     if (views.metadata && !views.metadata->quilt)
         views.metadata.reset();
     return views;

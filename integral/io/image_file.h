@@ -31,8 +31,8 @@ struct Views {
     std::optional<FrameMetadata> metadata; ///< with its quilt record
 };
 
-/// Reads a quilt or one view of it. Throws InputError.
-Views read_views(const std::string& path);
+/// Reads a quilt or one view of it. Throws InputError; for a geometry that cannot be used only if it is needed.
+Views read_views(const std::string& path, bool needs_geometry);
 
 /// As read_frame, of a picture that must have geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");

@@ -45,7 +45,7 @@ std::vector<Image> views_of_quilt(const Image& quilt, ViewGrid grid)
     std::vector<Image> views;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column)
-            views.push_back(part_of(quilt, column * width, (grid.rows - 1 - row) * height, width, height));
+            views.push_back(part_of(quilt, column * width, quilt.height - (row + 1) * height, width, height));
     return views;
 }
 

@@ -60,9 +60,10 @@ std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<dou
             eye.x += along * span.value_or(zone.x);
             break;
         case EyePath::circle: {
-            const double scale = 0.5 * (span ? *span / std::max(zone.x, zone.y) : 0.8), turn = 2 * pi * k / steps;
-            eye.x -= scale * zone.x * std::cos(turn);
-            eye.y += scale * zone.y * std::sin(turn);
+            const double longer = std::max(zone.x, zone.y), scale = 0.5 * span.value_or(0.8 * longer), turn = 2 * pi * k / steps;
+            const Vec2 shape = longer > 0 ? (1 / longer) * zone : Vec2{1, 1}; // a zone that is a point has none
+            eye.x -= scale * shape.x * std::cos(turn);
+            eye.y += scale * shape.y * std::sin(turn);
             break;
         }
         case EyePath::dolly:

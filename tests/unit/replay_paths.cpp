@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Where eyes go, parts of the sheet, lenses that blur, and frames made of what eyes see: by hand values and closed forms.
+#include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/perspective_views.h"
 #include "tests/unit/replay_frames.h"
@@ -47,6 +48,10 @@ BOOST_AUTO_TEST_CASE(paths_by_hand)
     is_at(eyes[2], 10 + 80, -5, 300);
     is_at(eyes[3], 10, -5 - 48, 300);
     is_at(eye_path(EyePath::circle, middle, zone, 20, 4)[1], 10, -5 + 6, 300);
+
+    // Around a zone that is a point: round where a span is given, else nowhere.
+    is_at(eye_path(EyePath::circle, middle, {0, 0}, 20, 4)[1], 10, -5 + 10, 300);
+    is_at(eye_path(EyePath::circle, middle, {0, 0}, {}, 4)[1], 10, -5, 300);
 
     eyes = eye_path(EyePath::dolly, middle, zone, {}, 3);
     is_at(eyes[0], 10, -5, 600);
@@ -224,6 +229,21 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
     BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {3, 1}, {{150, 0}, 300}), std::invalid_argument);
     views[1] = make_image<float>(20, 15, 3, linear);
     BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {2, 1}, {{150, 0}, 300}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_quilt_whose_views_leave_a_rest)
+{
+    Image quilt = make_image<std::uint8_t>(7, 5, 3, Encoding());
+    auto& samples = std::get<std::vector<std::uint8_t>>(quilt.samples);
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        samples[k] = std::uint8_t(k / 3); // the pixel's number
+    const auto views = views_of_quilt(quilt, {3, 2}); // 2 by 2 pixels each; a column at the right and a row at the top are no view's
+    BOOST_REQUIRE(views.size() == 6);
+    const auto first = [&](int k) { return int(std::get<std::vector<std::uint8_t>>(views[k].samples).at(0)); };
+    BOOST_TEST(first(0) == 3 * 7);
+    BOOST_TEST(first(2) == 3 * 7 + 4);
+    BOOST_TEST(first(3) == 7);
+    BOOST_TEST(first(5) == 7 + 4);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
