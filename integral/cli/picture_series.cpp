@@ -4,6 +4,8 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace integral {
@@ -18,7 +20,16 @@ void add_series_options(options::options_description& all)
 
 bool is_animation(const std::string& path)
 {
-    return path.size() > 5 && path.compare(path.size() - 5, 5, ".webp") == 0;
+    static const std::string ending = ".webp";
+    return path.size() > ending.size() && std::equal(ending.begin(), ending.end(), path.end() - std::ptrdiff_t(ending.size()), [](char a, char b) {
+        return a == std::tolower(static_cast<unsigned char>(b));
+    });
+}
+
+void check_series_options(const options::variables_map& arguments, const std::string& output)
+{
+    if (!is_animation(output) && (given(arguments, "fps") || !arguments["quality"].defaulted()))
+        throw UsageError("--fps and --quality are for animations, whose names end in .webp");
 }
 
 namespace {

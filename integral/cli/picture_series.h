@@ -14,8 +14,11 @@ namespace integral {
 /// The options that say how an animation is played: --fps and --quality.
 void add_series_options(options::options_description& all);
 
-/// Whether a path is an animation's: it ends in .webp.
+/// Whether a path is an animation's: it ends in .webp (any case).
 bool is_animation(const std::string& path);
+
+/// Throws UsageError where they are given for an output that is none.
+void check_series_options(const options::variables_map& arguments, const std::string& output);
 
 /// The path of one of several files: its number before the extension, with as many digits as the last one's.
 std::string numbered(const std::string& path, int number, int last);

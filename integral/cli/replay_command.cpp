@@ -221,12 +221,9 @@ void check_stop(const Eye& stop, const View& view)
                          + std::to_string(view.focus) + " would be behind the eye there");
 }
 
-int run(const options::variables_map& arguments)
+/// What the options say of a view; where they say nothing of the eye and the size, these are left to the frame.
+View parse_view(const options::variables_map& arguments)
 {
-    const std::string output = text_of(arguments, "output");
-    const bool html = html_is_wanted(arguments);
-    if (output.empty() && !html)
-        throw UsageError("-o VIEW is missing");
     View view;
     view.pupil = parse_mm(arguments, "pupil", 0, "a diameter from 0 to 1e6 mm", 0);
     view.focus = parse_mm(arguments, "focus", -1e6, "mm behind the sheet, from -1e6 to 1e6,", 0);
@@ -237,7 +234,6 @@ int run(const options::variables_map& arguments)
     constexpr int plain_samples = 3, pupil_samples = 8;
     view.samples = given(arguments, "samples") ? in_range(arguments, "samples", 1, most_samples)
                  : view.pupil > 0 || view.blur > 0 ? pupil_samples : plain_samples;
-    const int threads = in_range(arguments, "threads", 0, 1024);
     if (given(arguments, "eye"))
         view.eye = parse_eye(text_of(arguments, "eye"));
     if (given(arguments, "size")) {
@@ -247,6 +243,20 @@ int run(const options::variables_map& arguments)
     }
     if (given(arguments, "part"))
         view.part = parse_part(text_of(arguments, "part"));
+    return view;
+}
+
+int run(const options::variables_map& arguments)
+{
+    const std::string output = text_of(arguments, "output");
+    const bool html = html_is_wanted(arguments);
+    if (output.empty() && !html)
+        throw UsageError("-o VIEW is missing");
+    if (given(arguments, "focus") && !given(arguments, "pupil") && !html)
+        throw UsageError("--focus needs --pupil MM: an eye without one sees every depth sharply");
+    check_series_options(arguments, output);
+    View view = parse_view(arguments);
+    const int threads = in_range(arguments, "threads", 0, 1024);
     const ArrangementOfViews seen(arguments);
     if (html)
         check_writable(text_of(arguments, "html"));

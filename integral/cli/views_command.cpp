@@ -142,6 +142,17 @@ void play(PictureSeries& series, const std::vector<Image>& views, ViewGrid grid)
     series.finish(true);
 }
 
+/// A pixel for each lens.
+PixelSize size_of_parallel_views(const std::string& input, const FrameMetadata& metadata)
+{
+    try {
+        const LensWindow window = lens_window(metadata);
+        return {window.columns, window.rows};
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(input + ": " + error.what());
+    }
+}
+
 int make_views(const options::variables_map& arguments, const std::string& output, int threads)
 {
     const Frame frame = read_frame_with_metadata(inputs_of(arguments)[0], text_of(arguments, "sheet"));
@@ -163,18 +174,9 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
         check_writable(path);
     }
 
-    PixelSize of_a_view = size;
-    if (!eyes) {
-        if (metadata.sheet.arrangement == Arrangement::lenticular && grid.rows > 1)
-            throw UsageError("--views " + text_of(arguments, "views") + ": lenticular lenses show nothing new from above: one row is expected");
-        try {
-            const LensWindow window = lens_window(metadata);
-            if (!upright)
-                of_a_view = {window.columns, window.rows};
-        } catch (const std::invalid_argument& error) {
-            throw UsageError(inputs_of(arguments)[0] + ": " + error.what());
-        }
-    }
+    if (metadata.sheet.arrangement == Arrangement::lenticular && grid.rows > 1)
+        throw UsageError("--views " + text_of(arguments, "views") + ": lenticular lenses show nothing new from above: one row is expected");
+    const PixelSize of_a_view = eyes || upright ? size : size_of_parallel_views(inputs_of(arguments)[0], metadata);
     check_view_size(of_a_view.width, of_a_view.height);
     if (!series)
         check_quilt_size(grid, of_a_view.width, of_a_view.height);
@@ -182,6 +184,8 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     const std::vector<Image> views = eyes    ? views_of_eyes(frame, grid, size, threads)
                                    : upright ? upright_views(frame, grid, size, threads)
                                              : views_of_frame(frame, grid, threads);
+    if (!eyes && !upright)
+        state_loss(frame, views, grid, threads);
     std::optional<FrameMetadata> of_views = metadata;
     of_views->quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
     if (eyes)
@@ -201,8 +205,6 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
         if (path != output)
             std::cout << path << '\n';
     }
-    if (!eyes && !upright)
-        state_loss(frame, views, grid, threads);
     return exit_done;
 }
 
@@ -215,6 +217,7 @@ int run(const options::variables_map& arguments)
     const bool animated = is_animation(output);
     if (!animated || back)
         format_for(output);
+    check_series_options(arguments, output);
     if (files && (back || animated))
         throw UsageError(std::string("--files does not go with ") + (back ? "--to-frame" : "an animation"));
     if (eyes && !back && !given(arguments, "views"))
