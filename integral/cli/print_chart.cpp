@@ -46,8 +46,13 @@ void set_page(const options::variables_map& arguments, Film& film)
     if (film.width == 0) {
         const std::string text = given(arguments, "page") ? text_of(arguments, "page") : default_page;
         const auto cross = text.find('x');
-        const auto side = [&](const std::string& part) { return parse_number("page", part, "WxH, in mm,"); };
-        const double width = side(text.substr(0, cross)), height = side(cross == std::string::npos ? "" : text.substr(cross + 1));
+        double width = 0, height = 0;
+        try {
+            width = parse_number("page", text.substr(0, cross), "");
+            height = parse_number("page", cross == std::string::npos ? "" : text.substr(cross + 1), "");
+        } catch (const UsageError&) {
+            throw UsageError("--page " + text + ": WxH, in mm, is expected");
+        }
         if (!(width >= 1 && height >= 1 && width <= largest_page && height <= largest_page))
             throw UsageError("--page " + text + ": sides of 1 to 20000 mm are expected");
         if (std::max(width / film.pixel_pitch.x, height / film.pixel_pitch.y) > largest_film_side)

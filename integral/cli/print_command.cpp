@@ -28,6 +28,6 @@ int run(const options::variables_map& arguments)
 
 const Command print_command = {
     "print", "pitch charts for lens sheets", "--chart [--sheet FILE.json] ... -o FILE | --even BARS@MM --pitch-range A,B --bars N ...",
-    "Makes a chart that tells a lens sheet's pitch, and reads it.\n", 0, 0, make_options, run};
+    "Makes a chart that tells a lens sheet's pitch, and reads it.\n", 0, 1, make_options, run};
 
 } // namespace integral

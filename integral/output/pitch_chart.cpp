@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 // The page, mm.
 constexpr double margin = 5, line_height = 3, block_gap = 4, tick = 1.5, tick_width = 0.2;
-constexpr double label = 19, number_width = 6, label_gap = 1;
+constexpr double label = 21, number_width = 6, label_gap = 1;
 constexpr double bar_share = 0.88;      // of the space of a bar
 constexpr double least_bar = 1.8;       // its labels can just be read
 constexpr double least_periods = 8;     // along a bar
@@ -223,16 +223,26 @@ void write_labels(const Film& film, const ChartBar& bar, Image& image)
     const double left = bar.left * film.pixel_pitch.x, top = bar.top * film.pixel_pitch.y;
     const double width = bar.width * film.pixel_pitch.x, height = bar.height * film.pixel_pitch.y;
     const double thick = bar.upright ? width : height, length = bar.upright ? height : width;
-    const DeviceFont number{std::min(3.2, 0.8 * thick), true}, figures{std::min(2.0, 0.46 * thick), false};
+    const std::string pitch = decimals(bar.pitch, 4) + " mm", lenses = decimals(mm_per_inch / bar.pitch, 3) + " lpi";
+    // One line where the bar is thin, else two.
+    const std::string both = pitch + "  " + lenses;
+    const double in_one = std::min(0.8 * thick, (label - number_width - 2 * label_gap) / text_width(both, {1, false})), in_two = 0.46 * thick;
+    const std::string name = std::to_string(bar.number);
+    const DeviceFont number{std::min({3.2, 0.8 * thick, (number_width - 0.5) / text_width(name, {1, true})}), true};
+    const DeviceFont figures{std::min(2.0, std::max(in_one, in_two)), false};
     for (const double begin : {-label, length + label_gap}) {
         // Along the bar from its beginning (the left, or the lower end), and across it from the left or upper side.
         const auto put = [&](const std::string& text, double along, double across, DeviceFont font) {
             const Vec2 at = bar.upright ? Vec2{left + across, top + height - along} : Vec2{left + along, top + across};
             write_text(image, film.pixel_pitch, text, at, font, bar.upright);
         };
-        put(std::to_string(bar.number), begin, thick / 2 + 0.36 * number.size, number);
-        put(decimals(bar.pitch, 4) + " mm", begin + number_width, thick / 2 - 0.12 * figures.size, figures);
-        put(decimals(mm_per_inch / bar.pitch, 3) + " lpi", begin + number_width, thick / 2 + 0.94 * figures.size, figures);
+        put(name, begin, thick / 2 + 0.36 * number.size, number);
+        if (in_one > in_two) {
+            put(both, begin + number_width, thick / 2 + 0.36 * figures.size, figures);
+        } else {
+            put(pitch, begin + number_width, thick / 2 - 0.12 * figures.size, figures);
+            put(lenses, begin + number_width, thick / 2 + 0.94 * figures.size, figures);
+        }
     }
 }
 
