@@ -34,7 +34,10 @@ unit_sources = \
   tests/unit/lightfield_sample_spread.cpp \
   tests/unit/lightfield_sampling_forecast.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
+  tests/unit/output_device_text.cpp \
   tests/unit/output_page.cpp \
+  tests/unit/output_pitch_chart.cpp \
+  tests/unit/output_pitch_wizard.cpp \
   tests/unit/replay_compare.cpp \
   tests/unit/replay_eyes.cpp \
   tests/unit/replay_frames.h \

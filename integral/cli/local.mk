@@ -5,9 +5,13 @@ build_bin_integral_SOURCES += \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
+  integral/cli/geometry_options.cpp \
+  integral/cli/geometry_options.h \
   integral/cli/main.cpp \
   integral/cli/picture_series.cpp \
   integral/cli/picture_series.h \
+  integral/cli/print_chart.cpp \
+  integral/cli/print_chart.h \
   integral/cli/print_command.cpp \
   integral/cli/progress.cpp \
   integral/cli/progress.h \

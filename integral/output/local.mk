@@ -4,6 +4,8 @@
 build_lib_libintegral_a_SOURCES += \
   integral/output/colour_profile.cpp \
   integral/output/colour_profile.h \
+  integral/output/device_text.cpp \
+  integral/output/device_text.h \
   integral/output/page.cpp \
   integral/output/page.h \
   integral/output/page_marks.cpp \
@@ -14,5 +16,9 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/page_raster.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
+  integral/output/pitch_chart.cpp \
+  integral/output/pitch_chart.h \
+  integral/output/pitch_wizard.cpp \
+  integral/output/pitch_wizard.h \
   integral/output/quilt.cpp \
   integral/output/quilt.h

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/geometry_options.h"
+
+#include "integral/cli/values.h"
+#include "integral/lightfield/names.h"
+
+namespace integral {
+namespace {
+
+constexpr double default_distance = 300; // mm; the thesis's (3-8)
+constexpr double default_dpi = 300;
+
+options::typed_value<std::string>* value(const char* name)
+{
+    return options::value<std::string>()->value_name(name);
+}
+
+} // namespace
+
+void add_sheet_options(options::options_description& all)
+{
+    all.add_options()
+        ("arrangement", value("KIND"), "lenticular, square or hexagonal (default lenticular)")
+        ("pitch", value("MM"), "width of a lens (default 1.27)")
+        ("thickness", value("MM"), "from the lenses' poles to the film (default 3.08)")
+        ("ior", value("N"), "refractive index of the sheet (default 1.6)")
+        ("slant", value("DEGREES"), "turn of the lenses, anticlockwise as the viewer sees it (default 0)")
+        ("offset", value("X,Y"), "where the lens at index 0,0 is, mm from the sheet's centre");
+}
+
+void add_film_options(options::options_description& all)
+{
+    all.add_options()
+        ("dpi", value("D[,D]"), "film pixels per inch, across and down (default 300)")
+        ("pixel-pitch", value("MM[,MM]"), "the same as the width of a pixel")
+        ("size", value("WxH"), "pixels of the film");
+}
+
+FrameMetadata default_geometry()
+{
+    FrameMetadata geometry;
+    geometry.film.pixel_pitch = {mm_per_inch / default_dpi, mm_per_inch / default_dpi};
+    geometry.aperture.distance = default_distance;
+    return geometry;
+}
+
+void read_number(const options::variables_map& arguments, const char* option, double& value)
+{
+    if (given(arguments, option))
+        value = parse_number(option, text_of(arguments, option), "a number");
+}
+
+void change_sheet(const options::variables_map& arguments, LensSheet& sheet)
+{
+    if (given(arguments, "arrangement")) {
+        const std::string word = text_of(arguments, "arrangement");
+        const auto kind = kind_named<Arrangement>(word);
+        if (!kind)
+            throw UsageError("--arrangement " + word + ": " + legal_names<Arrangement>() +
+                             " is expected");
+        sheet.arrangement = *kind;
+    }
+    read_number(arguments, "pitch", sheet.pitch);
+    read_number(arguments, "thickness", sheet.thickness);
+    read_number(arguments, "ior", sheet.ior);
+    read_number(arguments, "slant", sheet.slant);
+    if (given(arguments, "offset")) {
+        const auto v = parse_numbers("offset", text_of(arguments, "offset"), "X,Y", 2, 2);
+        sheet.offset = {v[0], v[1]};
+    }
+}
+
+void change_film(const options::variables_map& arguments, Film& film)
+{
+    if (given(arguments, "dpi") && given(arguments, "pixel-pitch"))
+        throw UsageError("--dpi and --pixel-pitch say the same; give one of them");
+    if (given(arguments, "dpi")) {
+        const Vec2 dpi = parse_one_or_two("dpi", text_of(arguments, "dpi"), "D or D,D");
+        if (!(dpi.x > 0 && dpi.y > 0))
+            throw UsageError("--dpi " + text_of(arguments, "dpi") + ": it must be greater than 0");
+        film.pixel_pitch = {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
+    }
+    if (given(arguments, "pixel-pitch"))
+        film.pixel_pitch =
+            parse_one_or_two("pixel-pitch", text_of(arguments, "pixel-pitch"), "MM or MM,MM");
+    if (given(arguments, "size")) {
+        const PixelSize size = parse_size("size", text_of(arguments, "size"), largest_film_side);
+        film.width = size.width;
+        film.height = size.height;
+    }
+}
+
+void check_geometry(const FrameMetadata& geometry)
+{
+    CameraParameters parameters;
+    parameters.sheet = geometry.sheet;
+    parameters.film.pixel_pitch = geometry.film.pixel_pitch;
+    const auto errors = find_value_errors(parameters);
+    if (!errors.empty())
+        throw UsageError(errors.front());
+}
+
+} // namespace integral

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Pitch charts of `integral print`: --chart makes one, --even goes from what is even on it to a sheet file.
+#ifndef INTEGRAL_CLI_PRINT_CHART_H
+#define INTEGRAL_CLI_PRINT_CHART_H
+
+#include "integral/cli/command.h"
+#include "integral/lightfield/frame.h"
+
+namespace integral {
+
+/// Adds --chart, --even, --keep-index, --pitch-range, --pitch-step, --bars, --page and the options of geometry_options.h, except
+/// those that `all` has already. The command's own are --sheet, --json and --output.
+void add_chart_options(options::options_description& all);
+
+/// Whether the command line asks for a chart or reads one.
+bool is_chart(const options::variables_map& arguments);
+
+/// The chart's page with its geometry, for --chart. Throws UsageError, InputError.
+Frame chart_frame(const options::variables_map& arguments);
+
+/// Writes the chart to -o's FILE, or prints what the readings of --even say and writes the corrected geometry to -o's FILE.
+/// Returns an ExitStatus or throws as a Command's `run`.
+int make_chart(const options::variables_map& arguments);
+
+} // namespace integral
+
+#endif

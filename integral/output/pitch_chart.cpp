@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/output/pitch_chart.h"
+
+#include "integral/output/device_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+// The page, mm.
+constexpr double margin = 5, line_height = 3, block_gap = 4, tick = 1.5, tick_width = 0.2;
+constexpr double label = 21, number_width = 6, label_gap = 1;
+constexpr double bar_share = 0.88;      // of the space of a bar
+constexpr double least_bar = 1.8;       // its labels can just be read
+constexpr double least_periods = 8;     // along a bar
+constexpr double least_pixels = 2;      // a period
+constexpr DeviceFont words{2.2, false}, title{2.6, true};
+
+std::string decimals(double value, int count)
+{
+    std::ostringstream text;
+    text.setf(std::ios::fixed);
+    text.precision(count);
+    text << value;
+    return text.str();
+}
+
+std::string shortest(double value)
+{
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+/// A direction's bars: a rectangle in mm from the page's left and top edges.
+struct Block {
+    Vec2 wave;
+    double period_share; ///< of a pitch
+    bool upright;
+    double left = 0, top = 0, width = 0, height = 0;
+};
+
+struct Layout {
+    std::vector<std::string> title, head, foot;
+    std::vector<Block> blocks;
+};
+
+std::vector<Block> directions_of(const LensSheet& sheet)
+{
+    const double angle = sheet.slant * pi / 180;
+    const auto block = [&](double turn, double share) {
+        Vec2 wave{std::cos(angle + turn), std::sin(angle + turn)};
+        const bool upright = std::fabs(wave.y) > std::fabs(wave.x) * (1 + 1e-9);
+        if ((upright ? wave.y : wave.x) < 0)
+            wave = -1.0 * wave;
+        return Block{wave, share, upright};
+    };
+    if (sheet.arrangement == Arrangement::lenticular)
+        return {block(0, 1)};
+    if (sheet.arrangement == Arrangement::square)
+        return {block(0, 1), block(pi / 2, 1)};
+    // Along the rows neighbouring rows' lenses are half a pitch apart: lines of half a pitch are alike to all of them.
+    return {block(0, 0.5), block(pi / 2, std::sqrt(0.75))};
+}
+
+std::string name_of_sheet(const LensSheet& sheet)
+{
+    const char* kind = sheet.arrangement == Arrangement::lenticular ? "lenticular"
+                       : sheet.arrangement == Arrangement::square   ? "square lenses"
+                                                                    : "hexagonal lenses";
+    return std::string(kind) + ", nominal pitch " + shortest(sheet.pitch) + " mm (" + decimals(mm_per_inch / sheet.pitch, 3) +
+           " lpi), thickness " + shortest(sheet.thickness) + " mm, index " + shortest(sheet.ior) +
+           (sheet.slant != 0 ? ", slant " + shortest(sheet.slant) + " degrees" : "");
+}
+
+std::string advice(const std::vector<Block>& blocks)
+{
+    std::string text = "Print unscaled. Lay the lenses on the bars, the numbers left free, and look straight at the middle with one eye from a measured "
+                       "distance. The even bar counts, or the two alike beside it.";
+    bool lying = false, upright = false;
+    for (const Block& block : blocks)
+        (block.upright ? upright : lying) = true;
+    if (lying)
+        text += " Bands of the lower halves to the right of the upper halves': this bar's pitch is too small.";
+    if (upright)
+        text += " Bands of the right halves above the left halves': this bar's pitch is too small.";
+    return text;
+}
+
+/// What viewing distance does to the reading.
+std::string bias_line(const PitchChart& chart)
+{
+    std::string even, less;
+    for (const double distance : chart.distances) {
+        const double bias = chart.sheet.thickness / (chart.sheet.ior * distance);
+        const double pitch = chart.sheet.pitch * (1 + bias), bar = bar_of_pitch(chart.scale, pitch);
+        const bool there = bar > 0.5 && bar < chart.scale.bars + 0.5;
+        even += (even.empty() ? "" : ", ") + ("from " + shortest(distance) + " mm ") + (there ? "bar " + decimals(bar, 1) : std::string("none")) +
+                " (" + decimals(pitch, 4) + ")";
+        less += (less.empty() ? "" : ", ") + decimals(100 * (1 - 1 / (1 + bias)), 2) + "% from " + shortest(distance) + " mm";
+    }
+    const double own = bar_of_pitch(chart.scale, chart.sheet.pitch);
+    return "The lenses' own pitch is less than the even bar's, by " + less + ". Even under the nominal sheet: " + even +
+           "; its own pitch is bar " + decimals(own, 1) + "'s.";
+}
+
+/// Throws where a page has no room; `what` it is for.
+void demand_room(double have, double need, const char* side, const std::string& what)
+{
+    if (have < need)
+        throw std::invalid_argument("the page is too " + std::string(side) + " for " + what + ": " + decimals(need - have, 1) +
+                                    " mm more are needed; take a larger page" + (what.find("bars") != std::string::npos ? " or fewer bars" : ""));
+}
+
+Layout layout_of(const PitchChart& chart)
+{
+    const Film& film = chart.film;
+    const double width = film.width * film.pixel_pitch.x, height = film.height * film.pixel_pitch.y, inner = width - 2 * margin;
+    demand_room(width, 2 * margin + 2 * label + 10, "narrow", "a chart");
+    Layout layout;
+    layout.blocks = directions_of(chart.sheet);
+    const auto dpi = [](double pitch) { return decimals(mm_per_inch / pitch, 0); };
+    layout.title = wrapped("Pitch chart: " + name_of_sheet(chart.sheet) + ". " + dpi(film.pixel_pitch.x) + " x " + dpi(film.pixel_pitch.y) + " dpi",
+                           inner, title);
+    layout.head = wrapped(advice(layout.blocks), inner, words);
+    layout.foot = wrapped(bias_line(chart), inner, words);
+    for (const std::string& line : wrapped(chart.note, inner, words))
+        layout.foot.push_back(line);
+
+    const double top = margin + line_height * double(layout.title.size() + layout.head.size()) + tick + 1;
+    const double free = height - margin - line_height * double(layout.foot.size()) - tick - 1 - top;
+    const std::size_t count = layout.blocks.size();
+    const bool beside = width > height;
+    for (std::size_t k = 0; k < count; ++k) {
+        Block& block = layout.blocks[k];
+        const double parts = double(count);
+        block.width = beside ? (inner - block_gap * (parts - 1)) / parts : inner;
+        block.height = beside ? free : (free - block_gap * (parts - 1)) / parts;
+        block.left = margin + (beside ? double(k) * (block.width + block_gap) : 0);
+        block.top = top + (beside ? 0 : double(k) * (block.height + block_gap));
+    }
+    return layout;
+}
+
+/// The bars of one block, numbered from `number` on.
+void add_bars(const PitchChart& chart, const Block& block, int number, std::vector<ChartBar>& bars)
+{
+    const Film& film = chart.film;
+    const int count = chart.scale.bars;
+    const double across = block.upright ? block.width : block.height, along = (block.upright ? block.height : block.width) - 2 * label;
+    const double two_dimensional = chart.sheet.arrangement == Arrangement::lenticular ? 0 : 2 * chart.sheet.pitch;
+    demand_room(across, count * std::max(least_bar, two_dimensional) / bar_share, block.upright ? "narrow" : "low",
+                std::to_string(count) + " bars");
+    demand_room(along, least_periods * film_pitch(chart.scale, count), block.upright ? "low" : "narrow", "lines of this pitch");
+    const double space = across / count;
+    const Vec2 middle{block.left + block.width / 2, block.top + block.height / 2};
+    const Vec2 origin = film_from_pixel(film, {middle.x / film.pixel_pitch.x, middle.y / film.pixel_pitch.y});
+    const auto pixels = [](double mm, double pitch) { return int(std::lround(mm / pitch)); };
+    for (int k = 0; k < count; ++k) {
+        ChartBar bar;
+        bar.number = number + k;
+        bar.pitch = film_pitch(chart.scale, bar.number);
+        bar.period = block.period_share * bar.pitch;
+        bar.wave = block.wave;
+        bar.origin = origin;
+        bar.upright = block.upright;
+        const double begin = (k + (1 - bar_share) / 2) * space, end = begin + bar_share * space;
+        const double left = block.left + (block.upright ? begin : label), right = block.upright ? block.left + end : left + along;
+        const double top = block.top + (block.upright ? label : begin), bottom = block.upright ? top + along : block.top + end;
+        bar.left = pixels(left, film.pixel_pitch.x);
+        bar.top = pixels(top, film.pixel_pitch.y);
+        bar.width = pixels(right, film.pixel_pitch.x) - bar.left;
+        bar.height = pixels(bottom, film.pixel_pitch.y) - bar.top;
+        if (std::max(std::fabs(bar.wave.x) * film.pixel_pitch.x, std::fabs(bar.wave.y) * film.pixel_pitch.y) * least_pixels > bar.period)
+            throw std::invalid_argument("lines " + decimals(bar.period, 4) + " mm apart are less than 2 pixels a line pair; a finer device is needed");
+        bars.push_back(bar);
+    }
+}
+
+std::vector<ChartBar> bars_of(const PitchChart& chart, const Layout& layout)
+{
+    std::vector<ChartBar> bars;
+    for (const Block& block : layout.blocks)
+        add_bars(chart, block, 1 + int(bars.size()), bars);
+    return bars;
+}
+
+/// The first integral of the lines' light less its mean, and the second: of a wave 1/2 within a quarter period of 0, else -1/2.
+double first_integral(double u)
+{
+    u -= std::floor(u + 0.25);
+    return u <= 0.25 ? u / 2 : (0.5 - u) / 2;
+}
+
+double second_integral(double u)
+{
+    u -= std::floor(u + 0.25);
+    return u <= 0.25 ? u * u / 4 : 1.0 / 32 - (u - 0.5) * (u - 0.5) / 4;
+}
+
+void draw_lines(const PitchChart& chart, const ChartBar& bar, Image& image)
+{
+    const Film& film = chart.film;
+    const double a = std::fabs(bar.wave.x) * film.pixel_pitch.x / 2 / bar.period, b = std::fabs(bar.wave.y) * film.pixel_pitch.y / 2 / bar.period;
+    for (int y = 0; y < bar.height; ++y)
+        for (int x = 0; x < bar.width; ++x) {
+            const bool second = bar.upright ? x >= bar.width / 2 : y >= bar.height / 2;
+            const Vec2 place = film_from_pixel(film, {bar.left + x + 0.5, bar.top + y + 0.5}) - bar.origin;
+            const float light = float(line_coverage(dot(bar.wave, place) / bar.period - (second ? 0.25 : 0), a, b));
+            store_linear(image, bar.left + x, bar.top + y, {light, light, light, 1});
+        }
+}
+
+/// A label at each end of a bar.
+void write_labels(const Film& film, const ChartBar& bar, Image& image)
+{
+    const double left = bar.left * film.pixel_pitch.x, top = bar.top * film.pixel_pitch.y;
+    const double width = bar.width * film.pixel_pitch.x, height = bar.height * film.pixel_pitch.y;
+    const double thick = bar.upright ? width : height, length = bar.upright ? height : width;
+    const std::string pitch = decimals(bar.pitch, 4) + " mm", lenses = decimals(mm_per_inch / bar.pitch, 3) + " lpi";
+    // One line where the bar is thin, else two.
+    const std::string both = pitch + "  " + lenses;
+    const double in_one = std::min(0.8 * thick, (label - number_width - 2 * label_gap) / text_width(both, {1, false})), in_two = 0.46 * thick;
+    const std::string name = std::to_string(bar.number);
+    const DeviceFont number{std::min({3.2, 0.8 * thick, (number_width - 0.5) / text_width(name, {1, true})}), true};
+    const DeviceFont figures{std::min(2.0, std::max(in_one, in_two)), false};
+    for (const double begin : {-label, length + label_gap}) {
+        // Along the bar from its beginning (the left, or the lower end), and across it from the left or upper side.
+        const auto put = [&](const std::string& text, double along, double across, DeviceFont font) {
+            const Vec2 at = bar.upright ? Vec2{left + across, top + height - along} : Vec2{left + along, top + across};
+            write_text(image, film.pixel_pitch, text, at, font, bar.upright);
+        };
+        put(name, begin, thick / 2 + 0.36 * number.size, number);
+        if (in_one > in_two) {
+            put(both, begin + number_width, thick / 2 + 0.36 * figures.size, figures);
+        } else {
+            put(pitch, begin + number_width, thick / 2 - 0.12 * figures.size, figures);
+            put(lenses, begin + number_width, thick / 2 + 0.94 * figures.size, figures);
+        }
+    }
+}
+
+/// A black rectangle, mm from the left and top edges.
+void fill(Image& image, Vec2 pitch, double left, double top, double width, double height)
+{
+    const auto at = [](double mm, double pixel, int most) { return std::clamp(int(std::lround(mm / pixel)), 0, most); };
+    for (int y = at(top, pitch.y, image.height); y < at(top + height, pitch.y, image.height); ++y)
+        for (int x = at(left, pitch.x, image.width); x < at(left + width, pitch.x, image.width); ++x)
+            store_pixel(image, x, y, {0, 0, 0, 1});
+}
+
+/// Where every bar of a block is at the same phase: a tick at either end.
+void draw_ticks(Image& image, Vec2 pitch, const Block& block)
+{
+    const double x = block.left + block.width / 2 - tick_width / 2, y = block.top + block.height / 2 - tick_width / 2;
+    if (block.upright) {
+        fill(image, pitch, block.left - tick, y, tick, tick_width);
+        fill(image, pitch, block.left + block.width, y, tick, tick_width);
+    } else {
+        fill(image, pitch, x, block.top - tick, tick_width, tick);
+        fill(image, pitch, x, block.top + block.height, tick_width, tick);
+    }
+}
+
+void check(const PitchChart& chart)
+{
+    const PitchScale& scale = chart.scale;
+    if (!(scale.first > 0 && scale.step > 0 && scale.bars >= 1 && std::isfinite(scale.first) && std::isfinite(scale.step)))
+        throw std::invalid_argument("a chart's first pitch and step must be greater than 0, and it must have a bar");
+}
+
+} // namespace
+
+double line_coverage(double phase, double a, double b)
+{
+    if (a < b)
+        std::swap(a, b);
+    double mean;
+    if (b < 1e-7) // the second difference would lose its digits
+        mean = (first_integral(phase + a) - first_integral(phase - a)) / (2 * a);
+    else
+        mean = (second_integral(phase + a + b) - second_integral(phase + a - b) - second_integral(phase - a + b) + second_integral(phase - a - b)) /
+               (4 * a * b);
+    return std::clamp(0.5 + mean, 0.0, 1.0);
+}
+
+std::vector<ChartBar> chart_bars(const PitchChart& chart)
+{
+    check(chart);
+    return bars_of(chart, layout_of(chart));
+}
+
+Image pitch_chart(const PitchChart& chart)
+{
+    check(chart);
+    const Layout layout = layout_of(chart);
+    const std::vector<ChartBar> bars = bars_of(chart, layout);
+    const Vec2 pitch = chart.film.pixel_pitch;
+    Image image = make_image<std::uint8_t>(chart.film.width, chart.film.height, 3, {});
+    auto& samples = std::get<std::vector<std::uint8_t>>(image.samples);
+    std::fill(samples.begin(), samples.end(), std::uint8_t(255));
+    for (const ChartBar& bar : bars) {
+        draw_lines(chart, bar, image);
+        write_labels(chart.film, bar, image);
+    }
+    for (const Block& block : layout.blocks)
+        draw_ticks(image, pitch, block);
+
+    double baseline = margin;
+    const auto write = [&](const std::vector<std::string>& lines, DeviceFont font) {
+        for (const std::string& line : lines)
+            write_text(image, pitch, line, {margin, baseline += line_height}, font);
+    };
+    write(layout.title, title);
+    write(layout.head, words);
+    baseline = chart.film.height * pitch.y - margin - line_height * double(layout.foot.size()) - 0.5;
+    write(layout.foot, words);
+    return image;
+}
+
+} // namespace integral
