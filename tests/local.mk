@@ -16,12 +16,13 @@ build_tests_parallax_LDADD = $(LIBINTEGRAL_LIBS)
 
 # For tests/cli/print_cups.test, which skips where they are missing.
 if HAVE_CUPS
-cups_programs = build/tests/spool build/tests/raster
+cups_programs = build/tests/spool build/tests/raster build/tests/dyesub
 check_PROGRAMS += $(cups_programs)
 build_tests_spool_SOURCES = tests/cli/helpers/spool.cpp
 build_tests_spool_LDADD = $(LIBINTEGRAL_LIBS)
 build_tests_raster_SOURCES = tests/cli/helpers/raster.cpp
 build_tests_raster_LDADD = $(CUPS_LIBS)
+build_tests_dyesub_SOURCES = tests/cli/helpers/dyesub.cpp
 endif
 
 EXTRA_PROGRAMS += build/sanitized/unit

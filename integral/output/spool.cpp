@@ -16,6 +16,7 @@
 
 #include <chrono>
 #include <memory>
+#include <sstream>
 #include <strings.h>
 #include <thread>
 #endif
@@ -92,6 +93,24 @@ std::string reasons_of(const std::string& message, const std::string& reasons)
     if (!reasons.empty() && reasons != "none")
         words += (words.empty() ? "" : ", ") + reasons;
     return words.empty() ? "no reason given" : words;
+}
+
+/// Whether printer-state-reasons, joined by commas, tell of something that a person has to see to. Without ending they are errors;
+/// warnings and reports (a supply is low) are not, those apart that printers stop for; nor is what CUPS' own backends say.
+bool in_trouble(const std::string& reasons)
+{
+    const auto begins = [](const std::string& word, const char* with) { return word.rfind(with, 0) == 0; };
+    const auto ends = [](const std::string& word, const std::string& with) {
+        return word.size() >= with.size() && word.compare(word.size() - with.size(), with.size(), with) == 0;
+    };
+    std::istringstream list(reasons);
+    for (std::string reason; std::getline(list, reason, ',');) {
+        if (begins(reason, "media-empty") || begins(reason, "media-needed") || begins(reason, "offline"))
+            return true;
+        if (reason != "none" && !begins(reason, "cups-") && !ends(reason, "-warning") && !ends(reason, "-report"))
+            return true;
+    }
+    return false;
 }
 
 std::vector<std::string> printers_of(http_t* server)
@@ -275,8 +294,7 @@ bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheet
             best = steps;
             last_progress = Clock::now();
         }
-        const bool trouble = !device_reasons.empty() && device_reasons != "none";
-        if (trouble && std::chrono::duration<double>(Clock::now() - last_progress).count() > patience)
+        if (in_trouble(device_reasons) && std::chrono::duration<double>(Clock::now() - last_progress).count() > patience)
             throw std::runtime_error("the printer does not go on (" + device_words + "); the job is cancelled");
         if (progress && !progress(best, total_steps))
             return false;

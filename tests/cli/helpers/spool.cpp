@@ -4,8 +4,8 @@
 //   spool [--printer NAME] [--title TITLE] [--size WxH] [--dpi X,Y] [--levels N] [--border N] [--pages N] [--copies N] [--medium NAME] [--option NAME=VALUE]
 //         [--patience SECONDS] [--stop-at STEPS] [--keep FILE]
 //
-// Every sample is one of N levels (of 256: any value), `border` pixels round the page white. --keep: the first page's samples
-// as they are (R, G, B; row by row). --stop-at: progress says stop at that many steps of 1000. Prints the job's number,
+// Every sample is one of N levels (of 256: any value), `border` pixels round the page white. --keep: the pages' samples
+// as they are (R, G, B; row by row), page after page. --stop-at: progress says stop at that many steps of 1000. Prints the job's number,
 // or "interrupted", and how progress went; with --printers the server's printers instead.
 #include "integral/io/file_bytes.h"
 #include "integral/output/spool.h"
@@ -19,7 +19,7 @@ int main(int count, char** arguments)
     using namespace integral;
     SpoolJob job;
     int width = 1240, height = 1844, levels = 256, border = 0, pages = 1, stop_at = 1001;
-    std::string keep;
+    std::string keep, kept;
     try {
         for (int i = 1; i < count; ++i) {
             const std::string name = arguments[i];
@@ -67,16 +67,16 @@ int main(int count, char** arguments)
                     const bool inside = y >= border && y < height - border && i / 3 >= border && i / 3 < width - border;
                     samples[std::size_t(y) * width * 3 + i] = inside ? std::uint8_t((random() >> 8) % unsigned(levels) * 255 / unsigned(levels - 1)) : 255;
                 }
-            if (p == 0 && !keep.empty())
-                write_file(keep, std::string(samples.begin(), samples.end()));
+            kept.append(samples.begin(), samples.end());
             job.pages.push_back(std::move(page));
         }
-        int calls = 0, last = -1;
+        if (!keep.empty())
+            write_file(keep, kept);
+        int last = -1;
         bool forward = true;
         const std::optional<int> number = spool(job, [&](int done, int total) {
             forward = forward && done >= last && done <= total;
             last = done;
-            ++calls;
             return done < stop_at;
         });
         if (number)
