@@ -69,6 +69,7 @@ unit_sources = \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h \
   tests/unit/optics_symmetries.cpp \
+  tests/unit/output_print_media.cpp \
   tests/unit/pixel_origins.h
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.

@@ -18,7 +18,8 @@ ssize_t append(void* stream, unsigned char* bytes, std::size_t count)
 [[noreturn]] void fail()
 {
     const char* reason = cupsRasterErrorString();
-    throw std::runtime_error(std::string("libcups could not write the raster") + (reason && *reason ? std::string(": ") + reason : ""));
+    const std::string more = reason && *reason ? std::string(": ") + reason : "";
+    throw std::runtime_error("libcups could not write the raster" + more);
 }
 
 } // namespace
@@ -26,7 +27,8 @@ ssize_t append(void* stream, unsigned char* bytes, std::size_t count)
 std::string cups_raster(const std::vector<Image>& pages, int copies, const cups_page_header2_t& like)
 {
     std::string stream;
-    const std::unique_ptr<cups_raster_t, void (*)(cups_raster_t*)> raster(cupsRasterOpenIO(append, &stream, CUPS_RASTER_WRITE), cupsRasterClose);
+    using Raster = std::unique_ptr<cups_raster_t, void (*)(cups_raster_t*)>;
+    const Raster raster(cupsRasterOpenIO(append, &stream, CUPS_RASTER_WRITE), cupsRasterClose);
     if (!raster)
         fail();
     for (int copy = 0; copy < copies; ++copy)
@@ -42,8 +44,9 @@ std::string cups_raster(const std::vector<Image>& pages, int copies, const cups_
             if (!cupsRasterWriteHeader2(raster.get(), &header))
                 fail();
             std::vector<std::uint8_t> samples = std::get<std::vector<std::uint8_t>>(page.samples); // libcups takes no const
+            const unsigned row_bytes = header.cupsBytesPerLine;
             for (int y = 0; y < page.height; ++y)
-                if (cupsRasterWritePixels(raster.get(), samples.data() + std::size_t(y) * header.cupsBytesPerLine, header.cupsBytesPerLine) != header.cupsBytesPerLine)
+                if (cupsRasterWritePixels(raster.get(), samples.data() + std::size_t(y) * row_bytes, row_bytes) != row_bytes)
                     fail();
         }
     return stream;

@@ -118,8 +118,8 @@ std::optional<Image> centred_page(const Image& page, int width, int height)
         }
         if (!white(y, 0, first) || !white(y, last, page.width))
             return std::nullopt;
-        std::memcpy(&to[(std::size_t(y + top) * width + std::size_t(left + first)) * 3], &from[(std::size_t(y) * page.width + std::size_t(first)) * 3],
-                    std::size_t(last - first) * 3);
+        const std::size_t begin = (std::size_t(y) * page.width + std::size_t(first)) * 3;
+        std::memcpy(&to[(std::size_t(y + top) * width + std::size_t(left + first)) * 3], &from[begin], std::size_t(last - first) * 3);
     }
     return area;
 }

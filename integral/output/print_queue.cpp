@@ -53,7 +53,8 @@ PrintQueue::PrintQueue(http_t* server, const std::string& printer) : file_(new F
 {
     const char* path = cupsGetPPD2(server, printer.c_str()); // a temporary copy, of a name of libcups' own
     if (!path)
-        throw std::runtime_error(std::string("the server has no PPD of it (") + cupsLastErrorString() + "); raw queues cannot be printed to");
+        throw std::runtime_error(std::string("the server has no PPD of it (") + cupsLastErrorString() +
+                                 "); raw queues cannot be printed to");
     const std::string copy = path;
     file_->ppd = ppdOpenFile(copy.c_str());
     unlink(copy.c_str());
@@ -122,7 +123,8 @@ cups_page_header2_t PrintQueue::page_header(const PrintOptions& options)
     cupsFreeOptions(count, list);
     if (!good)
         throw std::runtime_error("its PPD makes no page header");
-    const bool rgb = header.cupsColorSpace == CUPS_CSPACE_RGB || header.cupsColorSpace == CUPS_CSPACE_SRGB || header.cupsColorSpace == CUPS_CSPACE_ADOBERGB;
+    const cups_cspace_t space = header.cupsColorSpace;
+    const bool rgb = space == CUPS_CSPACE_RGB || space == CUPS_CSPACE_SRGB || space == CUPS_CSPACE_ADOBERGB;
     if (!rgb || header.cupsColorOrder != CUPS_ORDER_CHUNKED || (header.cupsBitsPerColor && header.cupsBitsPerColor != 8))
         throw std::runtime_error("its driver does not take 8-bit RGB pixels");
     return header;

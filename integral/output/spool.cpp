@@ -38,7 +38,8 @@ constexpr auto poll_interval = std::chrono::milliseconds(200);
 
 /// Options that place or scale pages.
 const char* const scaling_options[] = {"fit-to-page", "fitplot", "landscape", "media", "mirror", "natural-scaling", "number-up",
-    "orientation-requested", "PageRegion", "PageSize", "position", "ppi", "print-scaling", "printer-resolution", "Resolution", "scaling", "StpiShrinkOutput"};
+    "orientation-requested", "PageRegion", "PageSize", "position", "ppi", "print-scaling", "printer-resolution", "Resolution",
+    "scaling", "StpiShrinkOutput"};
 
 Server connect()
 {
@@ -136,7 +137,7 @@ std::string ready_printer(http_t* server, const std::string& wanted)
     std::string list;
     for (const std::string& name : names)
         list += (list.empty() ? "" : ", ") + name;
-    const std::string help = names.empty() ? "; the CUPS server has no printer, lpadmin adds one" : "; the CUPS server has " + list;
+    const std::string help = "; the CUPS server has " + (names.empty() ? "no printer, lpadmin adds one" : list);
     const char* usual = cupsGetDefault2(server);
     if (wanted.empty() && !usual)
         throw OutputError("the CUPS server has no default printer" + help);
@@ -180,12 +181,13 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
                                  ", and pixels are never resampled: render for one of these");
     const std::optional<PagePlace> place = place_page(media, page, job.medium);
     if (!place)
-        throw std::runtime_error("no medium " + (job.medium.empty() ? "" : job.medium + " ") + "of " + figures("%.1f x %.1f mm", page.width, page.height) +
-                                 "; it has " + media_in_words(media));
+        throw std::runtime_error("no medium " + (job.medium.empty() ? "" : job.medium + " ") + "of " +
+                                 figures("%.1f x %.1f mm", page.width, page.height) + "; it has " + media_in_words(media));
     const std::string& resolution = place->turned ? turned : upright;
     if (resolution.empty())
-        throw std::runtime_error("a page of " + figures("%.1f x %.1f mm", page.width, page.height) + " lies across " + media[place->medium].label +
-                                 ", which has no resolution of " + figures("%g x %g dpi", across.x, across.y) + "; it has " + list + ": render it upright");
+        throw std::runtime_error("a page of " + figures("%.1f x %.1f mm", page.width, page.height) + " lies across " +
+                                 media[place->medium].label + ", which has no resolution of " +
+                                 figures("%g x %g dpi", across.x, across.y) + "; it has " + list + ": render it upright");
 
     Document document;
     const PrintMedium& medium = media[place->medium];
@@ -202,7 +204,7 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
     for (const Image& each : job.pages) {
         std::optional<Image> sheet = centred_page(place->turned ? turned_page(each) : each, width, height);
         if (!sheet)
-            throw std::runtime_error("prints " + std::to_string(width) + " x " + std::to_string(height) + " pixels of " + medium.label + " (" + medium.name +
+            throw std::runtime_error("prints " + figures("%g x %g pixels of ", width, height) + medium.label + " (" + medium.name +
                                      "), and the page has colour outside them; leave its margins white");
         sheets.push_back(std::move(*sheet));
     }
@@ -213,7 +215,8 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
 /// A job on the server, which is cancelled unless it is done.
 class SentJob {
 public:
-    SentJob(http_t* server, std::string printer, const std::string& title, const PrintOptions& options) : server_(server), printer_(std::move(printer))
+    SentJob(http_t* server, std::string printer, const std::string& title, const PrintOptions& options)
+        : server_(server), printer_(std::move(printer))
     {
         cups_option_t* list = nullptr;
         int count = 0;
@@ -242,7 +245,8 @@ private:
 };
 
 /// Sends the document; false if `progress` stopped it.
-bool send(http_t* server, const std::string& printer, int number, const std::string& title, const std::string& bytes, const Progress& progress)
+bool send(http_t* server, const std::string& printer, int number, const std::string& title, const std::string& bytes,
+          const Progress& progress)
 {
     constexpr std::size_t piece = 1 << 18;
     http_status_t status = cupsStartDocument(server, printer.c_str(), number, title.c_str(), "application/vnd.cups-raster", 1);
@@ -263,7 +267,8 @@ bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheet
     Clock::time_point last_progress = Clock::now();
     for (;; std::this_thread::sleep_for(poll_interval)) {
         const Message job = ask(server, IPP_OP_GET_JOB_ATTRIBUTES, printer, sent.number,
-                                {"job-state", "job-state-reasons", "job-printer-state-message", "job-impressions-completed", "job-media-progress"});
+                                {"job-state", "job-state-reasons", "job-printer-state-message", "job-impressions-completed",
+                                 "job-media-progress"});
         if (cupsLastError() > IPP_STATUS_OK_CONFLICTING)
             throw std::runtime_error(std::string("the CUPS server does not tell how the job goes: ") + cupsLastErrorString());
         const int state = integer_of(job, "job-state");
@@ -276,12 +281,14 @@ bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheet
         }
         if (state == IPP_JSTATE_CANCELED || state == IPP_JSTATE_ABORTED) {
             sent.done = true;
-            throw std::runtime_error("job " + std::to_string(sent.number) + (state == IPP_JSTATE_CANCELED ? " was cancelled (" : " failed (") + words + ")");
+            const char* end = state == IPP_JSTATE_CANCELED ? " was cancelled (" : " failed (";
+            throw std::runtime_error("job " + std::to_string(sent.number) + end + words + ")");
         }
         if (state == IPP_JSTATE_STOPPED || state == IPP_JSTATE_HELD)
             throw std::runtime_error("job " + std::to_string(sent.number) + " was stopped (" + words + "); it is cancelled");
 
-        const Message device = ask(server, IPP_OP_GET_PRINTER_ATTRIBUTES, printer, 0, {"printer-state", "printer-state-message", "printer-state-reasons"});
+        const Message device = ask(server, IPP_OP_GET_PRINTER_ATTRIBUTES, printer, 0,
+                                   {"printer-state", "printer-state-message", "printer-state-reasons"});
         const std::string device_reasons = text_of(device, "printer-state-reasons");
         const std::string device_words = reasons_of(text_of(device, "printer-state-message"), device_reasons);
         if (integer_of(device, "printer-state") == IPP_PSTATE_STOPPED)
@@ -310,8 +317,7 @@ std::optional<int> spool(const SpoolJob& job, const Progress& progress)
     if (job.pages.empty() || job.copies < 1 || !(job.dpi.x > 0) || !(job.dpi.y > 0))
         throw std::invalid_argument("a print job needs pages, copies and a resolution");
     for (const Image& page : job.pages)
-        if (page.channels != 3 || !std::holds_alternative<std::vector<std::uint8_t>>(page.samples) || page.width < 1 || page.height < 1 ||
-            !same_form(page, job.pages.front()) || page.width != job.pages.front().width || page.height != job.pages.front().height)
+        if (page.channels != 3 || sample_bits(page) != 8 || page.width < 1 || page.height < 1 || !same_form(page, job.pages.front()))
             throw std::invalid_argument("a print job's pages are 8-bit RGB and of one size");
 
     const Server server = connect();
@@ -339,7 +345,8 @@ namespace {
 
 [[noreturn]] void no_cups()
 {
-    throw OutputError("this build has no libcups, so it cannot print; install libcups2-dev (a package of Debian) and configure again, or write a file and print that");
+    throw OutputError("this build has no libcups, so it cannot print; install libcups2-dev (a package of Debian) and configure "
+                      "again, or write a file");
 }
 
 } // namespace
