@@ -14,6 +14,17 @@ check_PROGRAMS += build/tests/parallax
 build_tests_parallax_SOURCES = tests/replay/parallax.cpp
 build_tests_parallax_LDADD = $(LIBINTEGRAL_LIBS)
 
+# For tests/cli/print_cups.test, which skips where they are missing.
+if HAVE_CUPS
+cups_programs = build/tests/spool build/tests/raster build/tests/dyesub
+check_PROGRAMS += $(cups_programs)
+build_tests_spool_SOURCES = tests/cli/helpers/spool.cpp
+build_tests_spool_LDADD = $(LIBINTEGRAL_LIBS)
+build_tests_raster_SOURCES = tests/cli/helpers/raster.cpp
+build_tests_raster_LDADD = $(CUPS_LIBS)
+build_tests_dyesub_SOURCES = tests/cli/helpers/dyesub.cpp
+endif
+
 EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
@@ -62,6 +73,7 @@ unit_sources = \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h \
   tests/unit/optics_symmetries.cpp \
+  tests/unit/output_print_media.cpp \
   tests/unit/pixel_origins.h
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
@@ -88,7 +100,7 @@ build_tests_depths_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
 test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
-  build/bench/error_against_time build/bench/eyes
+  build/bench/error_against_time build/bench/eyes $(cups_programs)
 
 .PHONY: check-long
 check-local: $(test_programs) pristine

@@ -4,6 +4,8 @@
 build_lib_libintegral_a_SOURCES += \
   integral/output/colour_profile.cpp \
   integral/output/colour_profile.h \
+  integral/output/cups_raster.cpp \
+  integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
   integral/output/page.cpp \
@@ -20,5 +22,11 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/pitch_chart.h \
   integral/output/pitch_wizard.cpp \
   integral/output/pitch_wizard.h \
+  integral/output/print_media.cpp \
+  integral/output/print_media.h \
+  integral/output/print_queue.cpp \
+  integral/output/print_queue.h \
   integral/output/quilt.cpp \
-  integral/output/quilt.h
+  integral/output/quilt.h \
+  integral/output/spool.cpp \
+  integral/output/spool.h
