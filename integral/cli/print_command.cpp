@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral print: a frame on paper, pixel for pixel.
-#include "integral/cli/command.h"
 #include "integral/cli/picture_series.h"
+#include "integral/cli/print_chart.h"
+#include "integral/cli/print_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
@@ -9,17 +10,18 @@
 #include "integral/output/colour_profile.h"
 #include "integral/output/page_pdf.h"
 #include "integral/output/page_raster.h"
+#include "integral/output/spool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <initializer_list>
+#include <iostream>
 
 namespace integral {
 namespace {
-
-constexpr double largest_paper = 5000; // mm
 
 options::options_description make_options()
 {
@@ -42,120 +44,15 @@ options::options_description make_options()
         ("bits", options::value<int>()->value_name("N"), "8 or 16 bits for each colour (default: the frame's)")
         ("icc", value("FILE"), "the printer's ICC profile, to whose colours the page is converted (default: sRGB)")
         ("intent", value("INTENT"), "perceptual, relative (default), saturation or absolute")
+        ("printer", value("NAME"), "print it, to a queue of CUPS; ? lists them. -o is then not needed")
+        ("copies", options::value<int>()->value_name("N"), "how many, 1 to 1000 (default 1)")
+        ("medium", value("NAME"), "the printer's name of the paper (default: by the page's size)")
+        ("printer-option", options::value<std::vector<std::string>>()->value_name("NAME=VALUE"), "of the printer's driver, as StpLaminate=Matte; may be given again")
         ("sheet", value("FILE.json"), "geometry for a frame that carries none, or instead of its own")
+        ("json", "with --even: print figures as JSON")
         ("help", "print this");
+    add_chart_options(all);
     return all;
-}
-
-double parse_length(const options::variables_map& arguments, const char* option, double fallback)
-{
-    if (!given(arguments, option))
-        return fallback;
-    const double value = parse_number(option, text_of(arguments, option), "a number of mm");
-    if (!(value >= 0 && value <= largest_paper))
-        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": 0 to 5000 mm is expected");
-    return value;
-}
-
-/// The paper as it is fed.
-std::optional<Paper> parse_paper(const options::variables_map& arguments, const Film& film)
-{
-    const std::string way = given(arguments, "orientation") ? text_of(arguments, "orientation") : "auto";
-    if (way != "auto" && way != "portrait" && way != "landscape")
-        throw UsageError("--orientation " + way + ": portrait, landscape or auto is expected");
-    if (!given(arguments, "paper")) {
-        if (way != "auto")
-            throw UsageError("--orientation needs --paper");
-        return std::nullopt;
-    }
-    const std::string text = text_of(arguments, "paper");
-    std::optional<Paper> paper = paper_named(text);
-    const bool named = paper.has_value();
-    if (!named) {
-        double width = 0, height = 0;
-        int read = 0;
-        if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 || read != int(text.size()) || !(width >= 5 && height >= 5)
-            || !(width <= largest_paper && height <= largest_paper))
-            throw UsageError("--paper " + text + ": " + paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm, is expected");
-        paper = Paper{width, height};
-    }
-    const bool wide = film.width * film.pixel_pitch.x > film.height * film.pixel_pitch.y;
-    const bool turn = way == "auto" ? named && wide : (way == "landscape") != (paper->width > paper->height);
-    if (turn)
-        std::swap(paper->width, paper->height);
-    return paper;
-}
-
-std::string shown(double value)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
-/// The printer's own pixel pitch, mm. Refuses to print a frame of other pixels than the printer's.
-Vec2 printer_pitch(const options::variables_map& arguments, const Film& film)
-{
-    Vec2 feed{1, 1};
-    if (given(arguments, "feed"))
-        feed = parse_one_or_two("feed", text_of(arguments, "feed"), "X or X,Y");
-    if (!(feed.x > 0.5 && feed.y > 0.5 && feed.x < 2 && feed.y < 2))
-        throw UsageError("--feed " + text_of(arguments, "feed") + ": 0.5 to 2 is expected");
-    const Vec2 made{film.pixel_pitch.x / feed.x, film.pixel_pitch.y / feed.y};
-    if (!given(arguments, "dpi"))
-        return made;
-    const Vec2 dpi = parse_one_or_two("dpi", text_of(arguments, "dpi"), "D or D,D");
-    if (!(dpi.x >= 1 && dpi.y >= 1 && dpi.x <= 100000 && dpi.y <= 100000))
-        throw UsageError("--dpi " + text_of(arguments, "dpi") + ": 1 to 100000 is expected");
-    const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
-    if (differs(mm_per_inch / made.x, dpi.x) || differs(mm_per_inch / made.y, dpi.y)) {
-        const Vec2 pitch{mm_per_inch / dpi.x * feed.x, mm_per_inch / dpi.y * feed.y};
-        throw UsageError("the frame has " + shown(mm_per_inch / film.pixel_pitch.x) + " x " + shown(mm_per_inch / film.pixel_pitch.y)
-                         + " pixels an inch, and is never resampled; for this printer render it with film { pixel_pitch <" + shown(pitch.x) + ", "
-                         + shown(pitch.y) + "> }, or let it print at the frame's own resolution");
-    }
-    return {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
-}
-
-PageRequest parse_request(const options::variables_map& arguments, const Film& film)
-{
-    PageRequest request;
-    request.paper = parse_paper(arguments, film);
-    const std::string centre = given(arguments, "centre") ? text_of(arguments, "centre") : "lens";
-    if (centre != "lens" && centre != "picture")
-        throw UsageError("--centre " + centre + ": lens or picture is expected");
-    request.centre_on_lens = centre == "lens";
-    request.trim = parse_length(arguments, "bleed", 0);
-    request.overlap = parse_length(arguments, "overlap", request.overlap);
-    request.tiles = arguments["tile"].as<bool>();
-    if (given(arguments, "overlap") && !request.tiles)
-        throw UsageError("--overlap is for --tile");
-    if (request.tiles && !request.paper)
-        throw UsageError("--tile needs --paper");
-    request.mirrored = arguments["mirror"].as<bool>();
-    std::string kinds = text_of(arguments, "marks");
-    while (!kinds.empty()) {
-        const std::string kind = kinds.substr(0, kinds.find(','));
-        kinds.erase(0, kind.size() + 1);
-        if (kind != "crop" && kind != "registration" && kind != "axis" && kind != "all")
-            throw UsageError("--marks " + text_of(arguments, "marks") + ": crop, registration, axis or all is expected");
-        request.crop_marks |= kind == "crop" || kind == "all";
-        request.registration_marks |= kind == "registration" || kind == "all";
-        request.axis_marks |= kind == "axis" || kind == "all";
-    }
-    return request;
-}
-
-Intent parse_intent(const options::variables_map& arguments)
-{
-    const std::string word = given(arguments, "intent") ? text_of(arguments, "intent") : "relative";
-    if (given(arguments, "intent") && !given(arguments, "icc"))
-        throw UsageError("--intent needs --icc");
-    for (const auto& [name, intent] : {std::pair("perceptual", Intent::perceptual), std::pair("relative", Intent::relative),
-                                       std::pair("saturation", Intent::saturation), std::pair("absolute", Intent::absolute)})
-        if (word == name)
-            return intent;
-    throw UsageError("--intent " + word + ": perceptual, relative, saturation or absolute is expected");
 }
 
 /// Today, or the day of SOURCE_DATE_EPOCH, by which builds are made repeatable.
@@ -202,77 +99,185 @@ Image printable(const Image& frame, int bits)
 
 bool is_pdf(const std::string& path) { return path.size() > 4 && path.compare(path.size() - 4, 4, ".pdf") == 0; }
 
-int run(const options::variables_map& arguments)
+/// The options that only one kind of work has, refused for the other.
+void refuse_given(const options::variables_map& arguments, std::initializer_list<const char*> names, const std::string& why)
 {
-    const std::string input = inputs_of(arguments)[0], output = text_of(arguments, "output");
-    if (output.empty())
-        throw UsageError("-o FILE is missing");
-    if (!is_pdf(output) && format_for(output) == ImageFormat::exr)
-        throw OutputError(output + ": pages are .pdf, .tiff or .png");
+    for (const char* option : names)
+        if (given(arguments, option) && !arguments[option].defaulted())
+            throw UsageError(std::string("--") + option + " " + why);
+}
+
+/// Prints pages and waits for them.
+void send(const options::variables_map& arguments, const std::vector<Image>& pages, Vec2 pixel_pitch, const std::string& title)
+{
+    SpoolJob job;
+    job.printer = text_of(arguments, "printer");
+    job.title = title;
+    for (const Image& page : pages)
+        job.pages.push_back(printable(page, 8));
+    job.dpi = {mm_per_inch / pixel_pitch.x, mm_per_inch / pixel_pitch.y};
+    job.medium = text_of(arguments, "medium");
+    if (given(arguments, "copies"))
+        job.copies = in_range(arguments, "copies", 1, 1000);
+    if (given(arguments, "printer-option"))
+        for (const std::string& option : arguments["printer-option"].as<std::vector<std::string>>()) {
+            const std::size_t middle = option.find('=');
+            if (middle == std::string::npos || middle == 0)
+                throw UsageError("--printer-option " + option + ": NAME=VALUE is expected");
+            job.options.emplace_back(option.substr(0, middle), option.substr(middle + 1));
+        }
+    const auto number = spool(job, progress_bar("printing"));
+    if (!number)
+        throw Interrupted();
+    std::cout << job.printer << ": job " << *number << " is printed\n";
+}
+
+/// A frame's pages, ready to be written.
+struct Print {
+    FrameMetadata metadata;
+    std::vector<Page> pages;
+    Image picture; ///< 8 or 16 bits, in the colours of the profile
+    Vec2 pixel_pitch;
+    std::string profile, title;
+};
+
+Print prepare(const options::variables_map& arguments)
+{
+    const std::string input = inputs_of(arguments)[0];
     const Intent intent = parse_intent(arguments);
     if (given(arguments, "bits") && arguments["bits"].as<int>() != 8 && arguments["bits"].as<int>() != 16)
         throw UsageError("--bits " + std::to_string(arguments["bits"].as<int>()) + ": 8 or 16 is expected");
-    check_writable(output);
-
-    Frame frame = read_frame_with_metadata(input, text_of(arguments, "sheet"));
+    const Frame frame = read_frame_with_metadata(input, text_of(arguments, "sheet"));
     stop_if_interrupted();
-    const FrameMetadata& metadata = *frame.metadata;
-    PageRequest request = parse_request(arguments, metadata.film);
+
+    Print print;
+    print.metadata = *frame.metadata;
+    print.title = strip_text(input, print.metadata);
+    print.pixel_pitch = printer_pitch(arguments, print.metadata.film);
+    PageRequest request = parse_request(arguments, print.metadata.film);
     if (arguments["strip"].as<bool>())
-        request.strip = strip_text(input, metadata);
-    std::vector<Page> pages;
-    const Vec2 pitch = printer_pitch(arguments, metadata.film);
+        request.strip = print.title;
     try {
-        pages = lay_out(metadata, pitch, request);
+        print.pages = lay_out(print.metadata, print.pixel_pitch, request);
     } catch (const std::invalid_argument& error) {
         throw UsageError(input + ": " + error.what());
     }
     const int bits = given(arguments, "bits") ? arguments["bits"].as<int>() : std::min(16, sample_bits(frame.image));
-    Image picture = printable(frame.image, bits);
-    std::string profile = srgb_profile();
+    print.picture = printable(frame.image, bits);
+    print.profile = srgb_profile();
     if (given(arguments, "icc")) {
-        profile = read_file(text_of(arguments, "icc"));
+        print.profile = read_file(text_of(arguments, "icc"));
         try {
-            picture = in_profile(picture, profile, intent);
+            print.picture = in_profile(print.picture, print.profile, intent);
         } catch (const std::runtime_error& error) {
             throw InputError(text_of(arguments, "icc") + ": " + error.what());
         }
     }
     stop_if_interrupted();
-    if (is_pdf(output)) {
-        std::string bytes;
-        try {
-            bytes = pdf_of(pages, picture, profile, strip_text(input, metadata));
-        } catch (const std::exception& error) {
-            throw OutputError(output + ": " + error.what());
-        }
-        write_file(output, bytes);
-        return exit_done;
+    return print;
+}
+
+void write_pdf(const Print& print, const std::string& output)
+{
+    std::string bytes;
+    try {
+        bytes = pdf_of(print.pages, print.picture, print.profile, print.title);
+    } catch (const std::exception& error) {
+        throw OutputError(output + ": " + error.what());
     }
+    write_file(output, bytes);
+}
+
+void write_pages(const Print& print, const std::string& output)
+{
     const Progress bar = progress_bar("print");
-    for (std::size_t k = 0; k < pages.size(); ++k) {
+    const int count = int(print.pages.size());
+    for (int k = 0; k < count; ++k) {
         std::optional<FrameMetadata> geometry;
-        if (const auto g = geometry_of(pages[k], metadata)) {
+        if (const auto g = geometry_of(print.pages[k], print.metadata)) {
             geometry = g->metadata;
             geometry->encoding = Encoding();
         }
-        write_page(pages.size() == 1 ? output : numbered(output, int(k) + 1, int(pages.size())), rasterized(pages[k], picture), pitch,
-                   profile, geometry);
-        if (!bar(int(k) + 1, int(pages.size())))
+        write_page(count == 1 ? output : numbered(output, k + 1, count), rasterized(print.pages[k], print.picture), print.pixel_pitch,
+                   print.profile, geometry);
+        if (!bar(k + 1, count))
             throw Interrupted();
     }
+}
+
+int print_frame(const options::variables_map& arguments)
+{
+    const std::string output = text_of(arguments, "output");
+    if (inputs_of(arguments).empty())
+        throw UsageError("FRAME is missing; --chart makes a chart without one");
+    if (output.empty() && !given(arguments, "printer"))
+        throw UsageError("-o FILE is missing, or --printer NAME");
+    if (!output.empty()) {
+        if (!is_pdf(output) && format_for(output) == ImageFormat::exr)
+            throw OutputError(output + ": pages are .pdf, .tiff or .png");
+        check_writable(output);
+    }
+    const Print print = prepare(arguments);
+    if (is_pdf(output))
+        write_pdf(print, output);
+    else if (!output.empty())
+        write_pages(print, output);
+    if (given(arguments, "printer")) {
+        std::vector<Image> pages;
+        for (const Page& page : print.pages)
+            pages.push_back(rasterized(page, print.picture));
+        send(arguments, pages, print.pixel_pitch, print.title);
+    }
     return exit_done;
+}
+
+int print_chart(const options::variables_map& arguments)
+{
+    refuse_given(arguments, {"paper", "orientation", "feed", "centre", "bleed", "marks", "strip", "mirror", "tile", "overlap", "bits", "icc", "intent"},
+                 "is for frames, not for charts");
+    if (given(arguments, "even"))
+        refuse_given(arguments, {"printer"}, "does not go with --even");
+    if (!inputs_of(arguments).empty())
+        throw UsageError("a chart takes no FRAME; --sheet FRAME gives it a frame's geometry");
+    if (given(arguments, "printer")) {
+        const Frame chart = chart_frame(arguments);
+        if (given(arguments, "output"))
+            make_chart(arguments);
+        send(arguments, {chart.image}, chart.metadata->film.pixel_pitch, "pitch chart");
+        return exit_done;
+    }
+    return make_chart(arguments);
+}
+
+int run(const options::variables_map& arguments)
+{
+    if (text_of(arguments, "printer") == "?") {
+        for (const std::string& printer : printers())
+            std::cout << printer << '\n';
+        return exit_done;
+    }
+    if (!given(arguments, "printer"))
+        refuse_given(arguments, {"copies", "medium", "printer-option"}, "is for --printer");
+    if (is_chart(arguments))
+        return print_chart(arguments);
+    refuse_given(arguments, {"arrangement", "pitch", "thickness", "ior", "slant", "offset", "pixel-pitch", "size", "pitch-range", "pitch-step", "bars",
+                             "page", "keep-index", "json"}, "is for --chart and --even");
+    return print_frame(arguments);
 }
 
 } // namespace
 
 const Command print_command = {
     "print",
-    "a page for a printer, pixel for pixel: PDF, TIFF or PNG",
-    "FRAME -o PAGE.pdf [--paper 4x6] [--marks all] [--strip] ...",
+    "a frame on paper, pixel for pixel: PDF, TIFF, PNG or a printer; and pitch charts",
+    "FRAME (-o PAGE.pdf | --printer NAME) [--paper 4x6] ... | --chart -o FILE | --even BARS@MM ...",
     "Lays a frame out on paper at its own size. Its pixels are the printer's: they are never\n"
     "resampled, and a printer of another resolution is refused. A lens's axis comes to the middle of\n"
-    "the paper; marks to cut and to lay the lens sheet by stand outside the picture.\n",
-    1, 1, make_options, run};
+    "the paper; marks to cut and to lay the lens sheet by stand outside the picture.\n"
+    "\n"
+    "--chart makes a chart of pitches in fine steps, to be looked at through a lens sheet: its bar that\n"
+    "is even tells the sheet's pitch as it is seen from there. --even works out from one such reading\n"
+    "the sheet's mechanical pitch, and from readings at several distances its index as well.\n",
+    0, 1, make_options, run};
 
 } // namespace integral

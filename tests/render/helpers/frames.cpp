@@ -12,6 +12,7 @@
 //                          the middle one counted twice; needs linear pixels (File_Gamma=1)
 // frames alike A B RMSE    root mean square difference over all pixels and channels <= RMSE/255
 // frames pixel A X Y       prints "r g b a" in 0...65535
+// frames samples A         prints R, G and B of every pixel, row by row, a byte each
 // frames rerecord A MIRRORED B
 //                          writes B: each pixel is A's at the place that its line of MIRRORED (oracle mirrored) names,
 //                          else black; all else, and what A says of itself, is A's
@@ -81,6 +82,13 @@ bool run(const std::vector<std::string>& w)
         const Frame a = frame(1);
         const Pixel p = a.at(std::stoi(w[2]), std::stoi(w[3]));
         std::cout << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3] << '\n';
+        return true;
+    }
+    if (is("samples", 1)) {
+        const Frame a = frame(1);
+        for (const Pixel& p : a.pixels)
+            for (int channel = 0; channel < 3; ++channel)
+                std::cout.put(char(p[channel] / 257));
         return true;
     }
     if (is("rerecord", 3)) {
