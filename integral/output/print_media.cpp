@@ -43,14 +43,14 @@ SizeMm nominal_size(const PrintMedium& medium)
     // The label's first figures, which may have words before them: "Postcard 100x148mm".
     const std::size_t digit = medium.label.find_first_of("0123456789");
     int end = 0;
-    if (digit != std::string::npos && std::sscanf(medium.label.c_str() + digit, "%lfx%lf%n", &width, &height, &end) == 2) {
+    if (digit != std::string::npos && std::sscanf(medium.label.c_str() + digit, "%lf x %lf%n", &width, &height, &end) == 2) {
         const bool in_mm = medium.label.compare(digit + std::size_t(end), 2, "mm") == 0;
         const double unit = in_mm ? 1 : mm_per_inch;
         // A label such as "100x148" without its unit would be metres: take the driver's word then.
         if (width > 0 && height > 0 && (in_mm || (width <= 100 && height <= 100)))
             return {width * unit, height * unit};
     }
-    return medium.sheet;
+    return medium.standard.width > 0 ? medium.standard : medium.sheet;
 }
 
 std::optional<PagePlace> place_page(const std::vector<PrintMedium>& media, SizeMm page, const std::string& name)

@@ -21,10 +21,11 @@ struct PrintMedium {
     std::string label; ///< for people, 4x6
     SizeMm sheet;      ///< as the driver counts it, margins and all
     SizeMm printable;  ///< what a raster of the medium covers
+    SizeMm standard;   ///< what the name means everywhere (A4); zeros where it is no such name
 };
 
 /// The size that a medium is sold by, read from "w288h432" (points) or from a label like "4x6" (inches) or "100x148mm"; the
-/// driver's sheet if neither says.
+/// standard size if neither says, and the driver's sheet where there is none.
 SizeMm nominal_size(const PrintMedium& medium);
 
 /// A page on a medium.

@@ -4,6 +4,7 @@
 
 #include <cups/cups.h>
 #include <cups/ppd.h>
+#include <cups/pwg.h>
 
 #include <cmath>
 #include <cstdio>
@@ -74,8 +75,10 @@ std::vector<PrintMedium> PrintQueue::media() const
         if (!size.width || !size.length || !std::strcmp(size.name, "Custom"))
             continue;
         const ppd_choice_t* choice = labels ? ppdFindChoice(labels, size.name) : nullptr;
+        const pwg_media_t* standard = pwgMediaForPPD(size.name); // in 1/100 mm
         media.push_back({size.name, choice ? choice->text : size.name, {size.width * mm_per_point, size.length * mm_per_point},
-                         {(size.right - size.left) * mm_per_point, (size.top - size.bottom) * mm_per_point}});
+                         {(size.right - size.left) * mm_per_point, (size.top - size.bottom) * mm_per_point},
+                         {standard ? standard->width / 100.0 : 0, standard ? standard->length / 100.0 : 0}});
     }
     return media;
 }

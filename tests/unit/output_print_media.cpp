@@ -13,7 +13,7 @@ BOOST_AUTO_TEST_SUITE(output_print_media)
 
 namespace {
 
-PrintMedium medium(const char* name, const char* label, SizeMm sheet, SizeMm printable) { return {name, label, sheet, printable}; }
+PrintMedium medium(const char* name, const char* label, SizeMm sheet, SizeMm printable) { return {name, label, sheet, printable, {}}; }
 
 /// A DNP DS620's: 2x6 and 4x6 have one sheet, and 4x6 and 2x6*2 have one printable area.
 const std::vector<PrintMedium> ds620 = {
@@ -50,10 +50,12 @@ BOOST_AUTO_TEST_CASE(nominal_sizes)
     BOOST_TEST(nominal("w288h432", "4x6").width == 101.6, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(nominal("B7", "3.5x5").height == 127.0, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(nominal("Postcard", "Postcard 100x148mm").height == 148.0, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(nominal("Index", "4 x 6\"").height == 152.4, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(nominal("A4", "A4").height == 2.0);
     BOOST_TEST(nominal("odd", "100x148").height == 2.0); // inches would be metres
     BOOST_TEST(nominal("odd", "0x0").height == 2.0);
     BOOST_TEST(nominal("", "").height == 2.0);
+    BOOST_TEST(nominal_size({"A4", "A4", {216, 304.8}, {203.2, 304.8}, {210, 297}}).height == 297.0); // a Kodak 1400's
 }
 
 BOOST_AUTO_TEST_CASE(places)
