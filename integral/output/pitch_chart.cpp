@@ -20,6 +20,7 @@ constexpr double bar_share = 0.88;      // of the space of a bar
 constexpr double least_bar = 1.8;       // its labels can just be read
 constexpr double least_periods = 8;     // along a bar
 constexpr double least_pixels = 2;      // a period
+constexpr double least_distance = 2;    // bars' lengths: nearer, the lenses at a bar's ends show it by more than 1% another t/n
 constexpr DeviceFont words{2.2, false}, title{2.6, true};
 
 std::string decimals(double value, int count)
@@ -81,8 +82,8 @@ std::string name_of_sheet(const LensSheet& sheet)
 
 std::string advice(const std::vector<Block>& blocks)
 {
-    std::string text = "Print unscaled. Lay the lenses on the bars, the numbers left free, and look straight at the middle with one eye from a measured "
-                       "distance. The even bar counts, or the two alike beside it.";
+    std::string text = "Print unscaled. Lay the lenses on the bars, the numbers left free, and look with one eye from straight in front of the middle, "
+                       "from a measured distance, twice a bar's length or more. The even bar counts, or the two alike that are most even.";
     bool lying = false, upright = false;
     for (const Block& block : blocks)
         (block.upright ? upright : lying) = true;
@@ -93,11 +94,13 @@ std::string advice(const std::vector<Block>& blocks)
     return text;
 }
 
-/// What viewing distance does to the reading.
-std::string bias_line(const PitchChart& chart)
+/// What viewing distance does to the reading, for distances from `nearest` on.
+std::string bias_line(const PitchChart& chart, double nearest)
 {
     std::string even, less;
     for (const double distance : chart.distances) {
+        if (distance < nearest)
+            continue;
         const double bias = chart.sheet.thickness / (chart.sheet.ior * distance);
         const double pitch = chart.sheet.pitch * (1 + bias), bar = bar_of_pitch(chart.scale, pitch);
         const bool there = bar > 0.5 && bar < chart.scale.bars + 0.5;
@@ -106,8 +109,10 @@ std::string bias_line(const PitchChart& chart)
         less += (less.empty() ? "" : ", ") + decimals(100 * (1 - 1 / (1 + bias)), 2) + "% from " + shortest(distance) + " mm";
     }
     const double own = bar_of_pitch(chart.scale, chart.sheet.pitch);
-    return "The lenses' own pitch is less than the even bar's, by " + less + ". Even under the nominal sheet: " + even +
-           "; its own pitch is bar " + decimals(own, 1) + "'s.";
+    const std::string end = "its own pitch is bar " + decimals(own, 1) + "'s.";
+    if (even.empty())
+        return "Of the nominal sheet: " + end;
+    return "The lenses' own pitch is less than the even bar's, by " + less + ". Even under the nominal sheet: " + even + "; " + end;
 }
 
 /// Throws where a page has no room; `what` it is for.
@@ -129,19 +134,19 @@ Layout layout_of(const PitchChart& chart)
     layout.title = wrapped("Pitch chart: " + name_of_sheet(chart.sheet) + ". " + dpi(film.pixel_pitch.x) + " x " + dpi(film.pixel_pitch.y) + " dpi",
                            inner, title);
     layout.head = wrapped(advice(layout.blocks), inner, words);
-    layout.foot = wrapped(bias_line(chart), inner, words);
+    const double count = double(layout.blocks.size());
+    const bool beside = width > height;
+    const double longest = (beside ? (inner - block_gap * (count - 1)) / count : inner) - 2 * label;
+    layout.foot = wrapped(bias_line(chart, least_distance * longest), inner, words);
     for (const std::string& line : wrapped(chart.note, inner, words))
         layout.foot.push_back(line);
 
     const double top = margin + line_height * double(layout.title.size() + layout.head.size()) + tick + 1;
     const double free = height - margin - line_height * double(layout.foot.size()) - tick - 1 - top;
-    const std::size_t count = layout.blocks.size();
-    const bool beside = width > height;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < layout.blocks.size(); ++k) {
         Block& block = layout.blocks[k];
-        const double parts = double(count);
-        block.width = beside ? (inner - block_gap * (parts - 1)) / parts : inner;
-        block.height = beside ? free : (free - block_gap * (parts - 1)) / parts;
+        block.width = beside ? (inner - block_gap * (count - 1)) / count : inner;
+        block.height = beside ? free : (free - block_gap * (count - 1)) / count;
         block.left = margin + (beside ? double(k) * (block.width + block_gap) : 0);
         block.top = top + (beside ? 0 : double(k) * (block.height + block_gap));
     }

@@ -15,7 +15,7 @@ struct PitchChart {
     LensSheet sheet;    ///< as it is thought to be; its offset counts for nothing
     Film film;          ///< of the whole page
     PitchScale scale;
-    std::vector<double> distances = {250, 400, 600, 1000}; ///< mm, for which the page says which bar is even
+    std::vector<double> distances = {250, 400, 600, 1000, 2000}; ///< mm: the page says which bar is even from those that are at least twice a bar's length
     std::string note;   ///< a last line, such as the command that takes the readings
 };
 

@@ -2,7 +2,8 @@
 // From "bars 12 and 13 look even at 400 mm" to a lens sheet's pitch and index.
 //
 // The bar that an eye at distance D sees even has the film pitch q = p (1 + t/(nD)): exact for lenses on the axis, and linear in
-// 1/D. At one distance and with t/n known, q gives p; from two distances on, the line's two numbers give p and t/n.
+// 1/D. (From twice a bar's length on, what the whole bar shows is within 1.2% of that t/n.) At one distance and with t/n known, q
+// gives p; from two distances on, the line's two numbers give p and t/n.
 #ifndef INTEGRAL_OUTPUT_PITCH_WIZARD_H
 #define INTEGRAL_OUTPUT_PITCH_WIZARD_H
 
