@@ -183,7 +183,11 @@ private:
 /// Copies `count` pixels of a fixed size, each some bytes from the one before.
 template <int bytes> void copy_pixels(unsigned char* to, std::size_t to_step, const unsigned char* from, std::size_t from_step, int count)
 {
-    for (int k = 0; k < count; ++k, to += to_step, from += from_step)
+    int k = 0;
+    if (bytes == 3 && to_step == 3 && from_step > 3) // four at once: the fourth is the next pixel's, which then comes over it
+        for (; k < count - 1; ++k, to += 3, from += from_step)
+            std::memcpy(to, from, 4);
+    for (; k < count; ++k, to += to_step, from += from_step)
         std::memcpy(to, from, bytes);
 }
 
