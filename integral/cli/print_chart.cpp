@@ -5,6 +5,7 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
+#include "integral/lightfield/number_text.h"
 #include "integral/lightfield/sheet_figures.h"
 #include "integral/output/pitch_chart.h"
 
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace integral {
 namespace {
@@ -119,30 +119,13 @@ PitchScale scale_for_page(const options::variables_map& arguments, const PitchCh
     return scale;
 }
 
-std::string number(double value)
-{
-    std::ostringstream text;
-    text.precision(9);
-    text << value;
-    return text.str();
-}
-
-std::string decimals(double value, int count)
-{
-    std::ostringstream text;
-    text.setf(std::ios::fixed);
-    text.precision(count);
-    text << value;
-    return text.str();
-}
-
 std::string reading_command(const PitchChart& chart)
 {
     const LensSheet& sheet = chart.sheet;
-    return "Read it by: integral print --even BAR,BAR@MM --pitch-range " + number(chart.scale.first) + "," +
-           number(film_pitch(chart.scale, chart.scale.bars)) + " --bars " + std::to_string(chart.scale.bars) + " --arrangement " +
-           name_of(sheet.arrangement) + " --pitch " + number(sheet.pitch) + " --thickness " + number(sheet.thickness) + " --ior " +
-           number(sheet.ior) + (sheet.slant != 0 ? " --slant " + number(sheet.slant) : "");
+    return "Read it by: integral print --even BAR,BAR@MM --pitch-range " + with_digits(chart.scale.first, 9) + "," +
+           with_digits(film_pitch(chart.scale, chart.scale.bars), 9) + " --bars " + std::to_string(chart.scale.bars) + " --arrangement " +
+           name_of(sheet.arrangement) + " --pitch " + with_digits(sheet.pitch, 9) + " --thickness " + with_digits(sheet.thickness, 9) + " --ior " +
+           with_digits(sheet.ior, 9) + (sheet.slant != 0 ? " --slant " + with_digits(sheet.slant, 9) : "");
 }
 
 /// The aperture that fills the lenses from a distance, or an open one.
@@ -179,31 +162,31 @@ ChartReading parse_reading(const std::string& text)
 
 std::string plus_minus(const Measured& figure, int count)
 {
-    return decimals(figure.value, count) + " +- " + decimals(figure.error, count);
+    return with_decimals(figure.value, count) + " +- " + with_decimals(figure.error, count);
 }
 
 std::string report_text(const LensSheet& nominal, const PitchScale& scale, const std::vector<ChartReading>& readings, const MeasuredSheet& found)
 {
     std::string text;
     for (const ChartReading& reading : readings) {
-        text += "even at " + number(reading.distance) + " mm: film pitch " + plus_minus(film_pitch_of(scale, reading), 5) + " mm, bar";
+        text += "even at " + with_digits(reading.distance, 9) + " mm: film pitch " + plus_minus(film_pitch_of(scale, reading), 5) + " mm, bar";
         for (const int bar : reading.bars)
             text += " " + std::to_string(bar);
         text += "\n";
     }
-    text += "mechanical pitch    " + plus_minus(found.pitch, 5) + " mm, " + decimals(mm_per_inch / found.pitch.value, 4) + " lenses per inch\n";
+    text += "mechanical pitch    " + plus_minus(found.pitch, 5) + " mm, " + with_decimals(mm_per_inch / found.pitch.value, 4) + " lenses per inch\n";
     if (!found.index_measured)
-        return text + "index               " + number(nominal.ior) + ", as the sheet has it\n";
-    text += "index               " + plus_minus(found.index, 3) + " for a thickness of " + number(nominal.thickness) + " mm: " +
-            decimals(found.least_index, 3) + (found.greatest_index > 0 ? " to " + decimals(found.greatest_index, 3) : " or more") + "\n";
+        return text + "index               " + with_digits(nominal.ior, 9) + ", as the sheet has it\n";
+    text += "index               " + plus_minus(found.index, 3) + " for a thickness of " + with_digits(nominal.thickness, 9) + " mm: " +
+            with_decimals(found.least_index, 3) + (found.greatest_index > 0 ? " to " + with_decimals(found.greatest_index, 3) : " or more") + "\n";
     if (found.greatest_index > 0 && found.greatest_index - found.least_index < 2 * vague_index)
         return text;
     text += "these readings hardly tell the index: read from nearer and from farther, or a chart of finer steps\n";
     try {
         text += "with --keep-index   " + plus_minus(measured_sheet(nominal, scale, readings, true).pitch, 5) + " mm, by an index of " +
-                number(nominal.ior) + "\n";
+                with_digits(nominal.ior, 9) + "\n";
     } catch (const std::invalid_argument&) {
-        text += "with --keep-index the readings contradict the index of " + number(nominal.ior) + "\n";
+        text += "with --keep-index the readings contradict the index of " + with_digits(nominal.ior, 9) + "\n";
     }
     return text;
 }

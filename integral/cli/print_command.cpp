@@ -7,6 +7,7 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
+#include "integral/lightfield/number_text.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/page_pdf.h"
 #include "integral/output/page_raster.h"
@@ -70,14 +71,14 @@ std::string strip_text(const std::string& input, const FrameMetadata& m)
 {
     const auto slash = input.rfind('/');
     std::string text = m.render && !m.render->scene.empty() ? m.render->scene : input.substr(slash == std::string::npos ? 0 : slash + 1);
-    text += std::string(", ") + name_of(m.sheet.arrangement) + " " + shown(m.sheet.pitch) + " mm, " + shown(m.sheet.thickness) + " mm thick, ior "
-          + shown(m.sheet.ior);
+    text += std::string(", ") + name_of(m.sheet.arrangement) + " " + with_digits(m.sheet.pitch, 6) + " mm, " + with_digits(m.sheet.thickness, 6) + " mm thick, ior "
+          + with_digits(m.sheet.ior, 6);
     if (m.sheet.slant != 0)
-        text += ", slant " + shown(m.sheet.slant);
-    text += ", " + shown(mm_per_inch / m.film.pixel_pitch.x) + " x " + shown(mm_per_inch / m.film.pixel_pitch.y) + " dpi, from "
-          + shown(m.aperture.distance) + " mm, " + today();
+        text += ", slant " + with_digits(m.sheet.slant, 6);
+    text += ", " + with_digits(mm_per_inch / m.film.pixel_pitch.x, 6) + " x " + with_digits(mm_per_inch / m.film.pixel_pitch.y, 6) + " dpi, from "
+          + with_digits(m.aperture.distance, 6) + " mm, " + today();
     if (m.render && m.render->error)
-        text += ", error " + shown(m.render->error->rms);
+        text += ", error " + with_digits(m.render->error->rms, 6);
     return text;
 }
 

@@ -2,19 +2,13 @@
 #include "integral/cli/print_options.h"
 
 #include "integral/cli/values.h"
+#include "integral/lightfield/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 namespace integral {
-
-std::string shown(double value)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 namespace {
 
@@ -77,9 +71,9 @@ Vec2 printer_pitch(const options::variables_map& arguments, const Film& film)
     const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
     if (differs(mm_per_inch / made.x, dpi.x) || differs(mm_per_inch / made.y, dpi.y)) {
         const Vec2 pitch{mm_per_inch / dpi.x * feed.x, mm_per_inch / dpi.y * feed.y};
-        throw UsageError("the frame has " + shown(mm_per_inch / film.pixel_pitch.x) + " x " + shown(mm_per_inch / film.pixel_pitch.y)
-                         + " pixels an inch, and is never resampled; for this printer render it with film { pixel_pitch <" + shown(pitch.x) + ", "
-                         + shown(pitch.y) + "> }, or let it print at the frame's own resolution");
+        throw UsageError("the frame has " + with_digits(mm_per_inch / film.pixel_pitch.x, 6) + " x " + with_digits(mm_per_inch / film.pixel_pitch.y, 6)
+                         + " pixels an inch, and is never resampled; for this printer render it with film { pixel_pitch <" + with_digits(pitch.x, 6) + ", "
+                         + with_digits(pitch.y, 6) + "> }, or let it print at the frame's own resolution");
     }
     return {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
 }

@@ -7,12 +7,7 @@
 #include "integral/output/colour_profile.h"
 #include "integral/output/page.h"
 
-#include <string>
-
 namespace integral {
-
-/// A number for people: six digits.
-std::string shown(double value);
 
 /// The printer's own pixel pitch, mm: --dpi and --feed. Refuses, by UsageError, to print a film of other pixels than the printer's.
 Vec2 printer_pitch(const options::variables_map& arguments, const Film& film);

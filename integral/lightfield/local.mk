@@ -19,6 +19,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/lens_profile.h \
   integral/lightfield/names.cpp \
   integral/lightfield/names.h \
+  integral/lightfield/number_text.cpp \
+  integral/lightfield/number_text.h \
   integral/lightfield/parallel.cpp \
   integral/lightfield/parallel.h \
   integral/lightfield/pixel_sampler.cpp \

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/page.h"
 
+#include "integral/lightfield/number_text.h"
 #include "integral/output/page_marks.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace integral {
 namespace {
-
-std::string shown(double mm)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.4g", mm);
-    return text;
-}
 
 /// How a length of `pixels` is divided into tiles of at most `room`, of which neighbours share `overlap`: the first pixels.
 struct Tiling {
@@ -76,14 +69,14 @@ std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest&
     }
     const int overlap_x = in_pixels(request.overlap, pitch.x), overlap_y = in_pixels(request.overlap, pitch.y);
     const bool fits = across.room() >= film.width && down.room() >= film.height;
-    const std::string paper = request.paper ? shown(request.paper->width) + " x " + shown(request.paper->height) + " mm" : "its own size";
+    const std::string paper = request.paper ? with_digits(request.paper->width, 4) + " x " + with_digits(request.paper->height, 4) + " mm" : "its own size";
     if (!fits && !request.tiles)
-        throw std::invalid_argument("a picture of " + shown(film.width * pitch.x) + " x " + shown(film.height * pitch.y) + " mm "
+        throw std::invalid_argument("a picture of " + with_digits(film.width * pitch.x, 4) + " x " + with_digits(film.height * pitch.y, 4) + " mm "
                                     + (margin > 0 || below > 0 ? "with its marks " : "") + "does not fit on paper of " + paper + ", which leaves "
-                                    + shown(std::max(0, across.room()) * pitch.x) + " x " + shown(std::max(0, down.room()) * pitch.y)
+                                    + with_digits(std::max(0, across.room()) * pitch.x, 4) + " x " + with_digits(std::max(0, down.room()) * pitch.y, 4)
                                     + " mm; larger or turned paper would do, or --tile");
     if (!fits && (across.room() <= 2 * overlap_x || down.room() <= 2 * overlap_y))
-        throw std::invalid_argument("tiles that overlap by " + shown(request.overlap) + " mm do not fit on paper of " + paper);
+        throw std::invalid_argument("tiles that overlap by " + with_digits(request.overlap, 4) + " mm do not fit on paper of " + paper);
     const Tiling columns = tiled(film.width, across.room(), overlap_x), rows = tiled(film.height, down.room(), overlap_y);
 
     // The lens nearest to the middle of the film, pixels from the film's middle.
@@ -120,7 +113,7 @@ std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest&
             const int top = page.part.y == 0 ? cut_y : 0, bottom = page.part.y + page.part.height == film.height ? cut_y : 0;
             page.trimmed = {page.x + left, page.y + top, page.part.width - left - right, page.part.height - top - bottom};
             if (page.trimmed.width < 1 || page.trimmed.height < 1)
-                throw std::invalid_argument("nothing is left of the picture when " + shown(request.trim) + " mm are cut off all around");
+                throw std::invalid_argument("nothing is left of the picture when " + with_digits(request.trim, 4) + " mm are cut off all around");
             if (!request.strip.empty())
                 place_strip(page, margin, request.strip + (page.columns * page.rows == 1 ? "" : ", page " + std::to_string(pages.size() + 1)
                                                            + " of " + std::to_string(page.columns * page.rows)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/page_pdf.h"
 
+#include "integral/lightfield/number_text.h"
 #include "integral/output/page_raster.h"
 
 #define POINTERHOLDER_TRANSITION 4 // the pointers of QPDF 11
@@ -9,19 +10,12 @@
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFWriter.hh>
 
-#include <cstdio>
-
 namespace integral {
 namespace {
 
 constexpr double points_per_mm = 72 / 25.4;
 
-std::string number(double value)
-{
-    char text[60];
-    std::snprintf(text, sizeof text, "%.6f", value);
-    return text;
-}
+std::string number(double value) { return with_decimals(value, 6); }
 
 /// A rectangle in points from the page's bottom left corner, of pixels from its top left.
 struct Points {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/pitch_chart.h"
 
+#include "integral/lightfield/number_text.h"
 #include "integral/output/device_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 #include <stdexcept>
 
 namespace integral {
@@ -22,22 +22,6 @@ constexpr double least_periods = 8;     // along a bar
 constexpr double least_pixels = 2;      // a period
 constexpr double least_distance = 2;    // bars' lengths: nearer, the lenses at a bar's ends show it by more than 1% another t/n
 constexpr DeviceFont words{2.2, false}, title{2.6, true};
-
-std::string decimals(double value, int count)
-{
-    std::ostringstream text;
-    text.setf(std::ios::fixed);
-    text.precision(count);
-    text << value;
-    return text.str();
-}
-
-std::string shortest(double value)
-{
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
 
 /// A direction's bars: a rectangle in mm from the page's left and top edges.
 struct Block {
@@ -75,9 +59,9 @@ std::string name_of_sheet(const LensSheet& sheet)
     const char* kind = sheet.arrangement == Arrangement::lenticular ? "lenticular"
                        : sheet.arrangement == Arrangement::square   ? "square lenses"
                                                                     : "hexagonal lenses";
-    return std::string(kind) + ", nominal pitch " + shortest(sheet.pitch) + " mm (" + decimals(mm_per_inch / sheet.pitch, 3) +
-           " lpi), thickness " + shortest(sheet.thickness) + " mm, index " + shortest(sheet.ior) +
-           (sheet.slant != 0 ? ", slant " + shortest(sheet.slant) + " degrees" : "");
+    return std::string(kind) + ", nominal pitch " + with_digits(sheet.pitch, 6) + " mm (" + with_decimals(mm_per_inch / sheet.pitch, 3) +
+           " lpi), thickness " + with_digits(sheet.thickness, 6) + " mm, index " + with_digits(sheet.ior, 6) +
+           (sheet.slant != 0 ? ", slant " + with_digits(sheet.slant, 6) + " degrees" : "");
 }
 
 std::string advice(const std::vector<Block>& blocks)
@@ -104,12 +88,12 @@ std::string bias_line(const PitchChart& chart, double nearest)
         const double bias = chart.sheet.thickness / (chart.sheet.ior * distance);
         const double pitch = chart.sheet.pitch * (1 + bias), bar = bar_of_pitch(chart.scale, pitch);
         const bool there = bar > 0.5 && bar < chart.scale.bars + 0.5;
-        even += (even.empty() ? "" : ", ") + ("from " + shortest(distance) + " mm ") + (there ? "bar " + decimals(bar, 1) : std::string("none")) +
-                " (" + decimals(pitch, 4) + ")";
-        less += (less.empty() ? "" : ", ") + decimals(100 * (1 - 1 / (1 + bias)), 2) + "% from " + shortest(distance) + " mm";
+        even += (even.empty() ? "" : ", ") + ("from " + with_digits(distance, 6) + " mm ") + (there ? "bar " + with_decimals(bar, 1) : std::string("none")) +
+                " (" + with_decimals(pitch, 4) + ")";
+        less += (less.empty() ? "" : ", ") + with_decimals(100 * (1 - 1 / (1 + bias)), 2) + "% from " + with_digits(distance, 6) + " mm";
     }
     const double own = bar_of_pitch(chart.scale, chart.sheet.pitch);
-    const std::string end = "its own pitch is bar " + decimals(own, 1) + "'s.";
+    const std::string end = "its own pitch is bar " + with_decimals(own, 1) + "'s.";
     if (even.empty())
         return "Of the nominal sheet: " + end;
     return "The lenses' own pitch is less than the even bar's, by " + less + ". Even under the nominal sheet: " + even + "; " + end;
@@ -119,7 +103,7 @@ std::string bias_line(const PitchChart& chart, double nearest)
 void demand_room(double have, double need, const char* side, const std::string& what)
 {
     if (have < need)
-        throw std::invalid_argument("the page is too " + std::string(side) + " for " + what + ": " + decimals(need - have, 1) +
+        throw std::invalid_argument("the page is too " + std::string(side) + " for " + what + ": " + with_decimals(need - have, 1) +
                                     " mm more are needed; take a larger page" + (what.find("bars") != std::string::npos ? " or fewer bars" : ""));
 }
 
@@ -130,7 +114,7 @@ Layout layout_of(const PitchChart& chart)
     demand_room(width, 2 * margin + 2 * label + 10, "narrow", "a chart");
     Layout layout;
     layout.blocks = directions_of(chart.sheet);
-    const auto dpi = [](double pitch) { return decimals(mm_per_inch / pitch, 0); };
+    const auto dpi = [](double pitch) { return with_decimals(mm_per_inch / pitch, 0); };
     layout.title = wrapped("Pitch chart: " + name_of_sheet(chart.sheet) + ". " + dpi(film.pixel_pitch.x) + " x " + dpi(film.pixel_pitch.y) + " dpi",
                            inner, title);
     layout.head = wrapped(advice(layout.blocks), inner, words);
@@ -183,7 +167,7 @@ void add_bars(const PitchChart& chart, const Block& block, int number, std::vect
         bar.width = pixels(right, film.pixel_pitch.x) - bar.left;
         bar.height = pixels(bottom, film.pixel_pitch.y) - bar.top;
         if (std::max(std::fabs(bar.wave.x) * film.pixel_pitch.x, std::fabs(bar.wave.y) * film.pixel_pitch.y) * least_pixels > bar.period)
-            throw std::invalid_argument("lines " + decimals(bar.period, 4) + " mm apart are less than 2 pixels a line pair; a finer device is needed");
+            throw std::invalid_argument("lines " + with_decimals(bar.period, 4) + " mm apart are less than 2 pixels a line pair; a finer device is needed");
         bars.push_back(bar);
     }
 }
@@ -228,7 +212,7 @@ void write_labels(const Film& film, const ChartBar& bar, Image& image)
     const double left = bar.left * film.pixel_pitch.x, top = bar.top * film.pixel_pitch.y;
     const double width = bar.width * film.pixel_pitch.x, height = bar.height * film.pixel_pitch.y;
     const double thick = bar.upright ? width : height, length = bar.upright ? height : width;
-    const std::string pitch = decimals(bar.pitch, 4) + " mm", lenses = decimals(mm_per_inch / bar.pitch, 3) + " lpi";
+    const std::string pitch = with_decimals(bar.pitch, 4) + " mm", lenses = with_decimals(mm_per_inch / bar.pitch, 3) + " lpi";
     // One line where the bar is thin, else two.
     const std::string both = pitch + "  " + lenses;
     const double in_one = std::min(0.8 * thick, (label - number_width - 2 * label_gap) / text_width(both, {1, false})), in_two = 0.46 * thick;

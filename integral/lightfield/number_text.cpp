@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/number_text.h"
+
+#include <sstream>
+
+namespace integral {
+
+std::string with_decimals(double value, int decimals)
+{
+    std::ostringstream text;
+    text.setf(std::ios::fixed);
+    text.precision(decimals);
+    text << value;
+    return text.str();
+}
+
+std::string with_digits(double value, int digits)
+{
+    std::ostringstream text;
+    text.precision(digits);
+    text << value;
+    return text.str();
+}
+
+} // namespace integral

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Numbers as text, whatever the locale.
+#ifndef INTEGRAL_LIGHTFIELD_NUMBER_TEXT_H
+#define INTEGRAL_LIGHTFIELD_NUMBER_TEXT_H
+
+#include <string>
+
+namespace integral {
+
+/// With so many decimals.
+std::string with_decimals(double value, int decimals);
+
+/// With at most so many digits, and none that says nothing: 1.5, 300, 1e+09.
+std::string with_digits(double value, int digits);
+
+} // namespace integral
+
+#endif
