@@ -23,7 +23,8 @@ constexpr int bars_lenticular = 25, bars_2d = 15, most_bars = 1000;
 constexpr double neighbours = 0.125;            // bands along a bar by which neighbouring bars differ
 constexpr double largest_page = 20000;          // mm
 constexpr double most_pixels = 5e8;
-constexpr char default_page[] = "152.4x101.6";  // 4x6 inches
+constexpr char default_page[] = "152.4x101.6";    // 4x6 inches
+constexpr char default_page_2d[] = "203.2x152.4"; // 6x8 inches: two blocks of bars
 constexpr double vague_index = 0.1;             // an index that is no better known than this is said to be vague
 
 FrameMetadata geometry_of(const options::variables_map& arguments)
@@ -39,12 +40,18 @@ FrameMetadata geometry_of(const options::variables_map& arguments)
     return geometry;
 }
 
-void set_page(const options::variables_map& arguments, Film& film)
+int default_bars(const LensSheet& sheet)
+{
+    return sheet.arrangement == Arrangement::lenticular ? bars_lenticular : bars_2d;
+}
+
+void set_page(const options::variables_map& arguments, const LensSheet& sheet, Film& film)
 {
     if (given(arguments, "page") && film.width > 0)
         throw UsageError("--page and --size say the same; give one of them");
     if (film.width == 0) {
-        const std::string text = given(arguments, "page") ? text_of(arguments, "page") : default_page;
+        const std::string text = given(arguments, "page") ? text_of(arguments, "page")
+                                 : sheet.arrangement == Arrangement::lenticular ? default_page : default_page_2d;
         const auto cross = text.find('x');
         double width = 0, height = 0;
         try {
@@ -82,7 +89,7 @@ double default_step(const PitchChart& chart)
 }
 
 /// The scale that --pitch-range, --pitch-step and --bars give; nothing of it from the page.
-PitchScale scale_of_range(const options::variables_map& arguments)
+PitchScale scale_of_range(const options::variables_map& arguments, const LensSheet& sheet)
 {
     const std::string range = text_of(arguments, "pitch-range");
     const auto ends = parse_numbers("pitch-range", range, "A,B, in mm,", 2, 2);
@@ -92,7 +99,7 @@ PitchScale scale_of_range(const options::variables_map& arguments)
     if (steps && bars)
         throw UsageError("--pitch-range goes with --pitch-step or with --bars, not with both");
     if (!steps) {
-        const int count = bars ? in_range(arguments, "bars", 2, most_bars) : bars_lenticular;
+        const int count = bars ? in_range(arguments, "bars", 2, most_bars) : default_bars(sheet);
         return {ends[0], (ends[1] - ends[0]) / (count - 1), count};
     }
     const double step = parse_number("pitch-step", text_of(arguments, "pitch-step"), "a number");
@@ -106,10 +113,9 @@ PitchScale scale_of_range(const options::variables_map& arguments)
 PitchScale scale_for_page(const options::variables_map& arguments, const PitchChart& chart)
 {
     if (given(arguments, "pitch-range"))
-        return scale_of_range(arguments);
+        return scale_of_range(arguments, chart.sheet);
     PitchScale scale;
-    scale.bars = given(arguments, "bars") ? in_range(arguments, "bars", 2, most_bars)
-                 : chart.sheet.arrangement == Arrangement::lenticular ? bars_lenticular : bars_2d;
+    scale.bars = given(arguments, "bars") ? in_range(arguments, "bars", 2, most_bars) : default_bars(chart.sheet);
     scale.step = given(arguments, "pitch-step") ? parse_number("pitch-step", text_of(arguments, "pitch-step"), "a number") : default_step(chart);
     // Whole steps, so that the printed pitches are round numbers.
     const double middle = visual_pitch(chart.sheet.pitch, chart.sheet, default_distance);
@@ -213,10 +219,15 @@ int read_chart(const options::variables_map& arguments)
     FrameMetadata geometry = geometry_of(arguments);
     if (!given(arguments, "pitch-range"))
         throw UsageError("--even needs the chart's --pitch-range A,B and --bars N, which stand in its last line");
-    const PitchScale scale = scale_of_range(arguments);
+    const PitchScale scale = scale_of_range(arguments, geometry.sheet);
     std::vector<ChartReading> readings;
     for (const std::string& text : arguments["even"].as<std::vector<std::string>>())
         readings.push_back(parse_reading(text));
+    if (geometry.sheet.arrangement == Arrangement::lenticular)
+        for (const ChartReading& reading : readings)
+            for (const int bar : reading.bars)
+                if (bar > scale.bars)
+                    throw UsageError("--even: bar " + std::to_string(bar) + " is not on a chart of " + std::to_string(scale.bars) + " bars");
     MeasuredSheet found;
     try {
         found = measured_sheet(geometry.sheet, scale, readings, given(arguments, "keep-index"));
@@ -251,7 +262,7 @@ void add_chart_options(options::options_description& all)
         ("pitch-range", value("A,B"), "pitches of its first and last bar, mm on the film (default: about the sheet's, as seen from 400 mm)")
         ("pitch-step", value("MM"), "from bar to bar (default: an eighth of a band along a bar)")
         ("bars", options::value<int>()->value_name("N"), "how many in each direction (default 25; 15 where lenses are not lenticular)")
-        ("page", value("WxH"), "the chart's page, mm (default 152.4x101.6)")
+        ("page", value("WxH"), "the chart's page, mm (default 152.4x101.6; 203.2x152.4 where lenses are not lenticular)")
         ("even", options::value<std::vector<std::string>>()->value_name("BARS@MM"),
          "read a chart instead: which bars are even, from which distance, as 12,13@400; again for each distance. Prints the sheet's "
          "mechanical pitch and index; -o FILE.json writes the sheet corrected")
@@ -271,7 +282,7 @@ bool is_chart(const options::variables_map& arguments)
 Frame chart_frame(const options::variables_map& arguments)
 {
     FrameMetadata geometry = geometry_of(arguments);
-    set_page(arguments, geometry.film);
+    set_page(arguments, geometry.sheet, geometry.film);
     geometry.sheet.offset = {};
     geometry.aperture = aperture_for(geometry.sheet, default_distance);
     geometry.placement.reset();
@@ -300,6 +311,8 @@ int make_chart(const options::variables_map& arguments)
     const std::string output = text_of(arguments, "output");
     if (output.empty())
         throw UsageError("-o FILE is missing");
+    if (output.size() > 4 && output.compare(output.size() - 4, 4, ".pdf") == 0)
+        throw OutputError(output + ": a chart is .png, .tiff or .exr; integral print CHART.png -o CHART.pdf makes a PDF of it");
     format_for(output);
     check_writable(output);
     write_frame(output, chart_frame(arguments));
