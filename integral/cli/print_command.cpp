@@ -14,6 +14,7 @@
 #include "integral/output/spool.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -62,8 +63,10 @@ std::string today()
     std::time_t now = std::time(nullptr);
     if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH"))
         now = std::time_t(std::strtoll(fixed, nullptr, 10));
-    char text[20];
-    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+    const std::tm* day = std::gmtime(&now);
+    char text[40];
+    if (!day || std::strftime(text, sizeof text, "%Y-%m-%d", day) == 0)
+        throw UsageError("SOURCE_DATE_EPOCH is no time that has a date");
     return text;
 }
 
@@ -98,7 +101,25 @@ Image printable(const Image& frame, int bits)
     return page;
 }
 
-bool is_pdf(const std::string& path) { return path.size() > 4 && path.compare(path.size() - 4, 4, ".pdf") == 0; }
+enum class PageFormat { pdf, tiff, png };
+
+/// By the file's name; - is PNG. Throws OutputError.
+PageFormat page_format(const std::string& path)
+{
+    if (path == "-")
+        return PageFormat::png;
+    const auto dot = path.rfind('.');
+    std::string extension = dot == std::string::npos ? "" : path.substr(dot);
+    for (char& c : extension)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".pdf")
+        return PageFormat::pdf;
+    if (extension == ".tif" || extension == ".tiff")
+        return PageFormat::tiff;
+    if (extension == ".png")
+        return PageFormat::png;
+    throw OutputError(path + ": pages are .pdf, .tiff or .png");
+}
 
 /// The options that only one kind of work has, refused for the other.
 void refuse_given(const options::variables_map& arguments, std::initializer_list<const char*> names, const std::string& why)
@@ -189,6 +210,15 @@ void write_pdf(const Print& print, const std::string& output)
     write_file(output, bytes);
 }
 
+Image page_image(const Print& print, const Page& page)
+{
+    try {
+        return rasterized(page, print.picture);
+    } catch (const std::runtime_error& error) {
+        throw UsageError("a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) + " pixels: " + error.what());
+    }
+}
+
 void write_pages(const Print& print, const std::string& output)
 {
     const Progress bar = progress_bar("print");
@@ -199,8 +229,7 @@ void write_pages(const Print& print, const std::string& output)
             geometry = g->metadata;
             geometry->encoding = Encoding();
         }
-        write_page(count == 1 ? output : numbered(output, k + 1, count), rasterized(print.pages[k], print.picture), print.pixel_pitch,
-                   print.profile, geometry);
+        write_page(count == 1 ? output : numbered(output, k + 1, count), page_image(print, print.pages[k]), print.pixel_pitch, print.profile, geometry);
         if (!bar(k + 1, count))
             throw Interrupted();
     }
@@ -214,19 +243,20 @@ int print_frame(const options::variables_map& arguments)
     if (output.empty() && !given(arguments, "printer"))
         throw UsageError("-o FILE is missing, or --printer NAME");
     if (!output.empty()) {
-        if (!is_pdf(output) && format_for(output) == ImageFormat::exr)
-            throw OutputError(output + ": pages are .pdf, .tiff or .png");
+        page_format(output);
         check_writable(output);
     }
     const Print print = prepare(arguments);
-    if (is_pdf(output))
+    if (output == "-" && print.pages.size() > 1)
+        throw UsageError("-o -: " + std::to_string(print.pages.size()) + " pages go to a .pdf or to files with numbers");
+    if (!output.empty() && page_format(output) == PageFormat::pdf)
         write_pdf(print, output);
     else if (!output.empty())
         write_pages(print, output);
     if (given(arguments, "printer")) {
         std::vector<Image> pages;
         for (const Page& page : print.pages)
-            pages.push_back(rasterized(page, print.picture));
+            pages.push_back(page_image(print, page));
         send(arguments, pages, print.pixel_pitch, print.title);
     }
     return exit_done;
