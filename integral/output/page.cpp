@@ -36,7 +36,7 @@ constexpr double letter_width = 0.6;                   // of the em; letters are
 void place_strip(Page& page, double below_picture, const std::string& text)
 {
     const double width = page.width * page.pixel_pitch.x, left = page.x * page.pixel_pitch.x;
-    const double em = std::min(strip_height, (width - 2 * strip_margin) / (letter_width * double(text.size())));
+    const double em = std::min(strip_height, std::max(width - 2 * strip_margin, 0.5 * width) / (letter_width * double(text.size())));
     const double length = em * letter_width * double(text.size());
     page.strip = text;
     page.strip_size = em;
@@ -75,7 +75,8 @@ std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest&
                                     + (margin > 0 || below > 0 ? "with its marks " : "") + "does not fit on paper of " + paper + ", which leaves "
                                     + with_digits(std::max(0, across.room()) * pitch.x, 4) + " x " + with_digits(std::max(0, down.room()) * pitch.y, 4)
                                     + " mm; larger or turned paper would do, or --tile");
-    if (!fits && (across.room() <= 2 * overlap_x || down.room() <= 2 * overlap_y))
+    const auto tileable = [](const Extent& extent, int pixels, int overlap) { return extent.room() >= pixels || extent.room() > 2 * overlap; };
+    if (!tileable(across, film.width, overlap_x) || !tileable(down, film.height, overlap_y))
         throw std::invalid_argument("tiles that overlap by " + with_digits(request.overlap, 4) + " mm do not fit on paper of " + paper);
     const Tiling columns = tiled(film.width, across.room(), overlap_x), rows = tiled(film.height, down.room(), overlap_y);
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double clear_of_picture = 1.5, margin = 8; // mm
 constexpr double crop_mark = 5.5, axis_mark = 2, long_axis_mark = 3.5, registration_radius = 1.5; // mm
+constexpr double apart = 1; // mm, of a registration mark and the middle axis's
 constexpr int marked_lens = 5; // every so many
 
 /// The picture on the page, mm from the page's top left corner.
@@ -78,6 +79,8 @@ void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis,
 
 double marks_margin(const PageRequest& request)
 {
+    if (request.axis_marks && request.registration_marks)
+        return margin + long_axis_mark;
     return request.crop_marks || request.registration_marks || request.axis_marks ? margin : 0;
 }
 
@@ -89,7 +92,7 @@ std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m, const
     if (request.crop_marks)
         add_crop_marks(lines, picture, box_of(page.trimmed, pitch));
     if (request.registration_marks) {
-        const double x = 0.5 * (picture.left + picture.right), y = 0.5 * (picture.top + picture.bottom), away = clear_of_picture + 1.6 * registration_radius;
+        const double x = 0.5 * (picture.left + picture.right), y = 0.5 * (picture.top + picture.bottom), away = clear_of_picture + 1.6 * registration_radius + (request.axis_marks ? long_axis_mark + apart : 0);
         for (const Vec2 centre : {Vec2{x, picture.top - away}, Vec2{x, picture.bottom + away}, Vec2{picture.left - away, y}, Vec2{picture.right + away, y}})
             add_registration_mark(lines, centre);
     }

@@ -26,10 +26,11 @@ std::vector<bool> ink_of(const Page& page)
     cairo_set_antialias(c, CAIRO_ANTIALIAS_NONE);
     cairo_set_line_width(c, 1);
     cairo_set_line_cap(c, CAIRO_LINE_CAP_SQUARE);
+    constexpr double rounding = 1e-6; // of places that are whole pixels, in mm and back
     for (const PageLine& line : page.lines) {
         // Through the middles of pixels, which lines along rows and columns then fill.
-        const auto x = [&](Vec2 p) { return std::floor(p.x / page.pixel_pitch.x) + 0.5; };
-        const auto y = [&](Vec2 p) { return std::floor(p.y / page.pixel_pitch.y) + 0.5; };
+        const auto x = [&](Vec2 p) { return std::floor(p.x / page.pixel_pitch.x + rounding) + 0.5; };
+        const auto y = [&](Vec2 p) { return std::floor(p.y / page.pixel_pitch.y + rounding) + 0.5; };
         cairo_move_to(c, x(line.from), y(line.from));
         cairo_line_to(c, x(line.to), y(line.to));
         cairo_stroke(c);
@@ -43,6 +44,14 @@ std::vector<bool> ink_of(const Page& page)
         cairo_matrix_t size;
         cairo_matrix_init_scale(&size, page.strip_size / page.pixel_pitch.x, page.strip_size / page.pixel_pitch.y);
         cairo_set_font_matrix(c, &size);
+        // A font of broad letters, or capitals, would run over the paper's edge.
+        cairo_text_extents_t extents;
+        cairo_text_extents(c, page.strip.c_str(), &extents);
+        const double room = page.width - page.strip_place.x / page.pixel_pitch.x;
+        if (extents.x_advance > 0.98 * room) {
+            size.xx *= 0.98 * room / extents.x_advance;
+            cairo_set_font_matrix(c, &size);
+        }
         cairo_move_to(c, page.strip_place.x / page.pixel_pitch.x, page.strip_place.y / page.pixel_pitch.y);
         cairo_show_text(c, page.strip.c_str());
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Frames on paper: where the picture, its tiles and its marks come, by hand values and formulas of their own.
 #include "integral/output/colour_profile.h"
+#include "integral/output/page_marks.h"
 #include "integral/output/page_raster.h"
 #include "integral/output/quilt.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace integral;
@@ -89,6 +91,40 @@ BOOST_AUTO_TEST_CASE(tiles_cover_the_picture_and_overlap)
     BOOST_TEST(pages[0].part.width - pages[1].part.x >= 10 * 300 / 25.4); // pixels that both have
     request.overlap = 100;
     BOOST_CHECK_THROW(lay_out(m, m.film.pixel_pitch, request), std::invalid_argument);
+    // A narrow picture, in one column: its width need not hold two overlaps.
+    const FrameMetadata narrow = geometry(lenticular, 150, 1200);
+    const auto column = lay_out(narrow, m.film.pixel_pitch, [] { PageRequest r = on(15, 60); r.tiles = true; return r; }());
+    BOOST_TEST((column.size() == 2u && column[0].columns == 1));
+}
+
+BOOST_AUTO_TEST_CASE(registration_marks_stand_beyond_axis_marks)
+{
+    LensSheet sheet = lenticular;
+    sheet.arrangement = Arrangement::square;
+    const FrameMetadata m = geometry(sheet, 600, 400);
+    PageRequest axes = on(152.4, 101.6), both = axes;
+    axes.axis_marks = true;
+    both.axis_marks = both.registration_marks = true;
+    const auto page = lay_out(m, m.film.pixel_pitch, axes)[0], all = lay_out(m, m.film.pixel_pitch, both)[0];
+    const double pixel = 25.4 / 300;
+    const auto outside = [&](Vec2 p) { // how far from the picture
+        return std::max({all.x * pixel - p.x, p.x - (all.x + 600) * pixel, all.y * pixel - p.y, p.y - (all.y + 400) * pixel});
+    };
+    double farthest_axis = 0;
+    for (const PageLine& line : page.lines)
+        farthest_axis = std::max({farthest_axis, outside(line.from), outside(line.to)});
+    const std::size_t marks = all.lines.size() - page.lines.size();
+    BOOST_REQUIRE((marks > 0 && marks < all.lines.size()));
+    for (std::size_t k = 0; k < marks; ++k) // registration comes first
+        BOOST_TEST((outside(all.lines[k].from) > farthest_axis - 1e-9 && outside(all.lines[k].from) < marks_margin(both)));
+}
+
+BOOST_AUTO_TEST_CASE(a_strip_has_letters_on_the_narrowest_paper)
+{
+    PageRequest request = on(5, 20);
+    request.strip = "a scene";
+    const FrameMetadata m = geometry(lenticular, 50, 50);
+    BOOST_TEST(lay_out(m, m.film.pixel_pitch, request)[0].strip_size > 0);
 }
 
 BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
