@@ -230,7 +230,7 @@ void write_pages(const Print& print, const std::string& output)
             geometry->encoding = Encoding();
         }
         write_page(count == 1 ? output : numbered(output, k + 1, count), page_image(print, print.pages[k]), print.pixel_pitch, print.profile, geometry);
-        if (!bar(k + 1, count))
+        if (!bar(k + 1, count) && k + 1 < count)
             throw Interrupted();
     }
 }

@@ -41,6 +41,9 @@ Image in_profile(const Image& picture, const std::string& bytes, Intent intent)
     const Profile source(cmsCreate_sRGBProfile()), target(cmsOpenProfileFromMem(bytes.data(), cmsUInt32Number(bytes.size())));
     if (!target)
         throw std::runtime_error("it is no ICC profile");
+    const cmsProfileClassSignature kind = cmsGetDeviceClass(target.get());
+    if (kind != cmsSigOutputClass && kind != cmsSigDisplayClass && kind != cmsSigColorSpaceClass)
+        throw std::runtime_error("it is no printer's profile");
     if (cmsGetColorSpace(target.get()) != cmsSigRgbData)
         throw std::runtime_error("it is the profile of a device that takes no RGB");
     const cmsUInt32Number type = sample_bits(picture) == 8 ? TYPE_RGB_8 : TYPE_RGB_16;

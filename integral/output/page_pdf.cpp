@@ -45,14 +45,23 @@ std::string samples_of(const Image& image)
     return bytes;
 }
 
-/// Text as a PDF string: what Helvetica's standard encoding does not have becomes a question mark.
+/// UTF-8 as a PDF string in WinAnsiEncoding, which has Latin letters; every other letter becomes a question mark.
 std::string quoted(const std::string& text)
 {
     std::string string = "(";
-    for (const char c : text) {
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const auto c = static_cast<unsigned char>(text[k]);
+        const auto next = static_cast<unsigned char>(k + 1 < text.size() ? text[k + 1] : 0);
         if (c == '(' || c == ')' || c == '\\')
             string += '\\';
-        string += c >= ' ' && c <= '~' ? c : '?';
+        if (c >= ' ' && c <= '~')
+            string += char(c);
+        else if ((c == 0xc2 && next >= 0xa0) || c == 0xc3) // U+00A0 to U+00FF
+            string += char((c & 3) << 6 | (next & 0x3f));
+        else
+            string += '?';
+        while (c >= 0xc0 && k + 1 < text.size() && (text[k + 1] & 0xc0) == 0x80) // the rest of the letter
+            ++k;
     }
     return string + ")";
 }
