@@ -161,15 +161,15 @@ public:
         }
     }
 
-    /// Calls move(view, its first pixel, the film's first pixel, how many) for a row of the film: pixels one after another in the view,
-    /// a lens apart on the film.
+    /// Calls move(view, its first pixel, the film's first pixel, how many, whether it is the lenses' last) for a row of the film, place after
+    /// place in the lenses: pixels one after another in the view, a lens apart on the film.
     template <class Move> void each(int y, Move move) const
     {
         const bool lenticular = lenses_.arrangement == Arrangement::lenticular;
         const int row = lenticular ? y : lenses_.down.lens(y), up = lenticular ? 0 : lenses_.down.place(y);
         const std::size_t view_row = std::size_t(row) * lenses_.window.columns, film_row = std::size_t(y) * lenses_.film.width;
-        for (int column = 0; column < lenses_.grid.columns; ++column)
-            move(up * lenses_.grid.columns + column, view_row + runs_[column].view, film_row + runs_[column].film, runs_[column].pixels);
+        for (int column = lenses_.grid.columns; column-- > 0;)
+            move(up * lenses_.grid.columns + column, view_row + runs_[column].view, film_row + runs_[column].film, runs_[column].pixels, column == 0);
     }
 
     int lens() const { return lenses_.across.pixels; }
@@ -180,26 +180,54 @@ private:
     std::vector<Run> runs_;
 };
 
-/// Copies `count` pixels of a fixed size, each some bytes from the one before.
-template <int bytes> void copy_pixels(unsigned char* to, std::size_t to_step, const unsigned char* from, std::size_t from_step, int count)
+/// Moves `count` pixels of a fixed size between a row of a view, where they follow each other, and the film, where they are `step`
+/// bytes apart. Pixels of three bytes are moved in larger pieces, whose rest comes over pixels that are written later.
+struct PixelMover {
+    void (*gather)(unsigned char* view, const unsigned char* film, std::size_t step, int count);
+    /// alone: no pixel behind these is written later.
+    void (*scatter)(unsigned char* film, std::size_t step, const unsigned char* view, int count, bool alone);
+    std::size_t bytes;
+};
+
+template <int bytes> void gather(unsigned char* view, const unsigned char* film, std::size_t step, int count)
 {
     int k = 0;
-    if (bytes == 3 && to_step == 3 && from_step > 3) // four at once: the fourth is the next pixel's, which then comes over it
-        for (; k < count - 1; ++k, to += 3, from += from_step)
-            std::memcpy(to, from, 4);
-    for (; k < count; ++k, to += to_step, from += from_step)
-        std::memcpy(to, from, bytes);
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    if (bytes == 3 && step > 3)
+        for (; k + 2 < count; k += 2, view += 6, film += 2 * step) { // two pixels as one number
+            std::uint32_t first, second;
+            std::memcpy(&first, film, 4);
+            std::memcpy(&second, film + step, 4);
+            const std::uint64_t both = (first & 0xffffff) | std::uint64_t(second) << 24;
+            std::memcpy(view, &both, 8);
+        }
+#endif
+    for (; k < count; ++k, view += bytes, film += step)
+        std::memcpy(view, film, bytes);
 }
 
-using CopyPixels = void (*)(unsigned char*, std::size_t, const unsigned char*, std::size_t, int);
-
-/// The one for an image's pixels, and their size.
-std::pair<CopyPixels, std::size_t> copier_for(const Image& image)
+template <int bytes> void scatter(unsigned char* film, std::size_t step, const unsigned char* view, int count, bool alone)
 {
-    const std::size_t bytes = std::size_t(image.channels) * (sample_bits(image) / 8);
-    const CopyPixels copy = bytes == 3 ? copy_pixels<3> : bytes == 4 ? copy_pixels<4> : bytes == 6 ? copy_pixels<6>
-                          : bytes == 8 ? copy_pixels<8> : bytes == 12 ? copy_pixels<12> : copy_pixels<16>;
-    return {copy, bytes};
+    int k = 0;
+    if (bytes == 3 && !alone)
+        for (; k + 1 < count; ++k, film += step, view += 3)
+            std::memcpy(film, view, 4);
+    for (; k < count; ++k, film += step, view += bytes)
+        std::memcpy(film, view, bytes);
+}
+
+template <int bytes> PixelMover mover() { return {gather<bytes>, scatter<bytes>, bytes}; }
+
+PixelMover mover_for(const Image& image)
+{
+    switch (image.channels * (sample_bits(image) / 8)) {
+    case 3: return mover<3>();
+    case 4: return mover<4>();
+    case 6: return mover<6>();
+    case 8: return mover<8>();
+    case 12: return mover<12>();
+    default: return mover<16>();
+    }
 }
 
 unsigned char* bytes_of(Image& image)
@@ -231,18 +259,19 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
     const Lenses lenses(*frame.metadata, grid);
     const Film& film = lenses.film;
     std::vector<Image> views(grid.count());
-    for_each_row(grid.count(), threads, [&](int k) { views[k] = blank_like(frame.image, lenses.window.columns, lenses.window.rows); });
+    for (Image& view : views)
+        view = blank_like(frame.image, lenses.window.columns, lenses.window.rows);
 
     if (lenses.exact) {
         const WholePixels pixels(lenses);
-        const auto [copy, size] = copier_for(frame.image);
+        const PixelMover move = mover_for(frame.image);
         std::vector<unsigned char*> to;
         for (Image& view : views)
             to.push_back(bytes_of(view));
         const unsigned char* from = bytes_of(frame.image);
-        const auto row = [&, copy = copy, size = size](int y) {
-            pixels.each(y, [&](int view, std::size_t of_view, std::size_t of_film, int count) {
-                copy(to[view] + of_view * size, size, from + of_film * size, size * pixels.lens(), count);
+        const auto row = [&](int y) {
+            pixels.each(y, [&](int view, std::size_t of_view, std::size_t of_film, int count, bool) {
+                move.gather(to[view] + of_view * move.bytes, from + of_film * move.bytes, move.bytes * pixels.lens(), count);
             });
         };
         if (!for_each_row(film.height, threads, row, progress))
@@ -300,14 +329,14 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
     Image image = blank_like(views[0], film.width, film.height);
     if (lenses.exact) {
         const WholePixels pixels(lenses);
-        const auto [copy, size] = copier_for(image);
+        const PixelMover move = mover_for(image);
         unsigned char* to = bytes_of(image);
         std::vector<const unsigned char*> from;
         for (const Image& view : views)
             from.push_back(bytes_of(view));
-        const auto row = [&, copy = copy, size = size](int y) {
-            pixels.each(y, [&](int view, std::size_t of_view, std::size_t of_film, int count) {
-                copy(to + of_film * size, size * pixels.lens(), from[view] + of_view * size, size, count);
+        const auto row = [&](int y) {
+            pixels.each(y, [&](int view, std::size_t of_view, std::size_t of_film, int count, bool last) {
+                move.scatter(to + of_film * move.bytes, move.bytes * pixels.lens(), from[view] + of_view * move.bytes, count, last);
             });
         };
         if (!for_each_row(film.height, threads, row, progress))
