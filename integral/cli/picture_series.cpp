@@ -4,8 +4,6 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace integral {
@@ -18,13 +16,7 @@ void add_series_options(options::options_description& all)
          "of an animation's pictures, 0 to 100; 100 keeps every 8-bit value");
 }
 
-bool is_animation(const std::string& path)
-{
-    static const std::string ending = ".webp";
-    return path.size() > ending.size() && std::equal(ending.begin(), ending.end(), path.end() - std::ptrdiff_t(ending.size()), [](char a, char b) {
-        return a == std::tolower(static_cast<unsigned char>(b));
-    });
-}
+bool is_animation(const std::string& path) { return extension_of(path) == "webp"; }
 
 void check_series_options(const options::variables_map& arguments, const std::string& output)
 {

@@ -311,7 +311,7 @@ int make_chart(const options::variables_map& arguments)
     const std::string output = text_of(arguments, "output");
     if (output.empty())
         throw UsageError("-o FILE is missing");
-    if (output.size() > 4 && output.compare(output.size() - 4, 4, ".pdf") == 0)
+    if (extension_of(output) == "pdf")
         throw OutputError(output + ": a chart is .png, .tiff or .exr; integral print CHART.png -o CHART.pdf makes a PDF of it");
     format_for(output);
     check_writable(output);

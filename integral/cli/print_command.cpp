@@ -14,7 +14,6 @@
 #include "integral/output/spool.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -108,15 +107,12 @@ PageFormat page_format(const std::string& path)
 {
     if (path == "-")
         return PageFormat::png;
-    const auto dot = path.rfind('.');
-    std::string extension = dot == std::string::npos ? "" : path.substr(dot);
-    for (char& c : extension)
-        c = char(std::tolower(static_cast<unsigned char>(c)));
-    if (extension == ".pdf")
+    const std::string extension = extension_of(path);
+    if (extension == "pdf")
         return PageFormat::pdf;
-    if (extension == ".tif" || extension == ".tiff")
+    if (extension == "tif" || extension == "tiff")
         return PageFormat::tiff;
-    if (extension == ".png")
+    if (extension == "png")
         return PageFormat::png;
     throw OutputError(path + ": pages are .pdf, .tiff or .png");
 }

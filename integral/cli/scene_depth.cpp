@@ -16,11 +16,6 @@
 namespace integral {
 namespace {
 
-bool ends_in(const std::string& path, const std::string& extension)
-{
-    return path.size() > extension.size() && path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
-}
-
 /// What helps a scene that reaches beyond its budget.
 struct Remedy {
     double shift;                    ///< mm by which the sheet would be moved backwards to lie in the middle of the depths
@@ -66,9 +61,10 @@ std::string resolution_at(const DepthFrame& depths, double depth)
 
 DepthFrame depths_of_scene(const std::string& path, const std::vector<std::string>& options)
 {
-    if (ends_in(path, ".exr") || ends_in(path, ".EXR"))
+    const std::string extension = extension_of(path);
+    if (extension == "exr")
         return read_depths(path);
-    if (!ends_in(path, ".pov") && !ends_in(path, ".ini"))
+    if (extension != "pov" && extension != "ini")
         throw InputError(path + ": it is no scene (.pov, .ini) and no depth frame (.exr); a micro-image frame holds no depths: "
                          "Integral_Depth_Image=FILE.exr writes them beside it");
     read_file(path);
@@ -78,7 +74,7 @@ DepthFrame depths_of_scene(const std::string& path, const std::vector<std::strin
     std::vector<std::string> words;
     if (!folder.empty())
         words.push_back("+L\"" + folder + "\"");
-    words.push_back(ends_in(path, ".pov") ? "+I\"" + path + "\"" : "\"" + path + "\"");
+    words.push_back(extension == "pov" ? "+I\"" + path + "\"" : "\"" + path + "\"");
     for (const char* word : {"-D", "+KFI1", "+KFF1"}) // one picture of an animation
         words.push_back(word);
     words.insert(words.end(), options.begin(), options.end());

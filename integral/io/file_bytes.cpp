@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/file_bytes.h"
 
+#include <cctype>
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
@@ -103,6 +104,17 @@ void write_straight(const std::string& path, const std::string& bytes)
 std::string display_name(const std::string& path, const char* standard_stream)
 {
     return path == "-" ? standard_stream : path;
+}
+
+std::string extension_of(const std::string& path)
+{
+    const auto dot = path.rfind('.'), slash = path.rfind('/');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash))
+        return "";
+    std::string extension = path.substr(dot + 1);
+    for (char& c : extension)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
 }
 
 std::string read_file(const std::string& path)

@@ -144,12 +144,7 @@ ImageFormat format_for(const std::string& path)
 {
     if (path == "-")
         return ImageFormat::png;
-    const auto dot = path.rfind('.'), slash = path.rfind('/');
-    std::string extension;
-    if (dot != std::string::npos && (slash == std::string::npos || dot > slash))
-        extension = path.substr(dot + 1);
-    for (char& c : extension)
-        c = char(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = extension_of(path);
     if (extension == "png")
         return ImageFormat::png;
     if (extension == "exr")
