@@ -230,6 +230,16 @@ PixelMover mover_for(const Image& image)
     }
 }
 
+/// for_each_row by blocks of rows: moving a row takes less than handing it out, and threads then seldom write side by side.
+bool for_each_block(int rows, int threads, const std::function<void(int row)>& work, const Progress& progress)
+{
+    constexpr int block = 64;
+    return for_each_row((rows + block - 1) / block, threads, [&](int k) {
+        for (int row = k * block; row < std::min(rows, (k + 1) * block); ++row)
+            work(row);
+    }, progress);
+}
+
 unsigned char* bytes_of(Image& image)
 {
     return std::visit([](auto& samples) { return reinterpret_cast<unsigned char*>(samples.data()); }, image.samples);
@@ -274,7 +284,7 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
                 move.gather(to[view] + of_view * move.bytes, from + of_film * move.bytes, move.bytes * pixels.lens(), count);
             });
         };
-        if (!for_each_row(film.height, threads, row, progress))
+        if (!for_each_block(film.height, threads, row, progress))
             return std::nullopt;
         return views;
     }
@@ -339,7 +349,7 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
                 move.scatter(to + of_film * move.bytes, move.bytes * pixels.lens(), from[view] + of_view * move.bytes, count, last);
             });
         };
-        if (!for_each_row(film.height, threads, row, progress))
+        if (!for_each_block(film.height, threads, row, progress))
             return std::nullopt;
         return image;
     }
