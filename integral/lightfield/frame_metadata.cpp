@@ -78,11 +78,8 @@ double number_at(const Object& object, const char* field, double least, double g
 }
 
 /// A list of `count` numbers in [least, greatest].
-std::vector<double> numbers_at(const Object& object, const char* field, std::size_t count,
-                               double least, double greatest)
+std::vector<double> numbers_in(const Json& json, const std::string& path, std::size_t count, double least, double greatest)
 {
-    const Json& json = object.at(field);
-    const std::string path = object.path_of(field);
     if (!json.is_array() || json.size() != count)
         refuse(path, "must be a list of " + std::to_string(count) + " numbers");
     std::vector<double> values;
@@ -90,6 +87,12 @@ std::vector<double> numbers_at(const Object& object, const char* field, std::siz
         values.push_back(
             number_in(json[i], path + "[" + std::to_string(i) + "]", least, greatest));
     return values;
+}
+
+std::vector<double> numbers_at(const Object& object, const char* field, std::size_t count,
+                               double least, double greatest)
+{
+    return numbers_in(object.at(field), object.path_of(field), count, least, greatest);
 }
 
 Vec2 vec2_at(const Object& object, const char* field, double least, double greatest)
@@ -154,6 +157,42 @@ LensSheet sheet_from(const Object& object)
     return sheet;
 }
 
+/// A list of red's, green's and blue's places in a pixel.
+PixelCell cell_from(const Json& json, const std::string& path)
+{
+    if (!json.is_array() || json.size() != 3)
+        refuse(path, "must be a list of three places: red's, green's and blue's");
+    PixelCell cell;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const auto place = numbers_in(json[channel], path + "[" + std::to_string(channel) + "]", 2, -1, 1);
+        cell[channel] = {place[0], place[1]};
+    }
+    return cell;
+}
+
+/// A word for stripes, or an object of cells.
+Subpixels subpixels_from(const Object& film)
+{
+    if (!film.at("subpixels").is_object()) {
+        const auto order = kind_at<Subpixels::Order>(film, "subpixels");
+        if (order == Subpixels::cells)
+            refuse(film.path_of("subpixels"), "must be an object of pattern and cells, where it is no stripes");
+        return order;
+    }
+    const Object object = object_at(film, "subpixels");
+    Subpixels subpixels;
+    subpixels.order = Subpixels::cells;
+    subpixels.pattern = kind_at<CellPattern>(object, "pattern");
+    const Json& cells = object.at("cells");
+    if (!cells.is_array() || cells.empty() || cells.size() > Subpixels::most_cells)
+        refuse(object.path_of("cells"), "must be a list of 1 to " + std::to_string(Subpixels::most_cells) + " cells");
+    for (const Json& cell : cells) {
+        subpixels.cell[subpixels.number] = cell_from(cell, object.path_of("cells") + "[" + std::to_string(subpixels.number) + "]");
+        ++subpixels.number;
+    }
+    return subpixels;
+}
+
 Film film_from(const Object& object)
 {
     Film film;
@@ -163,7 +202,7 @@ Film film_from(const Object& object)
     }
     film.pixel_pitch = vec2_at(object, "pixel_pitch_mm", 0, largest_figure);
     if (object.has("subpixels"))
-        film.subpixels = kind_at<Subpixels>(object, "subpixels");
+        film.subpixels = subpixels_from(object);
     return film;
 }
 
@@ -284,6 +323,18 @@ Json json_of(const LensSheet& sheet)
             {"slant_degrees", sheet.slant},              {"offset_mm", list(sheet.offset)}};
 }
 
+Json json_of(const Subpixels& subpixels)
+{
+    if (subpixels != Subpixels::cells)
+        return name_of(subpixels.order);
+    Json cells = Json::array();
+    for (int k = 0; k < subpixels.number; ++k) {
+        const PixelCell& cell = subpixels.cell[k];
+        cells.push_back({list(cell[0]), list(cell[1]), list(cell[2])});
+    }
+    return {{"pattern", name_of(subpixels.pattern)}, {"cells", cells}};
+}
+
 Json json_of(const Film& film)
 {
     Json json = Json::object();
@@ -293,7 +344,7 @@ Json json_of(const Film& film)
     }
     json["pixel_pitch_mm"] = list(film.pixel_pitch);
     if (film.subpixels != Subpixels::none)
-        json["subpixels"] = name_of(film.subpixels);
+        json["subpixels"] = json_of(film.subpixels);
     return json;
 }
 

@@ -30,8 +30,15 @@ template <> struct Names<LensModel> {
                                                 {LensModel::hybrid, "hybrid"},
                                                 {LensModel::full, "full"}};
 };
-template <> struct Names<Subpixels> {
-    static constexpr Name<Subpixels> table[] = {{Subpixels::rgb, "rgb"}, {Subpixels::bgr, "bgr"}, {Subpixels::none, "none"}};
+template <> struct Names<Subpixels::Order> {
+    static constexpr Name<Subpixels::Order> table[] = {{Subpixels::rgb, "rgb"},     {Subpixels::bgr, "bgr"},
+                                                       {Subpixels::vrgb, "vrgb"},   {Subpixels::vbgr, "vbgr"},
+                                                       {Subpixels::cells, "cells"}, {Subpixels::none, "none"}};
+};
+template <> struct Names<CellPattern> {
+    static constexpr Name<CellPattern> table[] = {{CellPattern::same, "same"},       {CellPattern::checkerboard, "checkerboard"},
+                                                  {CellPattern::columns, "columns"}, {CellPattern::rows, "rows"},
+                                                  {CellPattern::staggered, "staggered"}};
 };
 template <> struct Names<ErrorMethod> {
     static constexpr Name<ErrorMethod> table[] = {{ErrorMethod::audit, "audit"}, {ErrorMethod::split_halves, "split halves"}};
@@ -59,7 +66,8 @@ template <class Kind> const char* word_for(Kind kind)
 const char* name_of(Arrangement kind) { return word_for(kind); }
 const char* name_of(LensMapping kind) { return word_for(kind); }
 const char* name_of(LensModel kind) { return word_for(kind); }
-const char* name_of(Subpixels kind) { return word_for(kind); }
+const char* name_of(Subpixels::Order kind) { return word_for(kind); }
+const char* name_of(CellPattern kind) { return word_for(kind); }
 const char* name_of(ErrorMethod kind) { return word_for(kind); }
 const char* name_of(ApertureShape kind) { return word_for(kind); }
 const char* name_of(Encoding::Kind kind) { return word_for(kind); }
@@ -88,14 +96,16 @@ template <class Kind> std::string legal_names()
 template std::optional<Arrangement> kind_named(const std::string&);
 template std::optional<LensMapping> kind_named(const std::string&);
 template std::optional<LensModel> kind_named(const std::string&);
-template std::optional<Subpixels> kind_named(const std::string&);
+template std::optional<Subpixels::Order> kind_named(const std::string&);
+template std::optional<CellPattern> kind_named(const std::string&);
 template std::optional<ErrorMethod> kind_named(const std::string&);
 template std::optional<ApertureShape> kind_named(const std::string&);
 template std::optional<Encoding::Kind> kind_named(const std::string&);
 template std::string legal_names<Arrangement>();
 template std::string legal_names<LensMapping>();
 template std::string legal_names<LensModel>();
-template std::string legal_names<Subpixels>();
+template std::string legal_names<Subpixels::Order>();
+template std::string legal_names<CellPattern>();
 template std::string legal_names<ErrorMethod>();
 template std::string legal_names<ApertureShape>();
 template std::string legal_names<Encoding::Kind>();

@@ -14,7 +14,8 @@ namespace integral {
 const char* name_of(Arrangement);
 const char* name_of(LensMapping);
 const char* name_of(LensModel);
-const char* name_of(Subpixels);
+const char* name_of(Subpixels::Order);
+const char* name_of(CellPattern);
 const char* name_of(ApertureShape);
 const char* name_of(Encoding::Kind);
 const char* name_of(ErrorMethod);

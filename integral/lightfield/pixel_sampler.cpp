@@ -78,6 +78,8 @@ PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
     : camera_(camera), seed_(scrambled(seed))
 {
     const SheetOptics& optics = camera.optics;
+    const Vec2 size = subpixel_size(camera.film.subpixels);
+    area_ = {size.x * camera.film.pixel_pitch.x, size.y * camera.film.pixel_pitch.y};
     const bool hybrid = optics.model() == LensModel::hybrid;
     if (hybrid)
         hybrid_ = hybrid_points(optics.lattice());
@@ -114,18 +116,16 @@ double PixelSampler::random_shift(std::uint64_t key, std::uint64_t index, int di
 Vec2 PixelSampler::channel_centre(Vec2 centre, int channel) const
 {
     if (channel != PixelRay::all_channels)
-        centre.x += subpixel_shift(camera_.film.subpixels, channel);
+        centre = centre + subpixel_shift(camera_.film.subpixels, centre, channel);
     return film_from_pixel(camera_.film, centre);
 }
 
-/// The film point at unit-square coordinates of the pixel's area (a third of it, if it has subpixels) about `film_point`.
+/// The film point at unit-square coordinates of the pixel's area (its subpixel's, if it has such) about `film_point`.
 Vec2 PixelSampler::moved(Vec2 film_point, Vec2 unit) const
 {
     if (camera_.display_prefilter)
         unit = {tent_coordinate(unit.x), tent_coordinate(unit.y)};
-    const double width = camera_.film.subpixels == Subpixels::none ? 1 : 1 / 3.0;
-    return {film_point.x + (unit.x - 0.5) * width * camera_.film.pixel_pitch.x,
-            film_point.y + (unit.y - 0.5) * camera_.film.pixel_pitch.y};
+    return {film_point.x + (unit.x - 0.5) * area_.x, film_point.y + (unit.y - 0.5) * area_.y};
 }
 
 /// The pole ray of a film point of a pixel that `lens` images, if it is that lens's as well.

@@ -100,6 +100,7 @@ private:
     const IntegralCamera& camera_;
     std::uint64_t seed_;
     std::vector<WeightedLensPoint> hybrid_; ///< empty for other models
+    Vec2 area_; ///< mm, of a pixel or of its subpixels
     int film_dimensions_, lens_dimensions_; ///< over which append_rays spreads its samples
     int cell_dimensions_;                   ///< of a lens's cell: 1 where it is a line, else 2
     bool one_ray_; ///< a pixel, that of its centre through the pole

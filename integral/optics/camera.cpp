@@ -43,6 +43,10 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
         c.require(in(std::fabs(offset), 0, 1e6), "offset", offset, "it is in mm, at most 1000000 either way");
     for (const double pitch : {p.film.pixel_pitch.x, p.film.pixel_pitch.y})
         c.require(in(pitch, 1e-6, 1e4), "film pixel pitch", pitch, "it is 0.000001 to 10000 mm (dpi = 25.4/pitch)");
+    for (int cell = 0; cell < p.film.subpixels.number; ++cell)
+        for (const Vec2 place : p.film.subpixels.cell[cell])
+            for (const double part : {place.x, place.y})
+                c.require(in(std::fabs(part), 0, 1), "place of a subpixel", part, "it is in pixels from its pixel's centre, -1 to 1");
     if (p.film.units_per_mm)
         c.require(in(*p.film.units_per_mm, 1e-6, 1e6), "units_per_mm", *p.film.units_per_mm,
                   "it is in scene units, 0.000001 to 1000000");

@@ -15,7 +15,7 @@ namespace integral {
 struct FilmParameters {
     Vec2 pixel_pitch{mm_per_inch / 300, mm_per_inch / 300}; ///< mm; 25.4 / dpi
     std::optional<double> units_per_mm; ///< scene units per mm on the sheet, if given
-    Subpixels subpixels = Subpixels::none;
+    Subpixels subpixels = {};
 };
 
 /// Everything that `camera { integral ... }` can say, as written; units in the comments.

@@ -3,26 +3,17 @@
 #ifndef INTEGRAL_OPTICS_FILM_H
 #define INTEGRAL_OPTICS_FILM_H
 
-#include "integral/optics/vec.h"
+#include "integral/optics/subpixels.h"
 
 namespace integral {
 
 constexpr double mm_per_inch = 25.4;
 
-/// Order in which a pixel's three colour stripes stand from left to right; none: they lie on each other.
-enum class Subpixels { none, rgb, bgr };
-
 struct Film {
     int width = 0, height = 0; ///< pixels; > 0
     Vec2 pixel_pitch;          ///< mm; > 0; mm_per_inch / dpi, and may differ between x and y
-    Subpixels subpixels = Subpixels::none;
+    Subpixels subpixels = {};
 };
-
-/// How far right of its pixel's centre a colour channel (0 red, 1 green, 2 blue) is, in pixels.
-inline double subpixel_shift(Subpixels subpixels, int channel)
-{
-    return subpixels == Subpixels::none ? 0.0 : (subpixels == Subpixels::rgb ? channel - 1 : 1 - channel) / 3.0;
-}
 
 /// Film point (mm, sheet frame) of continuous pixel coordinates: origin at the top-left corner
 /// of the top-left pixel, pixel (i, j) centred at (i + 1/2, j + 1/2).

@@ -19,4 +19,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/refraction.h \
   integral/optics/slit.cpp \
   integral/optics/slit.h \
+  integral/optics/subpixels.cpp \
+  integral/optics/subpixels.h \
   integral/optics/vec.h

@@ -8,6 +8,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/looking_glass.h \
   integral/output/page.cpp \
   integral/output/page.h \
   integral/output/page_marks.cpp \
@@ -16,6 +17,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/page_pdf.h \
   integral/output/page_raster.cpp \
   integral/output/page_raster.h \
+  integral/output/panel.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
   integral/output/pitch_chart.cpp \

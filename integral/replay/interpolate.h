@@ -30,14 +30,26 @@ template <class At> Color between(double x, double y, int columns, int rows, At 
     return sum;
 }
 
-/// A colour whose channels stand side by side on the film, each a shift (in pixels) from the pixel's centre; their mean alpha.
-template <class At> Color each_channel(Subpixels subpixels, At at)
+/// A colour whose channels stand side by side on the film; their mean alpha. at(channel) is a Color; without subpixels it is asked
+/// once, for channel 1.
+template <class At> Color each_channel(const Subpixels& subpixels, At at)
 {
     if (subpixels == Subpixels::none)
-        return at(0.0);
-    const auto of = [&](int channel) { return at(subpixel_shift(subpixels, channel)); };
-    const Color red = of(0), green = of(1), blue = of(2);
+        return at(1);
+    const Color red = at(0), green = at(1), blue = at(2);
     return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
+}
+
+/// What the film's subpixels of a channel show at a point in pixel coordinates: between the four nearest, or the nearest of
+/// cells, which stand in no even rows.
+inline Color of_subpixels(const LinearReader& light, const Film& film, Vec2 pixel, int channel)
+{
+    if (film.subpixels == Subpixels::cells) {
+        const PixelPlace at = pixel_of_nearest_subpixel(film.subpixels, pixel, channel);
+        return light(std::clamp(at.column, 0, film.width - 1), std::clamp(at.row, 0, film.height - 1));
+    }
+    const Vec2 shift = subpixel_shift(film.subpixels, pixel, channel);
+    return between(pixel.x - 0.5 - shift.x, pixel.y - 0.5 - shift.y, film.width, film.height, [&](int x, int y) { return light(x, y); });
 }
 
 } // namespace integral

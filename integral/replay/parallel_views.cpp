@@ -297,9 +297,7 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
                 const Vec2 at = pixel_from_film(film, lenses.film_point(middle, lenses.part_of_view(k)));
                 if (!(at.x >= 0 && at.y >= 0 && at.x < film.width && at.y < film.height))
                     continue;
-                store_linear(views[k], column, row, each_channel(film.subpixels, [&](double shift) {
-                    return between(at.x - 0.5 - shift, at.y - 0.5, film.width, film.height, [&](int x, int y) { return light(x, y); });
-                }));
+                store_linear(views[k], column, row, each_channel(film.subpixels, [&](int channel) { return of_subpixels(light, film, at, channel); }));
             }
         }
     };
@@ -358,8 +356,8 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
         light.emplace_back(view);
     const auto work = [&](int y) {
         for (int x = 0; x < film.width; ++x) {
-            store_linear(image, x, y, each_channel(film.subpixels, [&](double shift) {
-                const Vec2 point = film_from_pixel(film, {x + 0.5 + shift, y + 0.5});
+            store_linear(image, x, y, each_channel(film.subpixels, [&](int channel) {
+                const Vec2 point = film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel));
                 const LensIndex lens = lenses.lattice.nearest(point);
                 const Vec2 part = lenses.part_of(lenses.middle(lens, y), point);
                 const int column = std::clamp(lenses.column_of(lens), 0, lenses.window.columns - 1), row = lenses.row_of(lens, y);

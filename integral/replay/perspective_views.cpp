@@ -42,8 +42,8 @@ std::optional<Image> frame_from_perspective_views(const std::vector<Image>& view
     Image image = blank_like(views[0], film.width, film.height);
     const auto row = [&](int y) {
         for (int x = 0; x < film.width; ++x)
-            store_linear(image, x, y, each_channel(film.subpixels, [&](double shift) {
-                return seen_by(film_from_pixel(film, {x + 0.5 + shift, y + 0.5}));
+            store_linear(image, x, y, each_channel(film.subpixels, [&](int channel) {
+                return seen_by(film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel)));
             }));
     };
     if (!for_each_row(film.height, threads, row, progress))

@@ -61,7 +61,7 @@ public:
         const Vec2 pixel = pixel_from_film(film_, *film_point + aside);
         if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 && pixel.y < film_.height))
             return outside_;
-        return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y)) : stripes_at(pixel);
+        return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y)) : subpixels_at(pixel);
     }
 
 private:
@@ -147,12 +147,12 @@ private:
         return Met{depth, offset + depth * slope};
     }
 
-    /// Each colour channel of its own nearest stripe; their pixels' mean alpha.
-    Color stripes_at(Vec2 pixel) const
+    /// Each colour channel of its own nearest subpixel; their pixels' mean alpha.
+    Color subpixels_at(Vec2 pixel) const
     {
         const auto nearest = [&](int channel) {
-            const int column = int(std::floor(pixel.x - subpixel_shift(film_.subpixels, channel)));
-            return pixel_(std::clamp(column, 0, film_.width - 1), int(pixel.y));
+            const PixelPlace at = pixel_of_nearest_subpixel(film_.subpixels, pixel, channel);
+            return pixel_(std::clamp(at.column, 0, film_.width - 1), std::clamp(at.row, 0, film_.height - 1));
         };
         const Color red = nearest(0), green = nearest(1), blue = nearest(2);
         return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};

@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(one_sample_is_the_pole_ray)
                 for_each_pixel(camera, false, [&](Vec2 centre) {
                     std::vector<BeamRay> expected;
                     for (int channel = 0; channel < (subpixels == Subpixels::none ? 1 : 3); ++channel) {
-                        const Vec2 at{centre.x + subpixel_shift(subpixels, channel), centre.y};
+                        const Vec2 at = centre + subpixel_shift(subpixels, centre, channel);
                         const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, at), camera.mapping);
                         if (mapped.ray)
                             expected.push_back(pole_beam(*mapped.ray));
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(samples_lie_in_the_pixel_and_in_the_cell_of_its_lens)
                 for_each_pixel(camera, false, [&](Vec2 centre) {
                     const auto rays = rays_at(sampler, centre);
                     for (const PixelRay& ray : rays) {
-                        const double shift = ray.channel < 0 ? 0 : subpixel_shift(p.film.subpixels, ray.channel);
+                        const double shift = ray.channel < 0 ? 0 : subpixel_shift(p.film.subpixels, centre, ray.channel).x;
                         const Vec2 own{centre.x + shift, centre.y};
                         const LensIndex lens = lens_at(camera, own);
                         const Origin at = origin_of(camera, own, ray.ray, lens);
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
                     sampler.append_sample(beam, index, rays);
                     for (const PixelRay& ray : rays) {
                         const int channel = std::max(ray.channel, 0);
-                        const Vec2 at{centre.x + subpixel_shift(subpixels, channel), centre.y};
+                        const Vec2 at = centre + subpixel_shift(subpixels, centre, channel);
                         const LensIndex lens = lens_at(camera, at);
                         const Origin origin = origin_of(camera, at, ray.ray, lens);
                         ++taken[channel];
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
                 }
                 int imaged = 0; // channels
                 for (int channel = 0; channel < (subpixels == Subpixels::none ? 1 : 3); ++channel) {
-                    const Vec2 at{centre.x + subpixel_shift(subpixels, channel), centre.y};
+                    const Vec2 at = centre + subpixel_shift(subpixels, centre, channel);
                     imaged += camera.optics.map(film_from_pixel(camera.film, at), camera.mapping).ray.has_value();
                 }
                 BOOST_TEST(beam.number == imaged);

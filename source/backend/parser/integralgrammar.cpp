@@ -274,7 +274,7 @@ void IntegralGrammar::Parse_Film(IntegralBlock& block)
         else if (Accept("subpixels"))
         {
             give("subpixels");
-            film.subpixels = Parse_Kind<integral::Subpixels>("order of subpixels");
+            Parse_Subpixels(film.subpixels);
         }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
             parser.Error("'%s' is not a word of film: dpi, pixel_pitch, units_per_mm or subpixels expected.", Next_Word().c_str());
@@ -286,6 +286,32 @@ void IntegralGrammar::Parse_Film(IntegralBlock& block)
 
     if (given.count("dpi") + given.count("pixel_pitch") != 1)
         parser.Error("film needs one of dpi and pixel_pitch (mm), and not both.");
+}
+
+/// Stripes by their word, or the places of a pixel's colours: cells { PATTERN  <x, y> <x, y> <x, y> ... }.
+void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
+{
+    subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>("order of subpixels"));
+    if (subpixels != integral::Subpixels::cells)
+        return;
+    parser.Parse_Begin();
+    subpixels.pattern = Parse_Kind<integral::CellPattern>("pattern of cells");
+    while (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
+    {
+        if (subpixels.number == integral::Subpixels::most_cells)
+            parser.Error("A panel has at most %d cells, of three places each.", integral::Subpixels::most_cells);
+        for (integral::Vec2& place : subpixels.cell[subpixels.number])
+        {
+            if (Next_Word() == "}")
+                parser.Error("A cell has three places <x, y>: red's, green's and blue's.");
+            place = Parse_Pair(false);
+            parser.Parse_Comma();
+        }
+        subpixels.number++;
+    }
+    parser.Parse_End();
+    if (subpixels.number == 0)
+        parser.Error("cells needs the places of red, green and blue in a pixel: three vectors <x, y> a cell, in pixels.");
 }
 
 void IntegralGrammar::Parse_Option()

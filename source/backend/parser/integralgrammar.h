@@ -57,6 +57,7 @@ class IntegralGrammar
         bool Parse_Word(IntegralBlock& block);
         void Parse_Lens_Sheet(IntegralBlock& block);
         void Parse_Film(IntegralBlock& block);
+        void Parse_Subpixels(integral::Subpixels& subpixels);
         void Give(IntegralBlock& block, const std::string& word);
         void Check_Value(const IntegralBlock& block);
         template <class Kind> Kind Parse_Kind(const char* of);
