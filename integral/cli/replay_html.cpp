@@ -29,6 +29,10 @@ bool html_is_wanted(const options::variables_map& arguments)
 
 void write_html(const options::variables_map& arguments, const Frame& frame, const View& start)
 {
+    const Subpixels& subpixels = frame.metadata->film.subpixels;
+    if (subpixels != Subpixels::none && subpixels != Subpixels::rgb && subpixels != Subpixels::bgr)
+        throw UsageError(std::string("--html shows panels of upright stripes, rgb or bgr, and this frame's subpixels are ") +
+                         name_of(subpixels.order) + "; integral replay without --html shows it");
     write_file(text_of(arguments, "html"), replay_page(frame, start));
 }
 

@@ -291,7 +291,7 @@ void IntegralGrammar::Parse_Film(IntegralBlock& block)
 /// Stripes by their word, or the places of a pixel's colours: cells { PATTERN  <x, y> <x, y> <x, y> ... }.
 void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
 {
-    subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>("order of subpixels"));
+    subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>("kind of subpixels"));
     if (subpixels != integral::Subpixels::cells)
         return;
     parser.Parse_Begin();

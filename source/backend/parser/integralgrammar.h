@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "integral/optics/vec.h"
+#include "integral/optics/subpixels.h"
 
 namespace pov
 {

@@ -27,6 +27,8 @@ struct Description {
     std::optional<Point2> depth_range;      ///< mm; in the camera's text alone: the oracle's scene is clipped instead
     std::optional<Real> sheet_distance, units_per_mm, angle;
     std::optional<Point3> look_at;
+    std::string pattern = "same";           ///< of subpixels=cells,
+    std::vector<Point2> places;             ///< and each cell's red, green, blue: pixels to the right and up
     Point3 location{0, 0, 0}, direction{0, 0, 1}, right{4 / 3.0L, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
     struct Transform { std::string kind; Point3 value; };
     std::vector<Transform> transforms;      ///< rotate, scale, translate in order

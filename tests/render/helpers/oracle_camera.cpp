@@ -66,6 +66,7 @@ Description read_description(const std::vector<std::string>& words)
         if (key == "shape") { d.shape = text; continue; }
         if (key == "model") { d.model = text; continue; }
         if (key == "subpixels") { d.subpixels = text; continue; }
+        if (key == "pattern") { d.pattern = text; continue; }
         if (key == "groups") { d.groups = text; continue; }
         if (key == "size") {
             char x = 0;
@@ -73,6 +74,10 @@ Description read_description(const std::vector<std::string>& words)
             continue;
         }
         const std::vector<Real> n = numbers(key, text);
+        if (key == "places") {
+            for (std::size_t k = 0; k + 1 < n.size(); k += 2) d.places.push_back({n[k], n[k + 1]});
+            continue;
+        }
         const auto scalar = [&] { if (n.size() != 1) throw std::invalid_argument(word); return n[0]; };
         const auto pair = [&] { return Point2{n[0], n.size() > 1 ? n.at(1) : n[0]}; };
         const auto triple = [&] { return Point3{n.at(0), n.at(1), n.at(2)}; };
@@ -140,6 +145,11 @@ std::string camera_text(const Description& d)
     else out << "dpi <" << d.dpi[0] << ", " << d.dpi[1] << ">";
     if (d.units_per_mm) out << " units_per_mm " << *d.units_per_mm;
     if (d.subpixels != "none") out << " subpixels " << d.subpixels;
+    if (d.subpixels == "cells") {
+        out << " { " << d.pattern;
+        for (const Point2& place : d.places) out << " <" << place[0] << ", " << place[1] << ">";
+        out << " }";
+    }
     out << " }\n";
     if (d.sheet_distance) out << "  sheet_distance " << *d.sheet_distance << '\n';
     if (d.aperture) out << "  capture_aperture <" << (*d.aperture)[0] << ", " << (*d.aperture)[1] << ">\n";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 namespace oracle {
@@ -15,6 +16,29 @@ const Real infinity = std::numeric_limits<Real>::infinity();
 
 /// The refractive index that the model computes by.
 Real index(const Description& d) { return d.model == "pinhole" ? 1 : d.ior; }
+
+/// Of the channel in question: pixels to the right and up.
+Point2 subpixel_shift(const Description& d, Real px, Real py)
+{
+    const Real third = (d.channel - 1) / 3.0L;
+    if (d.subpixels == "rgb") return {third, 0};
+    if (d.subpixels == "bgr") return {-third, 0};
+    if (d.subpixels == "vrgb") return {0, -third};
+    if (d.subpixels == "vbgr") return {0, third};
+    if (d.subpixels != "cells") return {0, 0};
+    const int column = int(std::floor(px)), row = int(std::floor(py)), number = int(d.places.size() / 3);
+    const std::map<std::string, int> cells{{"same", 0}, {"checkerboard", (column + row) % 2}, {"columns", column % 2}, {"rows", row % 2},
+                                           {"staggered", (row + 2 * (column % 2)) % 4}};
+    return d.places.at(3 * (cells.at(d.pattern) % number) + d.channel);
+}
+
+/// Of a colour's own area, in pixels.
+Point2 subpixel_size(const Description& d)
+{
+    if (d.subpixels == "none") return {1, 1};
+    if (d.subpixels == "cells") return {std::sqrt(1 / 3.0L), std::sqrt(1 / 3.0L)};
+    return d.subpixels[0] == 'v' ? Point2{1, 1 / 3.0L} : Point2{1 / 3.0L, 1};
+}
 
 bool curved(const Description& d) { return d.model == "hybrid" || d.model == "full"; }
 
@@ -310,8 +334,8 @@ std::optional<SheetRay> prefiltered(const Description& d, Real distance, Point2 
         const Real side = 2 * x[k] - 1;
         at[k] = std::copysign(1 - std::sqrt(1 - std::fabs(side)), side);
     }
-    const Real width = d.subpixels == "none" ? 1 : 1 / 3.0L, angle = d.slant * pi / 180;
-    const Point2 f = film_from_pixel(d, pixel[0] + at[0] * width, pixel[1] + at[1]);
+    const Real angle = d.slant * pi / 180;
+    const Point2 area = subpixel_size(d), f = film_from_pixel(d, pixel[0] + at[0] * area[0], pixel[1] + at[1] * area[1]);
     const Real u = at[2] * d.pitch, v = at[3] * d.pitch * (d.arrangement == "hexagonal" ? std::sqrt(3.0L) / 2 : 1);
     LensPoint point;
     point.offset = {u * std::cos(angle) - v * std::sin(angle), u * std::sin(angle) + v * std::cos(angle)};
@@ -326,7 +350,8 @@ std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int
     Real margin = 1;
     const auto centre = film_ray(d, distance, film_from_pixel(d, i + 0.5L, j + 0.5L), margin);
     if (!centre) return rays;
-    const Real width = d.subpixels == "none" ? 1 : 1 / 3.0L, angle = d.slant * pi / 180;
+    const Real angle = d.slant * pi / 180;
+    const Point2 area = subpixel_size(d);
     const bool lenticular = d.arrangement == "lenticular", pole_only = d.beam_samples == 1 || (d.beam_samples == 0 && !curved(d)
         && !(lenticular && slit_height(d, {{}, {0, 0}, {}}) > 0));
     for (int tries = 0; int(rays.size()) < count && tries < 1000 * count; tries++) {
@@ -335,7 +360,7 @@ std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int
             continue;
         }
         const Numbers x = next();
-        const Point2 moved = d.pixel_samples > 1 ? Point2{(x[0] - 0.5L) * width, x[1] - 0.5L} : Point2{0, 0};
+        const Point2 moved = d.pixel_samples > 1 ? Point2{(x[0] - 0.5L) * area[0], (x[1] - 0.5L) * area[1]} : Point2{0, 0};
         const Point2 f = film_from_pixel(d, i + 0.5L + moved[0], j + 0.5L + moved[1]);
         const auto own = d.pixel_samples > 1 ? film_ray(d, distance, f, margin) : centre;
         if (!own || own->lens.first != centre->lens.first || own->lens.second != centre->lens.second) continue;
@@ -355,8 +380,8 @@ std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int
 Point2 film_from_pixel(const Description& d, Real px, Real py)
 {
     const Point2 pixel = d.pixel_pitch ? *d.pixel_pitch : Point2{25.4L / d.dpi[0], 25.4L / d.dpi[1]};
-    const Real shift = d.subpixels == "none" ? 0 : (d.subpixels == "rgb" ? d.channel - 1 : 1 - d.channel) / 3.0L;
-    return {(px + shift - d.width / 2.0L) * pixel[0], (d.height / 2.0L - py) * pixel[1]};
+    const Point2 shift = subpixel_shift(d, px, py);
+    return {(px + shift[0] - d.width / 2.0L) * pixel[0], (d.height / 2.0L - py + shift[1]) * pixel[1]};
 }
 
 Point2 aperture_size(const Description& d, Real distance)
