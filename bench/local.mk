@@ -9,10 +9,15 @@ EXTRA_PROGRAMS += build/bench/replay_speed
 build_bench_replay_speed_SOURCES = bench/replay_speed.cpp
 build_bench_replay_speed_LDADD = $(LIBINTEGRAL_LIBS)
 
+EXTRA_PROGRAMS += build/bench/interlace_speed
+build_bench_interlace_speed_SOURCES = bench/interlace_speed.cpp
+build_bench_interlace_speed_LDADD = $(LIBINTEGRAL_LIBS)
+
 .PHONY: bench
-bench: all pristine build/bench/optics_rays build/bench/replay_speed
+bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed
 	build/bench/optics_rays
 	build/bench/replay_speed
+	build/bench/interlace_speed
 	$(srcdir)/bench/start_and_end
 	$(srcdir)/bench/camera_cost
 	$(srcdir)/bench/mapping_cost

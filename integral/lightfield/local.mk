@@ -5,6 +5,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/depth_range.cpp \
   integral/lightfield/depth_range.h \
   integral/lightfield/encoding.h \
+  integral/lightfield/eye_place.h \
   integral/lightfield/error_estimate.cpp \
   integral/lightfield/error_estimate.h \
   integral/lightfield/first_samples.cpp \

@@ -8,6 +8,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/interlace.cpp \
+  integral/output/interlace.h \
+  integral/output/interlace_rows.cpp \
+  integral/output/interlace_rows.h \
   integral/output/looking_glass.h \
   integral/output/page.cpp \
   integral/output/page.h \
