@@ -34,5 +34,13 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/print_queue.h \
   integral/output/quilt.cpp \
   integral/output/quilt.h \
+  integral/output/screen_picture.cpp \
+  integral/output/screen_picture.h \
+  integral/output/screen_play.cpp \
+  integral/output/screen_window.cpp \
+  integral/output/screen_window.h \
+  integral/output/screens.cpp \
+  integral/output/screens.h \
+  integral/output/screens_x.cpp \
   integral/output/spool.cpp \
   integral/output/spool.h
