@@ -8,6 +8,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/known_panels.cpp \
+  integral/output/looking_glass.cpp \
   integral/output/looking_glass.h \
   integral/output/page.cpp \
   integral/output/page.h \
@@ -17,6 +19,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/page_pdf.h \
   integral/output/page_raster.cpp \
   integral/output/page_raster.h \
+  integral/output/panel.cpp \
   integral/output/panel.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
