@@ -12,6 +12,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/interlace.h \
   integral/output/interlace_rows.cpp \
   integral/output/interlace_rows.h \
+  integral/output/known_panels.cpp \
+  integral/output/looking_glass.cpp \
   integral/output/looking_glass.h \
   integral/output/page.cpp \
   integral/output/page.h \
@@ -21,7 +23,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/page_pdf.h \
   integral/output/page_raster.cpp \
   integral/output/page_raster.h \
+  integral/output/panel.cpp \
   integral/output/panel.h \
+  integral/output/panel_cards.cpp \
+  integral/output/panel_cards.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
   integral/output/pitch_chart.cpp \
