@@ -10,6 +10,8 @@ build_bin_integral_SOURCES += \
   integral/cli/given_views.cpp \
   integral/cli/given_views.h \
   integral/cli/lcd_command.cpp \
+  integral/cli/lcd_image.cpp \
+  integral/cli/lcd_image.h \
   integral/cli/lcd_show.cpp \
   integral/cli/lcd_show.h \
   integral/cli/main.cpp \

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 namespace integral {
@@ -74,7 +75,7 @@ std::vector<Image> colour_card(int count, int lit)
     return views;
 }
 
-Image pitch_card(const Panel& panel, int bars)
+Image pitch_card(const Panel& panel)
 {
     PitchChart chart;
     chart.sheet = panel.sheet;
@@ -84,8 +85,16 @@ Image pitch_card(const Panel& panel, int bars)
     const double length = std::min(panel.film.width * panel.film.pixel_pitch.x, panel.film.height * panel.film.pixel_pitch.y);
     constexpr double bands = 0.25;
     const double step = bands * pitch * pitch / length;
-    chart.scale = {pitch - step * (bars - 1) / 2, step, bars};
-    return pitch_chart(chart);
+    constexpr int most_bars = 11, least_bars = 3; // as many as there is room for, the calibrated pitch in the middle
+    for (int bars = most_bars;; bars -= 2) {
+        chart.scale = {pitch - step * (bars - 1) / 2, step, bars};
+        try {
+            return pitch_chart(chart);
+        } catch (const std::invalid_argument&) {
+            if (bars == least_bars)
+                throw;
+        }
+    }
 }
 
 } // namespace integral

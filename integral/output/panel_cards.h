@@ -27,7 +27,7 @@ std::vector<Image> colour_card(int count, int lit);
 
 /// Bars of lines of pitches about that which the panel's micro-images should have, in steps of which neighbours differ by a quarter of a band along a
 /// bar: the even one tells. Upright, as the viewer sees it. Throws std::invalid_argument where the panel is too coarse or small.
-Image pitch_card(const Panel& panel, int bars);
+Image pitch_card(const Panel& panel);
 
 } // namespace integral
 
