@@ -247,14 +247,21 @@ static std::string macro_of(const Panel& panel)
     return name;
 }
 
-// include/integral.inc has a macro, the pixels, the width and the distance of every panel, by the same figures.
-BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
+/// A file of the project, whole.
+static std::string file_of_project(const char* name)
 {
     const char* const top = std::getenv("TOP");
     BOOST_REQUIRE_MESSAGE(top, "TOP is not set: run this by tests/run");
-    std::ifstream file(std::string(top) + "/include/integral.inc");
-    std::ostringstream include;
-    include << file.rdbuf();
+    std::ifstream file(std::string(top) + "/" + name);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+// include/integral.inc has a macro, the pixels, the width and the distance of every panel, by the same figures.
+BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
+{
+    const std::string include = file_of_project("include/integral.inc");
     for (const Panel& panel : known_panels()) {
         const std::string name = macro_of(panel);
         std::ostringstream figures;
@@ -262,8 +269,19 @@ BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
         figures << "#declare " << name << "_Pixels = <" << panel.film.width << ", " << panel.film.height << ">;\n#declare " << name
                 << "_Width = " << panel.film.width * panel.film.pixel_pitch.x << ";\n#declare " << name << "_Distance = " << panel.aperture.distance << ";\n";
         const std::string expected = "#macro " + name + "() " + camera_words(panel) + " #end\n" + figures.str();
-        BOOST_TEST(include.str().find(expected) != std::string::npos, "include/integral.inc lacks\n" << expected);
+        BOOST_TEST(include.find(expected) != std::string::npos, "include/integral.inc lacks\n" << expected);
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_guide_describes_one)
+{
+    const std::string guide = file_of_project("doc/guide.md");
+    const auto start = guide.find("{\"panel\"");
+    BOOST_REQUIRE(start != std::string::npos);
+    const Panel panel = panel_from_json(guide.substr(start, guide.find("```", start) - start));
+    BOOST_TEST(panel.name == "mine");
+    BOOST_TEST(panel.sheet.slant == 9.46);
+    BOOST_TEST(panel.aperture.distance == 800);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
