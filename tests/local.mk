@@ -55,7 +55,10 @@ unit_sources = \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/output_device_text.cpp \
   tests/unit/output_interlace.cpp \
+  tests/unit/looking_glass_devices.h \
+  tests/unit/output_looking_glass.cpp \
   tests/unit/output_page.cpp \
+  tests/unit/output_panel.cpp \
   tests/unit/output_pitch_chart.cpp \
   tests/unit/output_pitch_wizard.cpp \
   tests/unit/output_screens.cpp \
