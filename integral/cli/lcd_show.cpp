@@ -166,7 +166,8 @@ int play_files(const options::variables_map& arguments, const std::vector<std::s
         ScreenWindow window(desktop.screens()[k], call(desktop.screens(), k));
         report = play(window, playing, [] { return !interrupted(); });
     }
-    print_report(arguments, report);
+    if (report.shown > 0)
+        print_report(arguments, report);
     if (report.interrupted)
         throw Interrupted();
     return exit_done;

@@ -51,9 +51,11 @@ PlayReport play(ScreenWindow& window, const Playing& playing, const std::functio
     }
     const auto due_at = [&](double now) { return std::min(static_cast<long long>(now / period + 1e-9), total - 1); };
 
+    window.show(*pictures.take(0)->picture); // the clock starts with it
+    report.shown = 1;
+    long long newest = 0;
     Clock::time_point start = Clock::now(); // moved on by each pause
-    double first_shown = 0, last_shown = 0;
-    long long newest = -1;
+    double last_shown = 0;
     double now = 0;
     for (;;) {
         now = since(start);
@@ -66,8 +68,7 @@ PlayReport play(ScreenWindow& window, const Playing& playing, const std::functio
             if (const auto ready = pictures.take(due)) {
                 window.show(*ready->picture);
                 now = last_shown = since(start);
-                if (report.shown++ == 0)
-                    first_shown = now;
+                ++report.shown;
                 report.dropped += ready->number - newest - 1;
                 newest = ready->number;
                 report.worst_lateness = std::max(report.worst_lateness, now - double(newest) * period);
@@ -91,7 +92,7 @@ PlayReport play(ScreenWindow& window, const Playing& playing, const std::functio
         }
     }
     report.dropped += std::max(0LL, due_at(now) - newest);
-    report.seconds = last_shown - first_shown;
+    report.seconds = last_shown;
     if (report.shown > 1 && report.seconds > 0)
         report.rate = double(report.shown - 1) / report.seconds;
     return report;

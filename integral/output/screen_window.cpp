@@ -89,8 +89,8 @@ void ScreenWindow::settle()
         if (Clock::now() > last)
             throw OutputError(name_ + ": " +
                               (has_size ? "the desktop puts the window elsewhere; end what keeps windows off that display"
-                                        : "the desktop gives the window " + size_text(width, height) + " pixels of the display's "
-                                              + size_text(screen_.width, screen_.height) + ", and scales them; set its scale to 100%"));
+                                        : "the desktop gives the window " + size_text(width, height) + " pixels in place of the display's "
+                                              + size_text(screen_.width, screen_.height) + "; set its scale to 100%"));
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     SDL_FlushEvents(SDL_WINDOWEVENT, SDL_WINDOWEVENT); // of getting there

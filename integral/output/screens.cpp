@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace integral {
 
@@ -127,18 +128,25 @@ Desktop::Desktop()
 {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0"); // the keyboard may be on another display
-    // A Wayland compositor's X server hides how it scales.
-    if (is_set("WAYLAND_DISPLAY") && !is_set("SDL_VIDEODRIVER"))
-        SDL_SetHint("SDL_VIDEODRIVER", "wayland,x11");
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) {
-        const std::string reason = SDL_GetError();
+    // A Wayland compositor's X server hides how it scales, so Wayland comes first. SDL itself would also try drivers without a display.
+    std::vector<std::pair<const char*, const char*>> drivers; // and the variable that leads there
+    for (const auto& driver : {std::pair("wayland", "WAYLAND_DISPLAY"), std::pair("x11", "DISPLAY")})
+        if (is_set(driver.second))
+            drivers.push_back(driver);
+    if (is_set("SDL_VIDEODRIVER"))
+        drivers = {{std::getenv("SDL_VIDEODRIVER"), "SDL_VIDEODRIVER"}};
+    if (drivers.empty())
+        throw OutputError("no display is reached: neither DISPLAY nor WAYLAND_DISPLAY is set; run in a desktop's session, or set DISPLAY=:0");
+    std::string failures;
+    for (const auto& [driver, variable] : drivers) {
+        SDL_SetHint("SDL_VIDEODRIVER", driver);
+        if (SDL_Init(SDL_INIT_VIDEO) == 0)
+            break;
+        failures += std::string(failures.empty() ? "" : ", ") + variable + "=" + std::getenv(variable) + " (" + SDL_GetError() + ")";
         SDL_Quit();
-        const std::string variable = is_set("WAYLAND_DISPLAY") ? "WAYLAND_DISPLAY" : "DISPLAY";
-        if (is_set(variable.c_str()))
-            throw OutputError(std::getenv(variable.c_str()) + (": this display is not reached (" + reason + "); set " + variable)
-                              + " to one of yours, or run in its session");
-        throw OutputError("no display is reached (" + reason + "); run in a desktop's session, or set DISPLAY or WAYLAND_DISPLAY");
     }
+    if (!SDL_WasInit(SDL_INIT_VIDEO))
+        throw OutputError("no display is reached by " + failures + "; run in a desktop's session");
     const std::string driver = SDL_GetCurrentVideoDriver();
     screens_ = driver == "x11" ? x_screens() : other_screens();
     if (screens_.empty()) {

@@ -2,7 +2,8 @@
 // For tests/cli/lcd_show.test: pictures of noise, and what stands on the displays of the X server DISPLAY.
 //
 // screen noise WIDTH HEIGHT SEED FILE [KIND]
-//                     writes a picture whose samples are all random; KIND: rgb8 (default), rgba8 (opaque), rgb16
+//                     writes a picture whose samples are all random; KIND: rgb8 (default), rgba8 (opaque), rgb16 (the same,
+//                     before it was rounded to 8 bits)
 // screen grab X Y WIDTH HEIGHT
 //                     prints R, G and B of every pixel of the desktop's rectangle, row by row, a byte each
 // screen key NAME     presses a key, by X's name of it, in the topmost window
@@ -14,9 +15,8 @@
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <iostream>
-#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -24,22 +24,19 @@ using namespace integral;
 
 namespace {
 
-template <class Sample> Image noise(int width, int height, int channels, unsigned seed)
-{
-    Image image = make_image<Sample>(width, height, channels, Encoding());
-    std::mt19937 random(seed);
-    std::size_t k = 0;
-    for (Sample& sample : std::get<std::vector<Sample>>(image.samples))
-        sample = k++ % channels == 3 ? std::numeric_limits<Sample>::max() : Sample(random());
-    return image;
-}
-
 bool write_noise(int width, int height, unsigned seed, const std::string& file, const std::string& kind)
 {
+    std::mt19937 random(seed), rest(seed + 1);
+    const int channels = kind == "rgba8" ? 4 : 3;
+    Image eight = make_image<std::uint8_t>(width, height, channels, Encoding()), sixteen = make_image<std::uint16_t>(width, height, channels, Encoding());
+    auto& samples = std::get<std::vector<std::uint8_t>>(eight.samples);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        samples[k] = k % std::size_t(channels) == 3 ? 255 : std::uint8_t(random());
+        std::get<std::vector<std::uint16_t>>(sixteen.samples)[k] = std::uint16_t(std::clamp(257 * samples[k] + int(rest() % 257) - 128, 0, 65535));
+    }
     if (kind != "rgb8" && kind != "rgba8" && kind != "rgb16")
         return false;
-    write_frame(file, Frame{kind == "rgb16" ? noise<std::uint16_t>(width, height, 3, seed) : noise<std::uint8_t>(width, height, kind == "rgba8" ? 4 : 3, seed),
-                            std::nullopt});
+    write_frame(file, Frame{kind == "rgb16" ? sixteen : eight, std::nullopt});
     return true;
 }
 
