@@ -70,6 +70,18 @@ Image mirrored(const Image& image, bool in_x, bool in_y)
     return turned;
 }
 
+/// The eyes of views of a frame, where the panel is as large as that frame's film; of a smaller or larger one the views are spread
+/// over the panel's own zone, as their pictures are over the panel.
+std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame, EyeGrid eyes)
+{
+    constexpr double alike = 0.01;
+    const auto same = [&](double a, double b) { return std::fabs(a - b) <= alike * b; };
+    if (same(frame.film.width * frame.film.pixel_pitch.x, panel.width * panel.pixel_pitch.x)
+        && same(frame.film.height * frame.film.pixel_pitch.y, panel.height * panel.pixel_pitch.y))
+        return eyes;
+    return std::nullopt;
+}
+
 /// The value of --view: one of `count`. Nothing if it was not given.
 std::optional<int> chosen_view(const options::variables_map& arguments, int count)
 {
@@ -249,7 +261,7 @@ Frame PanelImages::image_of(const std::vector<std::string>& group)
                 throw UsageError(name + ": it holds parallel views; a panel shows those of eyes (integral views --eyes), or the frame (integral views --to-frame)");
             std::optional<EyeGrid> eyes;
             if (views.metadata)
-                eyes = views.metadata->quilt->eyes;
+                eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
             return finished(interlaced(std::move(views.views), views.grid, eyes, blend_of(arguments_)));
         }
         if (is_native(*frame->metadata, geometry_)) {
@@ -270,7 +282,9 @@ Frame PanelImages::image_of(const std::vector<std::string>& group)
             set_view_size(view, geometry_.film, 1000);
             size = {view.width, view.height};
         }
-        return finished(interlaced(views_of_eyes(*frame, grid, size, threads_), grid, std::nullopt, blend_of(arguments_)));
+        const double distance = frame->metadata->aperture.distance;
+        const auto eyes = eyes_before(panel_.film, *frame->metadata, {viewing_zone(*frame->metadata, distance), distance});
+        return finished(interlaced(views_of_eyes(*frame, grid, size, threads_), grid, eyes, blend_of(arguments_)));
     } catch (const std::invalid_argument& error) {
         throw UsageError(name + ": " + error.what());
     }
