@@ -127,6 +127,8 @@ int run(const options::variables_map& arguments)
     if (makes) {
         if (arguments["play"].as<bool>() || arguments["list-displays"].as<bool>())
             throw UsageError("--panel does not go with --play or --list-displays: make the images with -o, then play them");
+        if (given(arguments, "fps") || arguments["loop"].as<bool>())
+            throw UsageError(std::string(given(arguments, "fps") ? "--fps" : "--loop") + " is for --play");
         if (given(arguments, "seconds") && !given(arguments, "show"))
             throw UsageError("--seconds is for --show and --play");
         return make_images(arguments);
@@ -155,8 +157,8 @@ const Command lcd_command = {
     "blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or the files of all\n"
     "views: perspective pictures whose window lies on the panel, from eyes on a line across the\n"
     "viewing zone at the viewing distance, view 0 from the far left (integral views --eyes makes such).\n"
-    "Or it is a frame: one rendered for the panel (--camera says how) is passed through to the bit; of any other the views of\n"
-    "its own zone are drawn first. Several frames or quilts make several images.\n"
+    "Or it is a frame: one rendered for the panel (--camera says how) is passed through to the bit; of\n"
+    "any other the views of its own zone are drawn first. Several frames or quilts make several images.\n"
     "\n"
     "Panels with a Looking Glass calibration are interlaced by the mapping that its maker publishes,\n"
     "others through the exact optics of their lenses. The image carries the geometry of a frame, so that\n"
