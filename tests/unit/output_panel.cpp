@@ -146,6 +146,33 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
     BOOST_TEST(refusal("[]") == "holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
 }
 
+BOOST_AUTO_TEST_CASE(malformed_descriptions_are_refused_in_words)
+{
+    int read = 0, refused = 0;
+    const auto try_to_read = [&](const std::string& text) {
+        try {
+            const Panel panel = panel_from_json(text);
+            ++read;
+            BOOST_TEST((panel.film.width > 0 && panel.sheet.pitch > 0 && panel.aperture.distance > 0), text);
+            camera_words(panel);
+        } catch (const std::invalid_argument& error) {
+            ++refused;
+            BOOST_TEST(std::string(error.what()).size() > 10, text);
+        }
+    };
+    for (const std::string& text : {std::string(own), file_of(devices()[9], {})})
+        for (std::size_t at = 0; at < text.size(); ++at) {
+            try_to_read(text.substr(0, at));
+            for (const char c : std::string("0-9e.,\"{}[]:x\\\xff")) {
+                std::string changed = text;
+                changed[at] = c;
+                try_to_read(changed);
+            }
+        }
+    BOOST_TEST(read > 500);
+    BOOST_TEST(refused > 5000);
+}
+
 BOOST_AUTO_TEST_CASE(calibrations_become_panels)
 {
     // A portrait's: 52 micro-images an inch, lenses that lean by a seventh to the right going up, 40 degrees
