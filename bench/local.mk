@@ -9,10 +9,25 @@ EXTRA_PROGRAMS += build/bench/replay_speed
 build_bench_replay_speed_SOURCES = bench/replay_speed.cpp
 build_bench_replay_speed_LDADD = $(LIBINTEGRAL_LIBS)
 
+EXTRA_PROGRAMS += build/bench/interlace_speed
+build_bench_interlace_speed_SOURCES = bench/interlace_speed.cpp
+build_bench_interlace_speed_LDADD = $(LIBINTEGRAL_LIBS)
+
+# What of a quilt is read, and what a panel's image costs natively and of views (doc/panels.md): minutes.
+EXTRA_PROGRAMS += build/bench/quilt_use
+build_bench_quilt_use_SOURCES = bench/quilt_use.cpp
+build_bench_quilt_use_LDADD = $(LIBINTEGRAL_LIBS)
+
+.PHONY: panel-tables
+panel-tables: all pristine build/bench/quilt_use
+	build/bench/quilt_use
+	$(srcdir)/bench/native_against_quilt
+
 .PHONY: bench
-bench: all pristine build/bench/optics_rays build/bench/replay_speed
+bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed
 	build/bench/optics_rays
 	build/bench/replay_speed
+	build/bench/interlace_speed
 	$(srcdir)/bench/start_and_end
 	$(srcdir)/bench/camera_cost
 	$(srcdir)/bench/mapping_cost

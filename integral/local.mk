@@ -6,7 +6,7 @@ build_lib_libintegral_a_SOURCES =
 
 bin_PROGRAMS += build/bin/integral
 build_bin_integral_SOURCES =
-build_bin_integral_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+build_bin_integral_LDADD = $(LIBINTEGRAL_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
 include $(srcdir)/integral/optics/local.mk
 include $(srcdir)/integral/lightfield/local.mk
@@ -31,4 +31,4 @@ build_sanitized_libintegral_a_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
 EXTRA_PROGRAMS += build/sanitized/integral
 build_sanitized_integral_SOURCES = $(build_bin_integral_SOURCES)
 build_sanitized_integral_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
-build_sanitized_integral_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+build_sanitized_integral_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)

@@ -4,7 +4,7 @@
 check_PROGRAMS += build/tests/unit
 build_tests_unit_SOURCES = $(unit_sources)
 build_tests_unit_CPPFLAGS = $(AM_CPPFLAGS) -DBOOST_TEST_DYN_LINK
-build_tests_unit_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_TEST_LIBS)
+build_tests_unit_LDADD = $(LIBINTEGRAL_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
 
 check_PROGRAMS += build/tests/centroid
 build_tests_centroid_SOURCES = tests/replay/centroid.cpp
@@ -25,11 +25,19 @@ build_tests_raster_LDADD = $(CUPS_LIBS)
 build_tests_dyesub_SOURCES = tests/cli/helpers/dyesub.cpp
 endif
 
+# For tests/cli/lcd_show.test, likewise.
+if HAVE_SDL2
+screen_programs = build/tests/screen
+check_PROGRAMS += $(screen_programs)
+build_tests_screen_SOURCES = tests/cli/helpers/screen.cpp
+build_tests_screen_LDADD = $(LIBINTEGRAL_LIBS) -lX11
+endif
+
 EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
 build_sanitized_unit_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
-build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(BOOST_TEST_LIBS)
+build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
 
 # One line per file.
 unit_sources = \
@@ -46,9 +54,14 @@ unit_sources = \
   tests/unit/lightfield_sampling_forecast.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/output_device_text.cpp \
+  tests/unit/output_interlace.cpp \
+  tests/unit/looking_glass_devices.h \
+  tests/unit/output_looking_glass.cpp \
   tests/unit/output_page.cpp \
+  tests/unit/output_panel.cpp \
   tests/unit/output_pitch_chart.cpp \
   tests/unit/output_pitch_wizard.cpp \
+  tests/unit/output_screens.cpp \
   tests/unit/replay_compare.cpp \
   tests/unit/replay_eyes.cpp \
   tests/unit/replay_frames.h \
@@ -101,7 +114,7 @@ build_tests_depths_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
 test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
-  build/bench/error_against_time build/bench/eyes $(cups_programs)
+  build/bench/error_against_time build/bench/eyes $(cups_programs) $(screen_programs)
 
 .PHONY: check-long
 check-local: $(test_programs) pristine

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral views: the views that are in a frame, as a quilt, an animation or files; and the frame of them.
 #include "integral/cli/command.h"
+#include "integral/cli/given_views.h"
 #include "integral/cli/picture_series.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
@@ -75,22 +76,6 @@ PixelSize size_to_look_at(const options::variables_map& arguments, const Film& f
     View view;
     set_view_size(view, film, default_longer_side);
     return {view.width, view.height};
-}
-
-std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, PixelSize size, int threads)
-{
-    View view;
-    view.width = size.width;
-    view.height = size.height;
-    const Eye middle = centre_eye(*frame.metadata);
-    auto pictures = replay_each(frame, view, eye_grid(middle, grid.columns, grid.rows, viewing_zone(*frame.metadata, middle.distance)),
-                                threads, progress_bar("views"));
-    if (!pictures)
-        throw Interrupted();
-    std::vector<Image> views; // by number: the bottom row first
-    for (int row = grid.rows; row-- > 0;)
-        std::move(pictures->begin() + row * grid.columns, pictures->begin() + (row + 1) * grid.columns, std::back_inserter(views));
-    return views;
 }
 
 /// Parallel views as they look: upright and of the film's shape. Black where the lenses reflect totally.

@@ -4,16 +4,10 @@
 #define INTEGRAL_CLI_VIEWS_TO_FRAME_H
 
 #include "integral/cli/command.h"
-#include "integral/lightfield/view_grid.h"
 
 #include <string>
 
 namespace integral {
-
-constexpr int most_views_a_side = 256;
-
-/// The value of --views. Throws UsageError.
-ViewGrid parse_view_grid(const options::variables_map& arguments);
 
 /// The way back: returns an ExitStatus or throws, as a command does.
 int frame_of_views(const options::variables_map& arguments, const std::string& output, int threads);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/animation.h"
 
+#include "integral/io/release.h"
+
 #include <stdexcept>
 
 #ifdef HAVE_WEBP
@@ -15,15 +17,6 @@ namespace integral {
 #ifdef HAVE_WEBP
 
 bool can_animate() { return true; }
-
-namespace {
-
-/// Runs at the end of a scope.
-template <class Freed, void (*release)(Freed*)> struct Release {
-    void operator()(Freed* object) const { release(object); }
-};
-
-} // namespace
 
 void Animation::add(const Image& picture)
 {

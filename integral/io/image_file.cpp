@@ -3,9 +3,11 @@
 
 #include "integral/io/codecs.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <new>
 #include <sstream>
 #include <unistd.h>
@@ -205,6 +207,24 @@ Views read_views(const std::string& path, bool needs_geometry)
     if (views.metadata && !views.metadata->quilt)
         views.metadata.reset();
     return views;
+}
+
+std::pair<int, int> picture_size(const std::string& path)
+{
+    // The signature, then the first chunk: its length and name, width and height, four bytes each, the highest first.
+    std::string start(24, '\0');
+    std::ifstream file(path, std::ios::binary);
+    if (file.read(&start[0], std::streamsize(start.size())) && begins_with(start, "\x89PNG") && start.compare(12, 4, "IHDR") == 0) {
+        const auto number = [&](int at) {
+            std::uint32_t value = 0;
+            for (int k = at; k < at + 4; ++k)
+                value = value << 8 | static_cast<unsigned char>(start[std::size_t(k)]);
+            return int(std::min<std::uint32_t>(value, 0x7fffffff));
+        };
+        return {number(16), number(20)};
+    }
+    const DecodedImage picture = decoded(path, decode_any);
+    return {picture.image.width, picture.image.height};
 }
 
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file)

@@ -8,6 +8,7 @@
 #include "integral/lightfield/frame.h"
 
 #include <string>
+#include <utility>
 
 namespace integral {
 
@@ -33,6 +34,9 @@ struct Views {
 
 /// Reads a quilt or one view of it. Throws InputError; for a geometry that cannot be used only if it is needed.
 Views read_views(const std::string& path, bool needs_geometry);
+
+/// Width and height of a picture, of a PNG read from its header alone. Throws InputError.
+std::pair<int, int> picture_size(const std::string& path);
 
 /// As read_frame, of a picture that must have geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");

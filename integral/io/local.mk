@@ -19,4 +19,5 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/plot_names.cpp \
   integral/io/plot_names.h \
   integral/io/png_codec.cpp \
+  integral/io/release.h \
   integral/io/tiff_codec.cpp

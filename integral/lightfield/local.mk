@@ -5,6 +5,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/depth_range.cpp \
   integral/lightfield/depth_range.h \
   integral/lightfield/encoding.h \
+  integral/lightfield/eye_place.h \
   integral/lightfield/error_estimate.cpp \
   integral/lightfield/error_estimate.h \
   integral/lightfield/first_samples.cpp \
@@ -13,8 +14,12 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/frame.h \
   integral/lightfield/frame_metadata.cpp \
   integral/lightfield/frame_metadata.h \
+  integral/lightfield/geometry_json.cpp \
+  integral/lightfield/geometry_json.h \
   integral/lightfield/image.cpp \
   integral/lightfield/image.h \
+  integral/lightfield/json_fields.cpp \
+  integral/lightfield/json_fields.h \
   integral/lightfield/lens_profile.cpp \
   integral/lightfield/lens_profile.h \
   integral/lightfield/names.cpp \

@@ -22,4 +22,6 @@ std::string with_digits(double value, int digits)
     return text.str();
 }
 
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
 } // namespace integral

@@ -13,6 +13,9 @@ std::string with_decimals(double value, int decimals);
 /// With at most so many digits, and none that says nothing: 1.5, 300, 1e+09.
 std::string with_digits(double value, int digits);
 
+/// Pixels, 640x480.
+std::string size_text(int width, int height);
+
 } // namespace integral
 
 #endif

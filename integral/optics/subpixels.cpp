@@ -16,6 +16,47 @@ bool same_layout(const Subpixels& a, const Subpixels& b)
     return true;
 }
 
+namespace {
+
+/// How many cells a pattern tells apart.
+int period(CellPattern pattern)
+{
+    switch (pattern) {
+    case CellPattern::same: break;
+    case CellPattern::checkerboard:
+    case CellPattern::columns:
+    case CellPattern::rows: return 2;
+    case CellPattern::staggered: return 4;
+    }
+    return 1;
+}
+
+} // namespace
+
+Subpixels mirrored(const Subpixels& subpixels, int columns, int rows, bool x, bool y)
+{
+    Subpixels result = subpixels;
+    switch (subpixels.order) {
+    case Subpixels::none: break;
+    case Subpixels::rgb: result.order = x ? Subpixels::bgr : Subpixels::rgb; break;
+    case Subpixels::bgr: result.order = x ? Subpixels::rgb : Subpixels::bgr; break;
+    case Subpixels::vrgb: result.order = y ? Subpixels::vbgr : Subpixels::vrgb; break;
+    case Subpixels::vbgr: result.order = y ? Subpixels::vrgb : Subpixels::vbgr; break;
+    case Subpixels::cells:
+        // Each pattern is its own mirror image, with its cells in another order: some pixel of each tells which.
+        result.number = period(subpixels.pattern);
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 2; ++column) {
+                PixelCell cell = subpixels.cell[cell_of(subpixels, x ? columns - 1 - column : column, y ? rows - 1 - row : row)];
+                for (Vec2& place : cell)
+                    place = {x ? 0 - place.x : place.x, y ? 0 - place.y : place.y};
+                result.cell[cell_of(result, column, row)] = cell;
+            }
+        break;
+    }
+    return result;
+}
+
 int cell_of(const Subpixels& subpixels, int column, int row)
 {
     const int odd_column = column & 1, odd_row = row & 1;

@@ -43,6 +43,10 @@ struct Subpixels {
 /// Whether two panels' colours lie alike.
 bool same_layout(const Subpixels& a, const Subpixels& b);
 
+/// The layout of a panel of so many columns and rows seen mirrored in x, in y or in both: its columns or rows are counted from
+/// the other side, and its colours lie on the other side of their pixel's centre.
+Subpixels mirrored(const Subpixels& subpixels, int columns, int rows, bool x, bool y);
+
 /// Which cell the pixel of a column and a row has, 0 to number - 1. They may be negative.
 int cell_of(const Subpixels& subpixels, int column, int row);
 

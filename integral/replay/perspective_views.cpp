@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/perspective_views.h"
 
-#include "integral/optics/lens_mapping.h"
+#include "integral/lightfield/eye_place.h"
 #include "integral/replay/interpolate.h"
 
 #include <stdexcept>
@@ -26,14 +26,11 @@ std::optional<Image> frame_from_perspective_views(const std::vector<Image>& view
         light.emplace_back(view);
 
     const auto seen_by = [&](Vec2 film_point) {
-        const auto ray = optics.map(film_point, LensMapping::automatic).ray;
-        if (!ray)
+        const auto seen = eye_place(optics, eyes, film_point);
+        if (!seen)
             return Color{0, 0, 0, 0};
-        const double along = -eyes.distance / ray->direction.z;
-        const Vec2 eye = ray->pole + along * Vec2{ray->direction.x, ray->direction.y};
-        const Vec2 at = pixel_from_film(window, ray->pole);
-        const double across = eyes.zone.x > 0 ? (eye.x / eyes.zone.x + 0.5) * grid.columns - 0.5 : 0;
-        const double up = eyes.zone.y > 0 ? (eye.y / eyes.zone.y + 0.5) * grid.rows - 0.5 : 0;
+        const Vec2 at = pixel_from_film(window, seen->place);
+        const double across = seen->eye.x * grid.columns - 0.5, up = seen->eye.y * grid.rows - 0.5;
         return between(across, up, grid.columns, grid.rows, [&](int i, int j) {
             const LinearReader& view = light[std::size_t(j) * grid.columns + i];
             return between(at.x - 0.5, at.y - 0.5, window.width, window.height, [&](int x, int y) { return view(x, y); });

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Sheet, film and aperture as JSON objects: of a frame's document, and of what else describes them.
+#ifndef INTEGRAL_LIGHTFIELD_GEOMETRY_JSON_H
+#define INTEGRAL_LIGHTFIELD_GEOMETRY_JSON_H
+
+#include "integral/lightfield/json_fields.h"
+
+namespace integral {
+
+constexpr int largest_side = 1000000;                           // pixels
+constexpr double least_distance = 1e-2, largest_distance = 1e9; // mm, as make_camera allows
+constexpr double largest_extent = 1e30;                         // mm; an aperture's
+
+/// arrangement, pitch_mm, thickness_mm, ior, and if they are there slant_degrees and offset_mm.
+LensSheet sheet_from(const JsonObject& object);
+
+/// pixel_pitch_mm, and if they are there width and height, subpixels.
+Film film_from(const JsonObject& object);
+
+/// The field subpixels: a word for stripes, or an object of pattern and cells.
+Subpixels subpixels_from(const JsonObject& film);
+
+/// distance_mm, and if they are there width_mm, height_mm (null: no limit) and shape. Extents that are absent are those that
+/// fill the lens on the axis, or none where nothing does.
+Aperture aperture_from(const JsonObject& object, const LensSheet& sheet);
+
+/// The ranges of sheet and film are the scene language's: one list of them, in find_value_errors.
+void check_ranges(const LensSheet& sheet, const Film& film);
+
+/// Their inverses.
+Json json_of(const LensSheet& sheet);
+Json json_of(const Film& film);
+Json json_of(const Subpixels& subpixels);
+Json json_of(const Aperture& aperture);
+
+} // namespace integral
+
+#endif

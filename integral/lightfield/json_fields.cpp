@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/json_fields.h"
+
+#include "integral/lightfield/number_text.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace integral {
+
+void refuse(const std::string& field, const std::string& what)
+{
+    throw std::invalid_argument(field + " " + what);
+}
+
+Json parse_json(const std::string& text)
+{
+    try {
+        return Json::parse(text);
+    } catch (const nlohmann::json::parse_error& error) {
+        throw std::invalid_argument("is not JSON at byte " + std::to_string(error.byte));
+    } catch (const nlohmann::json::exception&) {
+        throw std::invalid_argument("holds a number that is out of range");
+    }
+}
+
+const Json& JsonObject::at(const char* field) const
+{
+    if (!has(field))
+        refuse(path_of(field), "is missing");
+    return json.at(field);
+}
+
+JsonObject object_at(const JsonObject& parent, const char* field)
+{
+    const Json& json = parent.at(field);
+    if (!json.is_object())
+        refuse(parent.path_of(field), "must be an object");
+    return {json, parent.path_of(field)};
+}
+
+void refuse_others(const JsonObject& object, std::initializer_list<const char*> legal)
+{
+    for (const auto& field : object.json.items()) {
+        if (std::find(legal.begin(), legal.end(), field.key()) != legal.end())
+            continue;
+        std::string names;
+        for (const char* const name : legal)
+            names += (names.empty() ? "" : name == *(legal.end() - 1) ? " and " : ", ") + std::string(name);
+        refuse(object.path_of(field.key().c_str()), "is not a field of it: those are " + names);
+    }
+}
+
+double number_in(const Json& json, const std::string& path, double least, double greatest)
+{
+    if (!json.is_number())
+        refuse(path, "must be a number");
+    const double value = json.get<double>();
+    if (!(value >= least && value <= greatest))
+        refuse(path, "is " + with_digits(value, 6) + ", and must be within " + with_digits(least, 6) + " and " + with_digits(greatest, 6));
+    return value;
+}
+
+double number_at(const JsonObject& object, const char* field, double least, double greatest)
+{
+    return number_in(object.at(field), object.path_of(field), least, greatest);
+}
+
+std::vector<double> numbers_in(const Json& json, const std::string& path, std::size_t count, double least, double greatest)
+{
+    if (!json.is_array() || json.size() != count)
+        refuse(path, "must be a list of " + std::to_string(count) + " numbers");
+    std::vector<double> values;
+    for (std::size_t i = 0; i < count; ++i)
+        values.push_back(number_in(json[i], path + "[" + std::to_string(i) + "]", least, greatest));
+    return values;
+}
+
+std::vector<double> numbers_at(const JsonObject& object, const char* field, std::size_t count, double least, double greatest)
+{
+    return numbers_in(object.at(field), object.path_of(field), count, least, greatest);
+}
+
+Vec2 vec2_at(const JsonObject& object, const char* field, double least, double greatest)
+{
+    const auto v = numbers_at(object, field, 2, least, greatest);
+    return {v[0], v[1]};
+}
+
+std::string string_at(const JsonObject& object, const char* field)
+{
+    if (!object.at(field).is_string())
+        refuse(object.path_of(field), "must be a string");
+    return object.at(field).get<std::string>();
+}
+
+Json list(Vec2 v) { return Json::array({v.x, v.y}); }
+
+std::string text_of(const Json& document)
+{
+    std::string text;
+    for (const auto& field : document.items())
+        text += (text.empty() ? "{\"" : ",\n \"") + field.key() + "\": " + field.value().dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text + "}\n";
+}
+
+} // namespace integral

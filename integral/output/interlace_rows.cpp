@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/output/interlace_rows.h"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define INTEGRAL_HAS_AVX2
+#include <immintrin.h>
+#endif
+
+namespace integral {
+namespace {
+
+template <bool blend_views, bool blend_pixels, class Sample> void plain_samples(const InterlacedRow<Sample>& row, int first)
+{
+    for (int i = first; i < row.count; ++i) {
+        const std::uint32_t phase = row.phases[i] + row.phase;
+        const Step view = blend_views ? linear_step(phase, row.view_count) : nearest_step(phase, row.view_count);
+        const Sample* left = row.views + std::size_t(view.index) * row.view_step + row.places[i];
+        const std::uint32_t weight = blend_pixels ? row.weights[i] : 0;
+        const auto across = [&](const Sample* at) { return at[0] * (256 - weight) + at[3] * weight; }; // 256 times the value
+        if (!blend_views && !blend_pixels)
+            row.samples[i] = left[0];
+        else if (!blend_views)
+            row.samples[i] = Sample((across(left) + 128) >> 8);
+        else if (!blend_pixels)
+            row.samples[i] = Sample((left[0] * (256 - view.weight) + left[row.view_step] * view.weight + 128) >> 8);
+        else
+            row.samples[i] = Sample(((across(left) >> 1) * (256 - view.weight) + (across(left + row.view_step) >> 1) * view.weight + 16384) >> 15);
+    }
+}
+
+template <class Sample> void plain_row(const InterlacedRow<Sample>& row, bool blend_views, bool blend_pixels, int first)
+{
+    if (blend_views)
+        blend_pixels ? plain_samples<true, true>(row, first) : plain_samples<true, false>(row, first);
+    else
+        blend_pixels ? plain_samples<false, true>(row, first) : plain_samples<false, false>(row, first);
+}
+
+template <class Sample> void plain_blend(Sample* to, const Sample* a, const Sample* b, std::size_t first, std::size_t count, std::uint32_t weight)
+{
+    for (std::size_t i = first; i < count; ++i)
+        to[i] = Sample((a[i] * (256 - weight) + b[i] * weight + 128) >> 8);
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+
+__attribute__((target("avx2"))) inline __m256i vector(const void* at) { return _mm256_loadu_si256(static_cast<const __m256i*>(at)); }
+
+/// Of four bytes the first and the last, weighed.
+__attribute__((target("avx2"))) inline __m256i ends_of(__m256i four, __m256i weights)
+{
+    const __m256i first = _mm256_and_si256(four, _mm256_set1_epi32(255)), last = _mm256_slli_epi32(_mm256_srli_epi32(four, 24), 16);
+    return _mm256_madd_epi16(_mm256_or_si256(first, last), weights);
+}
+
+/// Eight samples at a time; returns how many are done.
+template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) int fast_samples(const InterlacedRow<std::uint8_t>& row)
+{
+    const __m256i row_phase = _mm256_set1_epi32(int(row.phase)), count = _mm256_set1_epi32(int(row.view_count));
+    const __m256i step = _mm256_set1_epi32(int(row.view_step)), byte = _mm256_set1_epi32(255), whole = _mm256_set1_epi32(256);
+    const __m256i shift = _mm256_set1_epi64x(0x80800000), one = _mm256_set1_epi32(1), high = _mm256_set1_epi32(int(0xffff0000));
+    const __m256i low_bytes = _mm256_setr_epi8(0, 4, 8, 12, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
+                                               -1, -1, -1, -1, 0, 4, 8, 12, -1, -1, -1, -1, -1, -1, -1, -1);
+    const int* views = reinterpret_cast<const int*>(row.views);
+    int i = 0;
+    for (; i + 8 <= row.count; i += 8) {
+        const __m256i phase = _mm256_add_epi32(vector(row.phases + i), row_phase);
+        __m256i even = _mm256_mul_epu32(phase, count), odd = _mm256_mul_epu32(_mm256_srli_epi64(phase, 32), count);
+        if (blend_views) {
+            even = _mm256_add_epi64(even, shift);
+            odd = _mm256_add_epi64(odd, shift);
+        }
+        __m256i view = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa), view_weight = view;
+        if (blend_views) {
+            const __m256i outside = _mm256_or_si256(_mm256_cmpeq_epi32(view, _mm256_setzero_si256()), _mm256_cmpeq_epi32(view, count));
+            const __m256i low = _mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xaa);
+            view_weight = _mm256_andnot_si256(outside, _mm256_srli_epi32(low, 24));
+            view_weight = _mm256_or_si256(_mm256_sub_epi32(whole, view_weight), _mm256_slli_epi32(view_weight, 16));
+            view = _mm256_sub_epi32(_mm256_max_epu32(view, one), one);
+        }
+        const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(view, step), vector(row.places + i));
+        __m256i result = _mm256_i32gather_epi32(views, at, 1);
+        if (blend_pixels) {
+            const __m256i weight = vector(row.weights + i);
+            const __m256i pixel_weights = _mm256_or_si256(_mm256_sub_epi32(whole, weight), _mm256_slli_epi32(weight, 16));
+            result = ends_of(result, pixel_weights);
+            if (blend_views) {
+                const __m256i next = ends_of(_mm256_i32gather_epi32(views, _mm256_add_epi32(at, step), 1), pixel_weights);
+                const __m256i both = _mm256_or_si256(_mm256_srli_epi32(result, 1), _mm256_and_si256(_mm256_slli_epi32(next, 15), high));
+                result = _mm256_srli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, view_weight), _mm256_set1_epi32(16384)), 15);
+            } else {
+                result = _mm256_srli_epi32(_mm256_add_epi32(result, _mm256_set1_epi32(128)), 8);
+            }
+        } else if (blend_views) {
+            const __m256i next = _mm256_i32gather_epi32(views, _mm256_add_epi32(at, step), 1);
+            const __m256i both = _mm256_or_si256(_mm256_and_si256(result, byte), _mm256_slli_epi32(_mm256_and_si256(next, byte), 16));
+            result = _mm256_srli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, view_weight), _mm256_set1_epi32(128)), 8);
+        }
+        const __m256i bytes = _mm256_shuffle_epi8(result, low_bytes);
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(row.samples + i),
+                         _mm_or_si128(_mm256_castsi256_si128(bytes), _mm256_extracti128_si256(bytes, 1)));
+    }
+    return i;
+}
+
+/// For weights from 1 to 255.
+__attribute__((target("avx2"))) std::size_t fast_blend(std::uint8_t* to, const std::uint8_t* a, const std::uint8_t* b, std::size_t count, std::uint32_t weight)
+{
+    // Bytes are taken from -128 on, for products of unsigned weights and signed values; the sum, 256 times the value, just fits.
+    const __m256i weights = _mm256_set1_epi16(short((256 - weight) | weight << 8)), sign = _mm256_set1_epi8(char(128)), half = _mm256_set1_epi16(128);
+    std::size_t i = 0;
+    for (; i + 32 <= count; i += 32) {
+        const __m256i left = _mm256_xor_si256(vector(a + i), sign), right = _mm256_xor_si256(vector(b + i), sign);
+        const __m256i low = _mm256_maddubs_epi16(weights, _mm256_unpacklo_epi8(left, right));
+        const __m256i high = _mm256_maddubs_epi16(weights, _mm256_unpackhi_epi8(left, right));
+        const __m256i both = _mm256_packs_epi16(_mm256_srai_epi16(_mm256_add_epi16(low, half), 8), _mm256_srai_epi16(_mm256_add_epi16(high, half), 8));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to + i), _mm256_xor_si256(both, sign));
+    }
+    return i;
+}
+
+bool has_avx2()
+{
+    static const bool has = __builtin_cpu_supports("avx2");
+    return has;
+}
+
+#endif
+
+} // namespace
+
+template <class Sample> void interlace_row_portably(const InterlacedRow<Sample>& row, bool blend_views, bool blend_pixels)
+{
+    plain_row(row, blend_views, blend_pixels, 0);
+}
+
+template <class Sample> void blend_rows_portably(Sample* to, const Sample* a, const Sample* b, std::size_t count, std::uint32_t weight)
+{
+    plain_blend(to, a, b, 0, count, weight);
+}
+
+template <> void interlace_row(const InterlacedRow<std::uint8_t>& row, bool blend_views, bool blend_pixels)
+{
+    int done = 0;
+#ifdef INTEGRAL_HAS_AVX2
+    // Places are counted by 31 bits there.
+    if (has_avx2() && (std::uint64_t(row.view_count) + 1) * row.view_step < 0x7fffffff) {
+        if (blend_views)
+            done = blend_pixels ? fast_samples<true, true>(row) : fast_samples<true, false>(row);
+        else
+            done = blend_pixels ? fast_samples<false, true>(row) : fast_samples<false, false>(row);
+    }
+#endif
+    plain_row(row, blend_views, blend_pixels, done);
+}
+
+template <> void blend_rows(std::uint8_t* to, const std::uint8_t* a, const std::uint8_t* b, std::size_t count, std::uint32_t weight)
+{
+    std::size_t done = 0;
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2() && weight > 0)
+        done = fast_blend(to, a, b, count, weight);
+#endif
+    plain_blend(to, a, b, done, count, weight);
+}
+
+template <> void interlace_row(const InterlacedRow<std::uint16_t>& row, bool blend_views, bool blend_pixels)
+{
+    plain_row(row, blend_views, blend_pixels, 0);
+}
+
+template <> void blend_rows(std::uint16_t* to, const std::uint16_t* a, const std::uint16_t* b, std::size_t count, std::uint32_t weight)
+{
+    plain_blend(to, a, b, 0, count, weight);
+}
+
+template void interlace_row_portably(const InterlacedRow<std::uint8_t>&, bool, bool);
+template void interlace_row_portably(const InterlacedRow<std::uint16_t>&, bool, bool);
+template void blend_rows_portably(std::uint8_t*, const std::uint8_t*, const std::uint8_t*, std::size_t, std::uint32_t);
+template void blend_rows_portably(std::uint16_t*, const std::uint16_t*, const std::uint16_t*, std::size_t, std::uint32_t);
+
+} // namespace integral

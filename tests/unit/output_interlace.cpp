@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Interlacing, subpixel by subpixel, against its definition in double precision.
+#include "integral/output/interlace.h"
+#include "integral/output/interlace_rows.h"
+#include "integral/replay/perspective_views.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace integral;
+
+BOOST_AUTO_TEST_SUITE(output_interlace)
+
+namespace {
+
+template <class Sample> Image noise(int width, int height, unsigned seed, Encoding encoding = {})
+{
+    Image image = make_image<Sample>(width, height, 3, encoding);
+    std::mt19937 random(seed);
+    for (Sample& sample : std::get<std::vector<Sample>>(image.samples))
+        sample = Sample(random());
+    return image;
+}
+
+LookingGlassCalibration calibration(int width, int height)
+{
+    LookingGlassCalibration c;
+    c.pitch = 52.58;
+    c.slope = -7.162;
+    c.center = 0.564;
+    c.dpi = 283;
+    c.width = width;
+    c.height = height;
+    return c;
+}
+
+/// Displays of every kind: either lean, flipped, inverted or not, and cells in each pattern.
+std::vector<LookingGlassCalibration> displays()
+{
+    std::vector<LookingGlassCalibration> all;
+    const int sizes[][2] = {{64, 40}, {61, 37}, {3, 7}, {1, 1}, {1536, 5}};
+    for (const auto& [width, height] : sizes)
+        for (int kind = 0; kind < 8; ++kind) {
+            LookingGlassCalibration c = calibration(width, height);
+            c.slope = kind & 1 ? 5.3 : -7.162;
+            c.inverted_views = kind & 2;
+            c.flip_subpixels = kind & 4;
+            c.flip_x = kind == 3;
+            c.flip_y = kind == 5;
+            all.push_back(c);
+            c.cells.order = Subpixels::cells;
+            c.cells.pattern = CellPattern(kind % 5);
+            c.cells.number = kind % 5 == 4 ? 4 : 2;
+            for (int cell = 0; cell < c.cells.number; ++cell)
+                c.cells.cell[cell] = {Vec2{-0.3, 0.1 * cell}, Vec2{0.05 * cell, -0.25}, Vec2{0.31, 0.2}};
+            all.push_back(c);
+        }
+    return all;
+}
+
+double between(double at, double& weight, int count)
+{
+    const double cut = std::clamp(at, 0.0, count - 1.0), left = std::min(std::floor(cut), std::max(0.0, count - 2.0));
+    weight = cut - left;
+    return left;
+}
+
+/// What a panel's subpixel shows, in double precision, of views in a function of their number and pixel.
+template <class Value> double shown(double view, double x, double y, int count, int width, int height, Blend blend, Value value)
+{
+    double weights[3] = {0, 0, 0}, left[3];
+    const double at[3] = {view * count, x * width, y * height};
+    const int sides[3] = {count, width, height};
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool linear = (axis == 0 ? blend.views : blend.pixels) == Neighbours::linear;
+        left[axis] = linear ? between(at[axis] - 0.5, weights[axis], sides[axis]) : std::min(std::floor(at[axis]), sides[axis] - 1.0);
+    }
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double weight = 1;
+        int place[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const int next = corner >> axis & 1;
+            weight *= next ? weights[axis] : 1 - weights[axis];
+            place[axis] = int(left[axis]) + next;
+        }
+        if (weight > 0)
+            sum += weight * value(place[0], place[1], place[2]);
+    }
+    return sum;
+}
+
+double away(double a, double b)
+{
+    const double d = std::fabs(a - b);
+    return std::min(d, 1 - d);
+}
+
+constexpr Blend blends[] = {{Neighbours::nearest, Neighbours::nearest}, {Neighbours::nearest, Neighbours::linear},
+                            {Neighbours::linear, Neighbours::nearest}, {Neighbours::linear, Neighbours::linear}};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(phases_are_those_of_the_published_mapping)
+{
+    std::vector<LookingGlassCalibration> all = displays();
+    all.push_back(calibration(7680, 4320));
+    double worst = 0;
+    for (const LookingGlassCalibration& c : all) {
+        const PublishedMapping mapping = published_mapping(c);
+        for (int row = 0; row < c.height; row += c.height > 1000 ? 97 : 1)
+            for (int column = 0; column < c.width; ++column)
+                for (int channel = 0; channel < 3; ++channel) {
+                    const std::uint32_t phase = mapping.of_columns[row % 4][3 * column + channel] + mapping.of_rows[row];
+                    worst = std::max(worst, away(phase / 4294967296.0, view_of_subpixel(c, column, row, channel)));
+                }
+    }
+    BOOST_TEST(worst <= 3 / 4294967296.0);
+}
+
+BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
+{
+    for (const LookingGlassCalibration& c : displays())
+        for (const ViewGrid grid : {ViewGrid{5, 3}, ViewGrid{1, 1}})
+            for (const Blend& blend : blends) {
+                const int width = c.width / 3 + 1, height = c.height / 2 + 1; // a quilt with a rest at its right and top
+                const Image quilt = noise<std::uint8_t>(grid.columns * width + (grid.columns > 1 ? 2 : 0), grid.rows * height + (grid.rows > 1 ? 1 : 0), 3);
+                const auto& samples = std::get<std::vector<std::uint8_t>>(quilt.samples);
+                const ViewPictures views(quilt, grid);
+                BOOST_TEST(views.width == width);
+                Image panel = panel_image(views, c.width, c.height);
+                interlace(panel, views, published_mapping(c), blend, 2);
+                const auto& got = std::get<std::vector<std::uint8_t>>(panel.samples);
+                double worst = 0;
+                int wrong = 0;
+                for (int row = 0; row < c.height; ++row)
+                    for (int column = 0; column < c.width; ++column)
+                        for (int channel = 0; channel < 3; ++channel) {
+                            const double view = view_of_subpixel(c, column, row, channel);
+                            const double edge = view * grid.count() - std::round(view * grid.count());
+                            if (blend.views == Neighbours::nearest && std::fabs(edge) < 1e-6)
+                                continue; // on the border of two views either is right
+                            const double x = (c.flip_x ? c.width - column - 0.5 : column + 0.5) / c.width;
+                            const double y = (c.flip_y ? c.height - row - 0.5 : row + 0.5) / c.height;
+                            const double want = shown(view, x, y, grid.count(), width, height, blend, [&](int v, int i, int j) {
+                                const int left = v % grid.columns * width, top = quilt.height - (v / grid.columns + 1) * height;
+                                return double(samples[(std::size_t(top + j) * quilt.width + left + i) * 3 + channel]);
+                            });
+                            const double error = std::fabs(want - got[(std::size_t(row) * c.width + column) * 3 + channel]);
+                            worst = std::max(worst, error);
+                            wrong += error > 2.6;
+                        }
+                BOOST_TEST(worst <= (&blend == &blends[0] ? 0.0 : 2.6)); // weights of 1/256, and rounding
+                BOOST_TEST(wrong == 0);
+            }
+}
+
+BOOST_AUTO_TEST_CASE(the_fast_loop_is_the_plain_one)
+{
+    for (const LookingGlassCalibration& c : displays())
+        for (const Blend& blend : blends)
+            for (const int count : {1, 2, 45}) {
+                const Image quilt = noise<std::uint8_t>(count * 37, 23, unsigned(count));
+                const ViewPictures views(quilt, {count, 1});
+                Image fast = panel_image(views, c.width, c.height), plain = fast;
+                interlace(fast, views, published_mapping(c), blend, 2);
+                interlace(plain, views, published_mapping(c), blend, 1, true);
+                BOOST_TEST((fast.samples == plain.samples));
+            }
+    for (const std::uint32_t weight : {0u, 1u, 128u, 200u, 255u}) {
+        const auto a = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 1).samples), b = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 2).samples);
+        std::vector<std::uint8_t> fast(a.size()), plain(a.size());
+        blend_rows(fast.data(), a.data(), b.data(), a.size(), weight);
+        blend_rows_portably(plain.data(), a.data(), b.data(), a.size(), weight);
+        BOOST_TEST(fast == plain, boost::test_tools::per_element());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(weights_between_views)
+{
+    BOOST_TEST(linear_step(0, 4).index == 0u);
+    BOOST_TEST(linear_step(0, 4).weight == 0u);
+    BOOST_TEST(linear_step(0x20000000, 4).weight == 0u); // the middle of the first of four
+    BOOST_TEST(linear_step(0x40000000, 4).weight == 128u);
+    BOOST_TEST(linear_step(0x60000000, 4).index == 1u);
+    BOOST_TEST(linear_step(0xffffffff, 4).index == 3u);
+    BOOST_TEST(linear_step(0xffffffff, 4).weight == 0u);
+    BOOST_TEST(nearest_step(0xffffffff, 7).index == 6u);
+    for (std::uint64_t phase = 0; phase < 0x100000000; phase += 0x10001)
+        for (const std::uint32_t count : {1u, 3u, 48u}) {
+            const Step step = linear_step(std::uint32_t(phase), count);
+            const double want = std::clamp(phase / 4294967296.0 * count - 0.5, 0.0, count - 1.0);
+            if (std::fabs(step.index + step.weight / 256.0 - want) > 0.502 / 256 || step.index >= count || (step.index == count - 1 && step.weight))
+                BOOST_TEST_ERROR("phase " << phase << " of " << count << ": " << step.index << " + " << step.weight << "/256, wanted " << want);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(sixteen_bits)
+{
+    const LookingGlassCalibration c = calibration(64, 40);
+    Image wide = noise<std::uint8_t>(60, 30, 4);
+    const Image narrow = wide;
+    std::vector<std::uint16_t> samples;
+    for (const std::uint8_t sample : std::get<std::vector<std::uint8_t>>(narrow.samples))
+        samples.push_back(std::uint16_t(257 * sample));
+    wide.samples = samples;
+    for (const Blend& blend : blends) {
+        const ViewPictures of_wide(wide, {6, 1}), of_narrow(narrow, {6, 1});
+        Image a = panel_image(of_wide, c.width, c.height), b = panel_image(of_narrow, c.width, c.height);
+        interlace(a, of_wide, published_mapping(c), blend);
+        interlace(b, of_narrow, published_mapping(c), blend);
+        double worst = 0;
+        for (std::size_t i = 0; i < std::get<0>(b.samples).size(); ++i)
+            worst = std::max(worst, std::fabs(std::get<1>(a.samples)[i] / 257.0 - std::get<0>(b.samples)[i]));
+        BOOST_TEST(worst <= (&blend == &blends[0] ? 0.0 : 1.1));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_quilt_and_its_views_are_the_same)
+{
+    const LookingGlassCalibration c = calibration(50, 40);
+    const Image quilt = noise<std::uint8_t>(80, 60, 5);
+    std::vector<Image> views;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            views.push_back(part_of(quilt, column * 20, 60 - (row + 1) * 20, 20, 20));
+    Image a = panel_image(ViewPictures(quilt, {4, 3}), 50, 40), b = a;
+    interlace(a, ViewPictures(quilt, {4, 3}), published_mapping(c));
+    interlace(b, ViewPictures(views, {4, 3}), published_mapping(c));
+    BOOST_TEST((a.samples == b.samples));
+    BOOST_CHECK_THROW(ViewPictures(quilt, {81, 1}), std::invalid_argument);
+    BOOST_CHECK_THROW(ViewPictures(views, {5, 3}), std::invalid_argument);
+    BOOST_CHECK_THROW(ViewPictures(make_image<float>(8, 8, 3, {}), {1, 1}), std::invalid_argument);
+    BOOST_CHECK_THROW(interlace(a, ViewPictures(quilt, {4, 3}), published_mapping(calibration(51, 40))), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
+{
+    const Encoding linear{Encoding::Kind::linear, 1};
+    for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
+        for (const double slant : {0.0, 9.46, -18.4})
+            for (const Subpixels& subpixels : {Subpixels(), Subpixels(Subpixels::rgb), Subpixels(Subpixels::vbgr)}) {
+                FrameMetadata m;
+                m.sheet = {arrangement, 1.03, 3.08, 1.6, slant, {0.11, -0.07}};
+                m.film = {91, 67, {0.207, 0.203}, subpixels};
+                m.aperture = *filling_aperture(m.sheet, 400);
+                m.encoding = linear;
+                const bool round = arrangement != Arrangement::lenticular;
+                const ViewGrid grid{5, round ? 4 : 1};
+                const EyeGrid eyes{{m.aperture.width, m.aperture.height}, 400};
+                std::vector<Image> views; // smooth, as 16 bits of place tell little of noise
+                for (int k = 0; k < grid.count(); ++k) {
+                    Image view = make_image<std::uint16_t>(33, 21, 3, linear);
+                    for (int y = 0; y < view.height; ++y)
+                        for (int x = 0; x < view.width; ++x)
+                            store_pixel(view, x, y, {float(0.5 + 0.4 * std::sin(0.7 * x + k)), float(0.5 + 0.4 * std::cos(0.5 * y - k)), float(k) / 20, 1});
+                    views.push_back(view);
+                }
+                const auto want = frame_from_perspective_views(views, m, grid, eyes, 1);
+                const auto mapping = ray_mapping(m, eyes, 2);
+                BOOST_REQUIRE(want);
+                BOOST_REQUIRE(mapping);
+                const ViewPictures pictures(views, grid);
+                Image got = panel_image(pictures, 91, 67);
+                interlace(got, pictures, *mapping, {}, 2);
+                double worst = 0;
+                for (std::size_t i = 0; i < std::get<1>(got.samples).size(); ++i)
+                    worst = std::max(worst, std::fabs(double(std::get<1>(got.samples)[i]) - std::get<1>(want->samples)[i]) / 65535);
+                BOOST_TEST(worst < 0.006); // weights of 1/256 on each of four axes, of differences up to 0.8
+            }
+}
+
+BOOST_AUTO_TEST_CASE(what_no_eye_sees_is_black)
+{
+    FrameMetadata m;
+    m.sheet = {Arrangement::lenticular, 1, 3, 1.5, 0, {}};
+    m.film = {120, 3, {0.1, 0.1}};
+    m.aperture = {400, 20, 0, ApertureShape::rectangle}; // underfill
+    const auto mapping = ray_mapping(m, {{20, 0}, 400});
+    Image white = make_image<std::uint8_t>(4, 4, 3, {});
+    std::get<0>(white.samples).assign(48, 255);
+    Image got = panel_image(ViewPictures(white, {1, 1}), 120, 3);
+    interlace(got, ViewPictures(white, {1, 1}), *mapping);
+    const SheetOptics optics(m.sheet, m.aperture);
+    int lit = 0;
+    for (int x = 0; x < 120; ++x) {
+        const bool seen = optics.map(film_from_pixel(m.film, {x + 0.5, 1.5}), LensMapping::automatic).ray.has_value();
+        BOOST_TEST(std::get<0>(got.samples)[(120 + x) * 3] == (seen ? 255 : 0));
+        lit += seen;
+    }
+    BOOST_TEST(lit > 0);
+    BOOST_TEST(lit < 60);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Calibration files: every field, in every form, and the mapping against the published formula in single precision.
+#include "integral/output/panel.h"
+
+#include "tests/unit/looking_glass_devices.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+using namespace integral;
+using namespace looking_glass_devices;
+
+BOOST_AUTO_TEST_SUITE(output_looking_glass)
+
+namespace {
+
+/// The message with which a file is refused; "" if it is not.
+std::string refusal(const std::string& text)
+{
+    try {
+        looking_glass_from_json(text);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void check_equal(const LookingGlassCalibration& a, const LookingGlassCalibration& b)
+{
+    BOOST_TEST(a.version == b.version);
+    BOOST_TEST(a.serial == b.serial);
+    for (const auto field : {&LookingGlassCalibration::pitch, &LookingGlassCalibration::slope, &LookingGlassCalibration::center,
+                             &LookingGlassCalibration::view_cone, &LookingGlassCalibration::vertical_angle,
+                             &LookingGlassCalibration::fringe, &LookingGlassCalibration::dpi})
+        BOOST_TEST((a.*field) == (b.*field));
+    BOOST_TEST(a.width == b.width);
+    BOOST_TEST(a.height == b.height);
+    for (const auto field : {&LookingGlassCalibration::inverted_views, &LookingGlassCalibration::flip_x, &LookingGlassCalibration::flip_y,
+                             &LookingGlassCalibration::flip_subpixels})
+        BOOST_TEST((a.*field) == (b.*field));
+    BOOST_TEST(same_layout(a.cells, b.cells));
+}
+
+/// The published formula for a colour of a pixel, as a shader evaluates it: in single precision, rows from the bottom.
+float shader_view(const Device& device, const Flips& flips, int column, int row, int channel)
+{
+    const float w = device.width, h = device.height;
+    float x = (column + 0.5f) / w, y = (row + 0.5f) / h;
+    const int cells = int(device.cells.size());
+    if (cells > 0) {
+        int cell = 0;
+        if (device.mode == 1)
+            cell = column % 2 == row % 2 ? 0 : 1;
+        else if (device.mode == 2)
+            cell = column % 2;
+        else if (device.mode == 3)
+            cell = (row + 2 * (column % 2)) % 4;
+        else if (device.mode == 4)
+            cell = row % 2;
+        const auto& places = device.cells[cell % cells];
+        x += float(places[2 * channel]) / w;
+        y += float(places[2 * channel + 1]) / h;
+    }
+    float step = cells > 0 ? 0 : 1 / (3 * w), tilt = h / (w * float(device.slope));
+    if (flips.subpixels)
+        step = -step;
+    if (flips.x) {
+        x = 1 - x;
+        tilt = -tilt;
+        step = -step;
+    }
+    const float pitch = float(device.pitch) * w / float(device.dpi) * std::cos(std::atan(1 / float(device.slope)));
+    const float phase = (x + channel * step + y * tilt) * pitch - float(device.center);
+    const float fraction = phase - std::floor(phase);
+    return flips.inverted ? 1 - fraction : fraction;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(reads_every_field)
+{
+    const char plain[] = R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": 44.5, "slope": -6.9, "center": 0.25,
+        "fringe": 0.5, "viewCone": 51, "invView": 0, "verticalAngle": 3, "DPI": 283, "screenW": 2160, "screenH": 3840,
+        "flipImageX": 1, "flipImageY": 1, "flipSubp": 1, "somethingNew": 7})";
+    const LookingGlassCalibration calibration = looking_glass_from_json(plain);
+    BOOST_TEST(calibration.version == "3.0");
+    BOOST_TEST(calibration.serial == "LKG-X1");
+    BOOST_TEST(calibration.pitch == 44.5);
+    BOOST_TEST(calibration.slope == -6.9);
+    BOOST_TEST(calibration.center == 0.25);
+    BOOST_TEST(calibration.fringe == 0.5);
+    BOOST_TEST(calibration.view_cone == 51);
+    BOOST_TEST(!calibration.inverted_views);
+    BOOST_TEST(calibration.vertical_angle == 3);
+    BOOST_TEST(calibration.dpi == 283);
+    BOOST_TEST(calibration.width == 2160);
+    BOOST_TEST(calibration.height == 3840);
+    BOOST_TEST(calibration.flip_x);
+    BOOST_TEST(calibration.flip_y);
+    BOOST_TEST(calibration.flip_subpixels);
+    BOOST_CHECK(calibration.cells == Subpixels::none);
+
+    const char nested[] = R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": {"value": 44.5}, "slope": {"value": -6.9},
+        "center": {"value": 0.25}, "fringe": {"value": 0.5}, "viewCone": {"value": 51}, "invView": {"value": 0.0},
+        "verticalAngle": {"value": 3}, "DPI": {"value": 283.0}, "screenW": {"value": 2160.0}, "screenH": {"value": 3840.0},
+        "flipImageX": {"value": 1.0}, "flipImageY": {"value": 1.0}, "flipSubp": {"value": 1}, "subpixelCells": []})";
+    check_equal(looking_glass_from_json(nested), calibration);
+
+    // What the makers' programs wrap around it
+    const std::string text = nested;
+    check_equal(looking_glass_from_json(R"({"version": "2.3", "devices": [{"hwid": "LKG-X1", "index": 0, "calibration": )" + text +
+                                        R"(, "defaultQuilt": {"tileX": 8, "tileY": 6}}]})"), calibration);
+    std::string quoted;
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\\\"") : c == '\n' ? std::string(" ") : std::string(1, c);
+    check_equal(looking_glass_from_json(R"({"name": "available_output_devices", "payload": {"value": {"0": {"type": "VARIANT_MAP", "value":
+        {"calibration": {"name": "calibration", "type": "WSTRING", "value": ")" + quoted + R"("}, "hwid": {"value": "LKG-X1"}}},
+        "1": {"value": {"calibration": {"value": ""}}}}}})"), calibration);
+}
+
+BOOST_AUTO_TEST_CASE(fields_that_older_files_lack)
+{
+    const LookingGlassCalibration calibration =
+        looking_glass_from_json(R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600, "viewCone": null})");
+    check_equal(calibration, [] {
+        LookingGlassCalibration expected;
+        expected.pitch = 49.8, expected.slope = 5.4, expected.dpi = 338, expected.width = 2560, expected.height = 1600;
+        return expected;
+    }());
+    BOOST_TEST(calibration.view_cone == 40);
+    BOOST_TEST(calibration.inverted_views);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
+{
+    const std::string whole = file_of(devices()[8], {});
+    BOOST_TEST(refusal(whole) == "");
+    const auto with = [&](const std::string& old_text, const std::string& new_text) {
+        std::string text = whole;
+        BOOST_REQUIRE_MESSAGE(text.find(old_text) != std::string::npos, old_text);
+        return text.replace(text.find(old_text), old_text.size(), new_text);
+    };
+    BOOST_TEST(refusal("{") == "is not JSON at byte 2");
+    BOOST_TEST(refusal(R"({"panel": 1})") == "holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+    BOOST_TEST(refusal("[" + whole + "," + with("\"LKG", "\"XKG") + "]") == "holds the calibrations of 2 displays; leave one");
+    BOOST_TEST(refusal("[" + whole + "," + whole + "]") == "");
+    BOOST_TEST(refusal(with("\"center\"", "\"centre\"")) == "center is missing");
+    BOOST_TEST(refusal(with("\"DPI\": {\"value\"", "\"DPI\": {\"worth\"")) == "DPI.value is missing");
+    BOOST_TEST(refusal(with("\"screenW\": {\"value\": 2160", "\"screenW\": {\"value\": 2160.5")) == "screenW must be a whole number");
+    BOOST_TEST(refusal(with("\"screenW\": {\"value\": 2160", "\"screenW\": {\"value\": \"wide\"")) == "screenW.value must be a number");
+    BOOST_TEST(refusal(with("\"slope\": {\"value\": -7.45", "\"slope\": {\"value\": 0")) ==
+               "slope is too near to 0, which would be lenses that lie level");
+    BOOST_TEST(refusal(with("\"pitch\": {\"value\": 44.72", "\"pitch\": {\"value\": -1")) ==
+               "pitch.value is -1, and must be within 0.001 and 10000");
+    BOOST_TEST(refusal(with("\"CellPatternMode\": {\"value\": 4", "\"CellPatternMode\": {\"value\": 5")) ==
+               "CellPatternMode.value is 5, and must be within 0 and 4");
+    BOOST_TEST(refusal(with("\"GOffsetY\": 0.28", "\"GOffsetX\": 0.28")) == "subpixelCells[0].GOffsetY is missing");
+    BOOST_TEST(refusal(with("\"flipImageX\": {\"value\": 0", "\"flipImageX\": {\"value\": 2")) ==
+               "flipImageX.value is 2, and must be within 0 and 1");
+}
+
+BOOST_AUTO_TEST_CASE(hand_values)
+{
+    // Two micro-images across the picture, upright: at a twentieth of it the phase is a tenth.
+    LookingGlassCalibration calibration;
+    calibration.pitch = 2, calibration.slope = 1e9, calibration.dpi = 10, calibration.width = calibration.height = 10;
+    const auto near = boost::test_tools::tolerance(1e-7);
+    BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.9, near);
+    BOOST_TEST(view_of_subpixel(calibration, 0, 9, 0) == 0.9, near);
+    BOOST_TEST(view_of_subpixel(calibration, 2, 0, 1) == 1 - 17 / 30.0, near);
+    BOOST_TEST(view_of_subpixel(calibration, 2, 0, 2) == 1 - 19 / 30.0, near);
+    BOOST_TEST(view_of_subpixel(calibration, 5, 0, 0) == 0.9, near);
+    calibration.center = 0.3;
+    BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.2, near);
+    calibration.center = 0;
+    calibration.flip_x = true;
+    BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.1, near);
+    BOOST_TEST(view_of_subpixel(calibration, 2, 0, 1) == 17 / 30.0, near);
+    calibration.inverted_views = false;
+    BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.9, near);
+    calibration = {};
+    calibration.pitch = 2, calibration.slope = 1, calibration.dpi = 10, calibration.width = calibration.height = 10;
+    BOOST_TEST(view_of_subpixel(calibration, 0, 9, 0) == 1 - 0.1 * std::sqrt(2), near);
+    BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 2 - std::sqrt(2), near);
+    calibration.flip_y = true;
+    BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 2 - std::sqrt(2), near);
+    // A pixel whose green is a quarter to the left and half a pixel up
+    calibration.cells.order = Subpixels::cells;
+    calibration.cells.number = 1;
+    calibration.cells.cell[0][1] = {-0.25, 0.5};
+    BOOST_TEST(view_of_subpixel(calibration, 3, 8, 1) == 1 - (0.325 + 0.2) * std::sqrt(2), near);
+    // View 0 and view 1 are the same place: the rightmost.
+    calibration = {};
+    calibration.pitch = 1, calibration.slope = 1e9, calibration.dpi = 1, calibration.width = calibration.height = 2, calibration.center = 0.5;
+    const double last = view_of_subpixel(calibration, 0, 1, 0);
+    BOOST_TEST(last < 1);
+    BOOST_TEST(last > 0.999999);
+}
+
+BOOST_AUTO_TEST_CASE(agrees_with_the_shader)
+{
+    std::mt19937 random(5);
+    double worst = 0;
+    for (const Device& device : variants())
+        for (int bits = 0; bits < 16; ++bits) {
+            const Flips flips{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
+            const LookingGlassCalibration calibration = looking_glass_from_json(file_of(device, flips));
+            check_equal(looking_glass_from_json(to_json(calibration)), calibration);
+            // What single precision leaves of the phase, whose largest part is pitch (u + v tilt): some eight roundings
+            const double phases = device.pitch * device.width / device.dpi * (1 + 2 * std::fabs(device.height / (device.width * device.slope)));
+            const double bound = 8 * std::ldexp(phases + std::fabs(device.center), -24) + 1e-6;
+            for (int k = 0; k < 400; ++k) {
+                const int column = int(random() % device.width), row = int(random() % device.height), channel = int(random() % 3);
+                const double view = view_of_subpixel(calibration, column, row, channel);
+                double difference = view - shader_view(device, flips, column, device.height - 1 - row, channel);
+                difference -= std::round(difference);
+                worst = std::fmax(worst, std::fabs(difference) / bound);
+                BOOST_TEST(std::fabs(difference) <= bound, device.name << " " << column << " " << row << " " << channel << ": " << difference);
+                BOOST_TEST((view >= 0 && view < 1));
+            }
+        }
+    BOOST_TEST_MESSAGE("largest difference: " << worst << " of what single precision allows");
+}
+
+BOOST_AUTO_TEST_CASE(layouts_in_a_mirror)
+{
+    std::mt19937 random(6);
+    const auto place = [&] { return double(random() % 2001) / 1000 - 1; };
+    for (const auto order : {Subpixels::none, Subpixels::rgb, Subpixels::bgr, Subpixels::vrgb, Subpixels::vbgr, Subpixels::cells})
+        for (int pattern = 0; pattern < (order == Subpixels::cells ? 5 : 1); ++pattern)
+            for (int number = 1; number <= 4; ++number)
+                for (int size = 0; size < 16; ++size)
+                    for (int axes = 0; axes < 4; ++axes) {
+                        const int width = 8 + (size & 3), height = 8 + (size >> 2);
+                        const bool x = axes & 1, y = axes & 2;
+                        Subpixels layout;
+                        layout.order = order;
+                        if (order == Subpixels::cells) {
+                            layout.pattern = CellPattern(pattern);
+                            layout.number = number;
+                            for (PixelCell& cell : layout.cell)
+                                cell = {{{place(), place()}, {place(), place()}, {place(), place()}}};
+                        }
+                        const Subpixels mirror = mirrored(layout, width, height, x, y);
+                        for (int column = 0; column < width; ++column)
+                            for (int row = 0; row < height; ++row)
+                                for (int channel = 0; channel < 3; ++channel) {
+                                    const Vec2 there = subpixel_centre(layout, column, row, channel);
+                                    const Vec2 here = subpixel_centre(mirror, x ? width - 1 - column : column, y ? height - 1 - row : row, channel);
+                                    BOOST_TEST(std::fabs((x ? width - here.x : here.x) - there.x) < 1e-12);
+                                    BOOST_TEST(std::fabs((y ? height - here.y : here.y) - there.y) < 1e-12);
+                                }
+                    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
