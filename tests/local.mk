@@ -46,6 +46,7 @@ unit_sources = \
   tests/unit/lightfield_sampling_forecast.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/output_device_text.cpp \
+  tests/unit/output_html_page.cpp \
   tests/unit/output_page.cpp \
   tests/unit/output_pitch_chart.cpp \
   tests/unit/output_pitch_wizard.cpp \

@@ -8,6 +8,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/html_page.cpp \
+  integral/output/html_page.h \
   integral/output/page.cpp \
   integral/output/page.h \
   integral/output/page_marks.cpp \
