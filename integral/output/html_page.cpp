@@ -48,7 +48,7 @@ th { font-weight: 600; color: var(--quiet); }
 
 } // namespace
 
-Image scaled_down(const Image& picture, int longest)
+Image scaled_down(const Image& picture, int longest, Scaling scaling)
 {
     const double scale = std::min(1.0, double(longest) / std::max(picture.width, picture.height));
     const int width = std::max(1, int(std::lround(picture.width * scale))), height = std::max(1, int(std::lround(picture.height * scale)));
@@ -60,16 +60,19 @@ Image scaled_down(const Image& picture, int longest)
         for (int x = 0; x < width; ++x) {
             const int x0 = edge(x, picture.width, width), x1 = edge(x + 1, picture.width, width);
             const int y0 = edge(y, picture.height, height), y1 = edge(y + 1, picture.height, height);
-            double r = 0, g = 0, b = 0;
+            double sum[3] = {};
+            Color greatest = {0, 0, 0, 1};
             for (int v = y0; v < y1; ++v)
                 for (int u = x0; u < x1; ++u) {
                     const Color c = light(u, v);
-                    r += c.r;
-                    g += c.g;
-                    b += c.b;
+                    sum[0] += c.r;
+                    sum[1] += c.g;
+                    sum[2] += c.b;
+                    greatest = {std::max(greatest.r, c.r), std::max(greatest.g, c.g), std::max(greatest.b, c.b), 1};
                 }
             const double count = double(x1 - x0) * (y1 - y0);
-            store_linear(small, x, y, {float(r / count), float(g / count), float(b / count), 1});
+            store_linear(small, x, y, scaling == Scaling::greatest ? greatest
+                                      : Color{float(sum[0] / count), float(sum[1] / count), float(sum[2] / count), 1});
         }
     return small;
 }
@@ -81,9 +84,9 @@ std::string picture_uri(const Image& picture)
     return "data:image/png;base64," + base64(encode_png(file));
 }
 
-std::string picture_element(const Image& picture, int longest, const std::string& text)
+std::string picture_element(const Image& picture, int longest, const std::string& text, Scaling scaling)
 {
-    const Image small = scaled_down(picture, longest);
+    const Image small = scaled_down(picture, longest, scaling);
     return "<img src=\"" + picture_uri(small) + "\" width=\"" + std::to_string(small.width) + "\" height=\"" +
            std::to_string(small.height) + "\" alt=\"" + markup_text(text) + "\">";
 }

@@ -10,15 +10,19 @@
 
 namespace integral {
 
+/// What becomes of the pixels that fall into one: their mean, in linear light, or of each channel the greatest value, which lets
+/// no single pixel of a difference picture get lost.
+enum class Scaling { average, greatest };
+
 /// A picture over black at 8 bits and sRGB, three channels, its longer side `longest` pixels at most (>= 1): smaller pictures
-/// keep their size, larger ones are averaged in linear light, each pixel into one of the result.
-Image scaled_down(const Image& picture, int longest);
+/// keep their size; of larger ones each pixel goes into one of the result.
+Image scaled_down(const Image& picture, int longest, Scaling scaling = Scaling::average);
 
 /// A picture of 8 bits as the value of an <img>'s src: a PNG in a data URI.
 std::string picture_uri(const Image& picture);
 
 /// <img> of a picture scaled down, with its width and height and a text (plain) that says what it shows.
-std::string picture_element(const Image& picture, int longest, const std::string& text);
+std::string picture_element(const Image& picture, int longest, const std::string& text, Scaling scaling = Scaling::average);
 
 /// A path relative to the page as the value of an <a>'s href: its bytes percent-encoded but for the plain ones.
 std::string link_to(const std::string& path);
