@@ -186,7 +186,7 @@ void add_suite_options(options::options_description& all)
     group.add_options()
         ("suite", text("FOLDER"), "compare the pictures of a folder with their references. -o writes a report, one HTML page; --json "
                                   "prints all figures; the limits above take the place of the file's defaults; --gain multiplies the report's differences, "
-                                  "by itself each as much as fits")
+                                  "by itself each so that it is seen")
         ("references", text("FOLDER"), "where the references are (default: the folder references beside --suite's)")
         ("tolerances", text("FILE"), "limits for all pictures and for some (default: suite.json among the references, if it is there)")
         ("junit", text("FILE"), "write the outcome as JUnit XML, for CI systems")

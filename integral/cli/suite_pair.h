@@ -37,7 +37,7 @@ struct SuitePair {
     bool passed() const { return state == PairState::passed; }
 };
 
-/// Whether there is a report to make pictures for, and how the differences are amplified in it (0: up to full scale).
+/// Whether there is a report to make pictures for, and how the differences are amplified in it (0: so that they are seen).
 struct SuitePictures {
     bool wanted = false;
     double gain = 0;

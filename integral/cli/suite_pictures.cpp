@@ -12,6 +12,7 @@ namespace integral {
 
 const char suite_pictures_style[] = R"css(
 .pictures { display: flex; flex-wrap: wrap; gap: 12px; margin: 8px 0 0; }
+.detail { margin: 12px 0 0; color: var(--quiet); }
 figure { margin: 0; max-width: 100%; }
 figcaption { color: var(--quiet); font-size: 0.87rem; margin: 0 0 3px; }
 .magnified img { image-rendering: pixelated; }
@@ -19,7 +20,7 @@ figcaption { color: var(--quiet); font-size: 0.87rem; margin: 0 0 3px; }
 
 namespace {
 
-constexpr int shown_failed = 376, shown_passed = 176; // pixels of the longer side; three fit beside each other
+constexpr int shown_failed = 376, shown_small = 176; // pixels of the longer side; three of the larger fit beside each other
 constexpr int magnified_side = 240;
 
 struct Rectangle {
@@ -108,7 +109,8 @@ std::string magnified(const Image& picture, const Rectangle& r, const std::strin
 
 std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference, const std::optional<Frame>& result, double gain)
 {
-    const int longest = pair.passed() ? shown_passed : shown_failed;
+    const bool to_compare = pair.state == PairState::over_limit || pair.state == PairState::other_geometry || pair.state == PairState::other_size;
+    const int longest = to_compare ? shown_failed : shown_small;
     std::string html = "<div class=\"pictures\">\n";
     if (pair.figures && pair.figures->largest_difference == 0)
         return html + figure("reference and result, which are equal", picture_element(result->image, longest, "the result " + pair.name)) + "</div>\n";
@@ -119,8 +121,9 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
     if (!pair.figures)
         return html + "</div>\n";
 
-    if (gain == 0) // whole, so that the words are exact
-        gain = std::clamp(std::floor(1 / pair.figures->largest_difference), 1.0, 65535.0);
+    const double largest = pair.figures->largest_difference;
+    if (gain == 0) // what is beyond it is cut; a whole number, so that the words are exact
+        gain = std::clamp(std::floor(1 / std::min(largest, 8 * pair.figures->rmse)), 1.0, 65535.0);
     Image difference = difference_picture(reference->image, result->image, gain);
     difference.encoding = Encoding{}; // shown as it is
     const std::string times = "difference × " + with_digits(gain, 6);
@@ -129,8 +132,8 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
         return html;
 
     const auto& metadata = reference->metadata ? reference->metadata : result->metadata;
-    const Detail detail = find_detail(difference, *pair.figures, metadata ? &*metadata : nullptr);
-    return html + "<p class=\"quiet\">" + markup_text(detail.words) + ".</p>\n<div class=\"pictures magnified\">\n" +
+    const Detail detail = find_detail(difference_picture(reference->image, result->image, 1 / largest), *pair.figures, metadata ? &*metadata : nullptr);
+    return html + "<p class=\"detail\">" + markup_text(detail.words) + ".</p>\n<div class=\"pictures magnified\">\n" +
            figure("reference", magnified(reference->image, detail.where, "part of the reference")) +
            figure("result", magnified(result->image, detail.where, "part of the result")) +
            figure(times, magnified(difference, detail.where, "part of their difference")) + "</div>\n";

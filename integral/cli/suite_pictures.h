@@ -9,8 +9,8 @@
 namespace integral {
 
 /// HTML: reference, result and difference side by side, scaled down and embedded; of a pair that failed also the worst
-/// micro-image of each (without geometry, the surroundings of the pixel that differs most), magnified. Pairs that passed are shown smaller.
-/// `gain` multiplies the difference; 0: as much as full scale allows. Either picture may be missing.
+/// micro-image of each (without geometry, the surroundings of the pixel that differs most), magnified. Where there is nothing to compare they are smaller.
+/// `gain` multiplies the difference; 0: so that what differs is seen, eight times the RMSE or the largest difference at full scale. Either picture may be missing.
 std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference, const std::optional<Frame>& result, double gain);
 
 /// The CSS that they need.

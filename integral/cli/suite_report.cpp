@@ -63,12 +63,16 @@ std::string figure_text(double figure, std::size_t kind)
 /// A figure above its limit.
 std::string figure_cell(const SuitePair& pair, std::size_t kind)
 {
-    const auto figure = pair.figures ? figure_of(*pair.figures, kind) : std::nullopt;
+    std::optional<double> figure;
+    if (pair.figures)
+        figure = figure_of(*pair.figures, kind);
+    const std::string head = std::string("\" data-label=\"") + column_names[kind] + "\"><span>";
+    if (!figure)
+        return "<td class=\"number none" + head + "–</span></td>";
     const auto limit = pair.limits[kind];
-    const bool bad = figure && limit && !keeps(*figure, kind, *limit);
-    std::string html = std::string("<td class=\"number") + (bad ? " bad" : "") + "\" data-label=\"" + column_names[kind] + "\"><span>";
-    html += figure ? figure_text(figure.value_or(0), kind) : "–"; // value_or: GCC 12 takes *figure for uninitialized
-    if (limit && figure)
+    const bool bad = limit && !keeps(*figure, kind, *limit);
+    std::string html = std::string("<td class=\"number") + (bad ? " bad" : "") + head + figure_text(*figure, kind);
+    if (limit)
         html += std::string("<span class=\"limit\">") + (limit_kinds[kind].is_most ? "≤ " : "≥ ") + with_digits(*limit, 4) + "</span>";
     return html + "</span></td>";
 }
@@ -116,6 +120,11 @@ constexpr char style[] = R"css(
 .limit { display: block; color: var(--quiet); font-size: 0.87rem; font-weight: 400; }
 tr.failed > td:first-child { box-shadow: inset 4px 0 var(--bad); }
 td.bad { font-weight: 600; }
+@media (max-width: 760px) {
+  tr.failed > td:first-child { box-shadow: none; }
+  tr.failed { box-shadow: inset 4px 0 var(--bad); }
+  td.none { display: none !important; }
+}
 )css";
 
 } // namespace
