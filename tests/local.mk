@@ -57,6 +57,7 @@ unit_sources = \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_parallel_views.cpp \
   tests/unit/replay_paths.cpp \
+  tests/unit/replay_tolerances.cpp \
   tests/unit/replay_views.cpp \
   tests/unit/main.cpp \
   tests/unit/numerics_table.cpp \
