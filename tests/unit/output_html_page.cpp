@@ -60,6 +60,21 @@ BOOST_AUTO_TEST_CASE(scaling_averages_light)
     BOOST_TEST(got == wanted, boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(scaling_keeps_the_greatest)
+{
+    Image picture = make_image<std::uint8_t>(40, 30, 3, Encoding{});
+    store_pixel(picture, 13, 29, {0.2f, 0, 0, 1});
+    store_pixel(picture, 12, 28, {0, 1, 0, 1});
+    const Image small = scaled_down(picture, 4, Scaling::greatest); // 4 x 3: pixel (1, 2) has both
+    BOOST_TEST(small.height == 3);
+    std::vector<int> wanted(36, 0), got;
+    wanted[(2 * 4 + 1) * 3] = 51;
+    wanted[(2 * 4 + 1) * 3 + 1] = 255;
+    for (const std::uint8_t sample : std::get<std::vector<std::uint8_t>>(small.samples))
+        got.push_back(sample);
+    BOOST_TEST(got == wanted, boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(small_pictures_stay)
 {
     Image picture = make_image<std::uint8_t>(5, 3, 3, Encoding{});
