@@ -57,6 +57,7 @@ unit_sources = \
   tests/unit/output_interlace.cpp \
   tests/unit/looking_glass_devices.h \
   tests/unit/output_looking_glass.cpp \
+  tests/unit/output_html_page.cpp \
   tests/unit/output_page.cpp \
   tests/unit/output_panel.cpp \
   tests/unit/output_pitch_chart.cpp \
@@ -69,6 +70,7 @@ unit_sources = \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_parallel_views.cpp \
   tests/unit/replay_paths.cpp \
+  tests/unit/replay_tolerances.cpp \
   tests/unit/replay_views.cpp \
   tests/unit/main.cpp \
   tests/unit/numerics_table.cpp \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral compare: how far two frames or views are apart.
 #include "integral/cli/command.h"
+#include "integral/cli/compare_figures.h"
+#include "integral/cli/compare_suite.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
@@ -26,43 +28,13 @@ options::options_description make_options()
          "write the difference picture, |A - B| of each channel: .png, .exr or .tiff; - "
          "writes a PNG to standard output and the figures to standard error")
         ("gain", number("G")->default_value("1"), "multiply the difference picture by G")
-        ("max-rmse", number("R"), "fail (exit status 1) if the RMSE is greater than R")
-        ("min-psnr", number("P"), "fail if the PSNR is less than P dB")
-        ("min-ssim", number("S"), "fail if the SSIM is less than S")
         ("sheet", options::value<std::string>()->value_name("FILE.json"),
          "geometry for frames that carry none, or instead of their own")
         ("json", "print the figures as JSON (a PSNR that is infinite is null)")
         ("help", "print this");
+    add_limit_options(all);
+    add_suite_options(all);
     return all;
-}
-
-struct Threshold {
-    const char* option;
-    const char* name;
-    bool is_most; ///< the figure must not exceed it; else it must not fall below it
-    double Comparison::*figure;
-};
-constexpr Threshold thresholds[] = {{"max-rmse", "RMSE", true, &Comparison::rmse},
-                                    {"min-psnr", "PSNR", false, &Comparison::psnr},
-                                    {"min-ssim", "SSIM", false, &Comparison::ssim}};
-
-/// The thresholds that the figures miss, in words. NaN misses each.
-std::vector<std::string> failures(const options::variables_map& arguments, const Comparison& c)
-{
-    std::vector<std::string> missed;
-    for (const auto& t : thresholds) {
-        if (!given(arguments, t.option))
-            continue;
-        const double limit = parse_number(t.option, text_of(arguments, t.option), "a number");
-        const double figure = c.*t.figure;
-        if (!(t.is_most ? figure <= limit : figure >= limit)) {
-            char text[120];
-            std::snprintf(text, sizeof text, "%s %.6g is %s than %.6g", t.name, figure,
-                          t.is_most ? "greater" : "less", limit);
-            missed.push_back(text);
-        }
-    }
-    return missed;
 }
 
 std::string as_text(const Comparison& c)
@@ -89,33 +61,28 @@ std::string as_text(const Comparison& c)
     return result;
 }
 
-std::string as_json(const Comparison& c, const std::vector<std::string>& missed)
+std::string as_json(const Comparison& comparison, bool passed)
 {
-    nlohmann::ordered_json json = {{"rmse", c.rmse},
-                                   {"psnr", c.psnr}, // infinity is written as null
-                                   {"ssim", c.ssim},
-                                   {"largest_difference", c.largest_difference},
-                                   {"within_two", c.within_two},
-                                   {"encoding", name_of(c.encoding.kind)},
-                                   {"passed", missed.empty()},
-                                   {"worst_micro_image", nullptr}};
-    if (c.worst)
-        json["worst_micro_image"] = {{"lens", {c.worst->lens.i, c.worst->lens.j}},
-                                     {"pole_mm", {c.worst->pole.x, c.worst->pole.y}},
-                                     {"rmse", c.worst->rmse}};
+    nlohmann::ordered_json json = figures_json(comparison);
+    json["passed"] = passed;
     return json.dump(2) + "\n";
 }
 
 int run(const options::variables_map& arguments)
 {
-    failures(arguments, Comparison()); // the thresholds themselves, before any work
+    if (given(arguments, "suite"))
+        return run_suite(arguments);
+    refuse_suite_options(arguments);
+    const Limits limits = limits_from(arguments);
+    const auto inputs = inputs_of(arguments);
+    if (inputs.size() != 2)
+        throw UsageError("an input is missing: A and B are compared, or folders with --suite; see integral help compare");
     const double gain = parse_number("gain", text_of(arguments, "gain"), "a number");
     const std::string output = text_of(arguments, "output");
     if (!output.empty()) {
         format_for(output);
         check_writable(output);
     }
-    const auto inputs = inputs_of(arguments);
     const std::string sheet = text_of(arguments, "sheet");
     const Frame a = read_frame(inputs[0], sheet), b = read_frame(inputs[1], sheet);
     stop_if_interrupted();
@@ -129,9 +96,9 @@ int run(const options::variables_map& arguments)
     if (!output.empty())
         write_frame(output, Frame{difference_picture(a.image, b.image, gain), std::nullopt});
 
-    const auto missed = failures(arguments, comparison);
+    const auto missed = missed_limits(limits, comparison);
     const std::string figures =
-        given(arguments, "json") ? as_json(comparison, missed) : as_text(comparison);
+        given(arguments, "json") ? as_json(comparison, missed.empty()) : as_text(comparison);
     if (output == "-") // the picture has standard output
         std::fputs(figures.c_str(), stderr);
     else
@@ -146,13 +113,22 @@ int run(const options::variables_map& arguments)
 const Command compare_command = {
     "compare",
     "how far two frames or views are apart: RMSE, PSNR, SSIM, worst micro-image",
-    "A B [-o DIFFERENCE] [--max-rmse R] [--min-psnr P] [--min-ssim S]",
+    "A B [-o DIFFERENCE] [--max-rmse R] [--min-psnr P] [--min-ssim S]\n"
+    "       integral compare --suite FOLDER [--references FOLDER] [-o REPORT.html] [--junit FILE.xml]",
     "Compares two pictures of one size in their output encoding, 0 to 1 at full scale (linear\n"
     "pictures in the other's encoding). Colours are compared over black; alpha is a fourth\n"
     "channel where both have it. RMSE and PSNR (0 dB is full scale; inf: equal) are over all\n"
     "channels of all pixels; SSIM is of the lumas, over 11x11 Gaussian windows of sigma 1.5. With\n"
     "a frame's geometry, the micro-image with the greatest RMSE is named: the lens's column and row\n"
-    "and its place on the sheet.\n",
-    2, 2, make_options, run};
+    "and its place on the sheet.\n"
+    "\n"
+    "With --suite, the pictures of a folder (PNG, EXR, TIFF; its sub-folders too) are compared with\n"
+    "those of the same names among the references. A picture fails if it misses a limit, or if size\n"
+    "or geometry differ, a file is damaged, or one of the two is missing. Limits stand in a file:\n"
+    "  {\"defaults\": {\"max_rmse\": 0.002},\n"
+    "   \"files\": {\"glass/*\": {\"max_rmse\": 0.01}, \"noise.png\": {\"min_ssim\": 0.9}}}\n"
+    "A name's or glob's limits take the place of the defaults; a later match that of an earlier one;\n"
+    "null lifts a limit. A picture without any limit must equal its reference.\n",
+    0, 2, make_options, run};
 
 } // namespace integral

@@ -5,6 +5,10 @@ build_bin_integral_SOURCES += \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
+  integral/cli/compare_figures.cpp \
+  integral/cli/compare_figures.h \
+  integral/cli/compare_suite.cpp \
+  integral/cli/compare_suite.h \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
   integral/cli/given_views.cpp \
@@ -36,6 +40,12 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_plots.h \
   integral/cli/sheet_report.cpp \
   integral/cli/sheet_report.h \
+  integral/cli/suite_pair.cpp \
+  integral/cli/suite_pair.h \
+  integral/cli/suite_pictures.cpp \
+  integral/cli/suite_pictures.h \
+  integral/cli/suite_report.cpp \
+  integral/cli/suite_report.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
   integral/cli/views_command.cpp \

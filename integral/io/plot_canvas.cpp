@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/plot_canvas.h"
 
+#include "integral/io/markup.h"
+
 #include <cairo-svg.h>
 #include <cairo.h>
 
@@ -36,14 +38,6 @@ void demand_success(cairo_status_t status)
         throw std::runtime_error(std::string("the plot cannot be drawn: ") + cairo_status_to_string(status));
 }
 
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return result;
-}
-
 /// Gives an SVG its name, and takes away the number by which cairo counts its surfaces: the same plot is the same bytes.
 std::string named(std::string svg, const std::string& title)
 {
@@ -51,7 +45,7 @@ std::string named(std::string svg, const std::string& title)
         svg.erase(begin, svg.find('"', begin + 5) + 1 - begin);
     if (const auto root = svg.find("<svg "); root != std::string::npos && !title.empty())
         if (const auto end = svg.find('>', root); end != std::string::npos)
-            svg.insert(end + 1, "\n<title>" + escaped(title) + "</title>");
+            svg.insert(end + 1, "\n<title>" + markup_text(title) + "</title>");
     return svg;
 }
 

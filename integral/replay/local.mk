@@ -6,6 +6,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/arrange.h \
   integral/replay/compare.cpp \
   integral/replay/compare.h \
+  integral/replay/compare_geometry.cpp \
+  integral/replay/compare_geometry.h \
+  integral/replay/compare_limits.cpp \
+  integral/replay/compare_limits.h \
   integral/replay/interpolate.h \
   integral/replay/parallel_views.cpp \
   integral/replay/parallel_views.h \
@@ -14,7 +18,9 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/replay.cpp \
   integral/replay/replay.h \
   integral/replay/replay_page.cpp \
-  integral/replay/replay_page.h
+  integral/replay/replay_page.h \
+  integral/replay/tolerances.cpp \
+  integral/replay/tolerances.h
 
 # The interactive page's own files, as C++ strings named like them: replay_page.html is replay_page_html.
 replay_page_files = \

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Text and bytes inside HTML, XML and SVG.
+#ifndef INTEGRAL_IO_MARKUP_H
+#define INTEGRAL_IO_MARKUP_H
+
+#include <string>
+
+namespace integral {
+
+/// A text as HTML and XML show it, between tags or in a quoted attribute: & < > " ', tabs and line ends become references.
+/// Bytes that are not UTF-8 and characters that XML 1.0 does not have become U+FFFD.
+std::string markup_text(const std::string& text);
+
+/// Bytes in base64 (RFC 4648), without line ends.
+std::string base64(const std::string& bytes);
+
+} // namespace integral
+
+#endif
