@@ -26,6 +26,7 @@ struct Session {
     const std::string* input = nullptr;
     std::size_t position = 0;
     std::string* output = nullptr;
+    std::size_t row_bytes = 0; ///< of the file's rows, before they are expanded
     char message[160] = "";
 };
 
@@ -77,6 +78,7 @@ bool read_header(Session& s)
     png_set_read_fn(s.png, &s, on_read);
     png_set_user_limits(s.png, 1000000, 1000000);
     png_read_info(s.png, s.info);
+    s.row_bytes = png_get_rowbytes(s.png, s.info);
     png_set_expand(s.png);      // palettes, few bits, tRNS
     png_set_gray_to_rgb(s.png);
     if (little_endian())
@@ -208,8 +210,8 @@ DecodedImage decode_png(const std::string& bytes)
     const auto width = png_get_image_width(s.png, s.info);
     const auto height = png_get_image_height(s.png, s.info);
     const int channels = png_get_channels(s.png, s.info), bits = png_get_bit_depth(s.png, s.info);
-    check_plausible_size(double(width) * height * channels * (bits / 8), double(bytes.size()),
-                         8 * greatest_deflate_ratio); // 8: one bit may have become a byte
+    check_plausible_size(double(s.row_bytes) * height, double(bytes.size()), greatest_deflate_ratio);
+    check_memory(double(width) * height * channels * (bits / 8));
     if ((channels != 3 && channels != 4) || (bits != 8 && bits != 16))
         throw std::runtime_error("it is a kind of PNG that cannot be read");
 
