@@ -2,6 +2,7 @@
 // OpenEXR: the document in a string attribute `integral`, the resolution in xDensity and
 // pixelAspectRatio; samples are linear and premultiplied by alpha.
 #include "integral/io/codecs.h"
+#include "integral/io/exr_header.h"
 
 #include "integral/optics/film.h"
 
@@ -14,7 +15,6 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -95,30 +95,6 @@ Imf::Slice slice(Image& image, int channel, const Imath::Box2i& window)
                             step * std::size_t(image.width));
 }
 
-/// OpenEXR makes room for an attribute before it looks whether the file holds it: up to 2 GB.
-void check_attributes(const std::string& bytes)
-{
-    constexpr std::size_t magic_and_version = 8;
-    const bool has_parts = bytes.size() > magic_and_version && (bytes[5] & 0x10); // a header each, and an empty one behind the last
-    const auto skip_text = [&](std::size_t at) { return std::min(bytes.find('\0', at), bytes.size()) + 1; };
-    const auto byte = [&](std::size_t at) { return std::size_t(static_cast<unsigned char>(bytes[at])); };
-    for (std::size_t at = magic_and_version; at < bytes.size();) { // name, type, size, value; little-endian
-        if (bytes[at] == '\0') {
-            if (!has_parts || ++at == bytes.size() || bytes[at] == '\0')
-                return;
-            continue;
-        }
-        at = skip_text(skip_text(at));
-        if (at + 4 > bytes.size())
-            throw std::runtime_error("the file ends too early");
-        const std::size_t size = byte(at) | byte(at + 1) << 8 | byte(at + 2) << 16 | byte(at + 3) << 24;
-        at += 4;
-        if (size > bytes.size() - at)
-            throw std::runtime_error("an attribute of its header is longer than the file");
-        at += size;
-    }
-}
-
 int width_of(const Imath::Box2i& window) { return window.max.x - window.min.x + 1; }
 int height_of(const Imath::Box2i& window) { return window.max.y - window.min.y + 1; }
 
@@ -194,7 +170,7 @@ DecodedDepths decode_z(const std::string& bytes)
 template <class Decode> auto guarded(Decode decode, const std::string& bytes)
 {
     try {
-        check_attributes(bytes);
+        check_exr_header(bytes);
         return decode(bytes);
     } catch (const std::bad_alloc&) {
         throw;

@@ -71,6 +71,22 @@ bool little_endian()
     return first == 1;
 }
 
+/// libpng makes room for some chunks before it looks whether the file holds them: up to 2 GB.
+void check_chunks(const std::string& bytes)
+{
+    constexpr std::size_t signature = 8, around = 12; // of a chunk: its length and type before its data, a checksum behind
+    for (std::size_t at = signature; at + around <= bytes.size();) {
+        std::size_t length = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            length = length << 8 | static_cast<unsigned char>(bytes[at + k]);
+        if (length > bytes.size() - at - around)
+            throw std::runtime_error("the file ends too early");
+        if (bytes.compare(at + 4, 4, "IEND") == 0)
+            return;
+        at += around + length;
+    }
+}
+
 bool read_header(Session& s)
 {
     if (setjmp(png_jmpbuf(s.png)))
@@ -202,6 +218,7 @@ std::vector<png_bytep> row_pointers(Image& image)
 
 DecodedImage decode_png(const std::string& bytes)
 {
+    check_chunks(bytes);
     ReadSession s;
     s.input = &bytes;
     if (!read_header(s))
