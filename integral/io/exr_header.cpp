@@ -82,6 +82,8 @@ void check_exr_header(const std::string& bytes)
         for (std::string name = header.text(); !name.empty(); name = header.text(), ++attributes) {
             const std::string type = header.text();
             const std::size_t size = header.number(), begin = header.at;
+            if (!header.has(size))
+                fail("an attribute of its header is longer than the file");
             header.skip(size);
             if (!is_whole(type, {bytes, begin, begin + size}))
                 fail("an attribute of its header is not as long as its type");

@@ -80,7 +80,7 @@ void check_chunks(const std::string& bytes)
         for (std::size_t k = 0; k < 4; ++k)
             length = length << 8 | static_cast<unsigned char>(bytes[at + k]);
         if (length > bytes.size() - at - around)
-            throw std::runtime_error("the file ends too early");
+            throw std::runtime_error("it ends too early, or a chunk of it is not as long as it says");
         if (bytes.compare(at + 4, 4, "IEND") == 0)
             return;
         at += around + length;
