@@ -46,7 +46,7 @@ void add_registration_mark(std::vector<PageLine>& lines, Vec2 centre)
         lines.push_back({at(k), at(k + 1)});
 }
 
-constexpr int most_marks = 100000; // on either side of the middle
+constexpr int most_marks = 10000; // on either side of the middle
 
 /// Marks along one pair of the picture's edges. `axis`: a point of the sheet on the middle lens's axis, `step` from each marked axis to the
 /// next and `along` the direction in which the axes run, all in mm of the sheet (y upwards). `on_page` maps such points.
