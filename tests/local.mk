@@ -133,3 +133,17 @@ numerics: build/tests/unit
 	sed -i -e '/^<!-- table/,/^<!-- end/{//!d}' -e '/^<!-- table/r build/tests/numerics.md' $(srcdir)/doc/numerics.md
 
 EXTRA_DIST += tests
+
+# What tests/sanitized/fuzz.test runs: everything again, compiled by clang for libFuzzer. GNU make's rules, for clang's own flags.
+FUZZ_CXX = clang++
+FUZZ_CXXFLAGS = -std=c++17 -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow \
+  -fno-sanitize-recover=undefined,float-cast-overflow
+fuzz_objects = $(patsubst %.cpp,build/fuzz/%.o,$(filter %.cpp,$(build_lib_libintegral_a_SOURCES) $(build_bin_integral_SOURCES) \
+  tests/sanitized/fuzz/main.cpp tests/sanitized/fuzz/targets.cpp tests/sanitized/fuzz/seeds.cpp tests/sanitized/fuzz/commands.cpp \
+  tests/sanitized/fuzz/png_mutation.cpp))
+build/fuzz/readers: $(fuzz_objects)
+	$(AM_V_CXXLD)$(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -o $@ $(fuzz_objects) $(FILE_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lpthread
+build/fuzz/%.o: %.cpp build/generated/replay_page_text.h
+	$(AM_V_CXX)$(MKDIR_P) $(@D) && $(FUZZ_CXX) $(DEFS) $(fuzz_defines) $(AM_CPPFLAGS) $(FUZZ_CXXFLAGS) -MMD -MP -c -o $@ $<
+build/fuzz/integral/cli/main.o: fuzz_defines = -Dmain=integral_main
+-include $(fuzz_objects:.o=.d)

@@ -146,6 +146,9 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     const bool eyes = arguments["eyes"].as<bool>(), files = arguments["files"].as<bool>(), animated = is_animation(output);
     const bool upright = !eyes && (animated || arguments["upright"].as<bool>());
     const ViewGrid grid = given(arguments, "views") ? parse_view_grid(arguments) : natural_views(metadata);
+    if (!given(arguments, "views") && (grid.columns > metadata.film.width || grid.rows > metadata.film.height))
+        throw UsageError(inputs_of(arguments)[0] + ": a lens is as large as " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows)
+                         + " pixels, more than the whole film; --views CxR would tell how many views to take");
     const PixelSize size = size_to_look_at(arguments, metadata.film);
     std::optional<PictureSeries> series;
     if (files || animated)
@@ -161,7 +164,8 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
 
     if (metadata.sheet.arrangement == Arrangement::lenticular && grid.rows > 1)
         throw UsageError("--views " + text_of(arguments, "views") + ": lenticular lenses show nothing new from above: one row is expected");
-    const PixelSize of_a_view = eyes || upright ? size : size_of_parallel_views(inputs_of(arguments)[0], metadata);
+    const PixelSize of_lenses = eyes ? size : size_of_parallel_views(inputs_of(arguments)[0], metadata); // refuses what has none
+    const PixelSize of_a_view = upright ? size : of_lenses;
     check_view_size(of_a_view.width, of_a_view.height);
     if (!series)
         check_quilt_size(grid, of_a_view.width, of_a_view.height);

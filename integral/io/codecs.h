@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The image formats, from bytes and to bytes. For image_file.cpp, the replay's page and the tests alone.
+// The image formats, from bytes and to bytes. For image_file.cpp, printed pages, the replay's page and the tests alone.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
@@ -43,6 +43,9 @@ std::string encode_tiff(const DecodedImage& picture);
 /// Throws unless a picture of this many bytes can come of a file this long: `ratio` is the
 /// greatest that its compression reaches. What a malformed header cannot make us allocate.
 void check_plausible_size(double raw_bytes, double file_bytes, double ratio);
+
+/// Throws if this machine has not so much memory.
+void check_memory(double bytes);
 
 } // namespace integral
 

@@ -2,6 +2,7 @@
 // OpenEXR: the document in a string attribute `integral`, the resolution in xDensity and
 // pixelAspectRatio; samples are linear and premultiplied by alpha.
 #include "integral/io/codecs.h"
+#include "integral/io/exr_header.h"
 
 #include "integral/optics/film.h"
 
@@ -169,6 +170,7 @@ DecodedDepths decode_z(const std::string& bytes)
 template <class Decode> auto guarded(Decode decode, const std::string& bytes)
 {
     try {
+        check_exr_header(bytes);
         return decode(bytes);
     } catch (const std::bad_alloc&) {
         throw;

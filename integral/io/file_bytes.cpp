@@ -127,7 +127,7 @@ std::string read_file(const std::string& path)
     struct stat status;
     if (fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode))
         bytes.reserve(std::size_t(status.st_size) + 1);
-    std::string buffer(1 << 20, '\0');
+    std::string buffer(1 << 16, '\0');
     for (;;) {
         const ssize_t n = read(file.get(), &buffer[0], buffer.size());
         if (n < 0 && errno == EINTR)

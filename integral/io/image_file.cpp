@@ -133,12 +133,19 @@ void check_plausible_size(double raw_bytes, double file_bytes, double ratio)
 {
     std::ostringstream text;
     text.precision(3);
+    text << "its header promises " << raw_bytes << " bytes of pixels, more than the file can hold";
     if (raw_bytes > file_bytes * ratio)
-        text << "its header promises " << raw_bytes << " bytes of pixels, more than the file can hold";
+        throw std::runtime_error(text.str());
+    check_memory(raw_bytes);
+}
+
+void check_memory(double bytes)
+{
     const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-    if (memory > 0 && raw_bytes > memory)
-        text << "it needs " << raw_bytes / 1e9 << " GB, more memory than this machine has";
-    if (!text.str().empty())
+    std::ostringstream text;
+    text.precision(3);
+    text << "it needs " << bytes / 1e9 << " GB, more memory than this machine has";
+    if (memory > 0 && bytes > memory)
         throw std::runtime_error(text.str());
 }
 

@@ -6,6 +6,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/animation.h \
   integral/io/codecs.h \
   integral/io/exr_codec.cpp \
+  integral/io/exr_header.cpp \
+  integral/io/exr_header.h \
   integral/io/file_bytes.cpp \
   integral/io/file_bytes.h \
   integral/io/image_file.cpp \

@@ -26,6 +26,7 @@ struct Session {
     const std::string* input = nullptr;
     std::size_t position = 0;
     std::string* output = nullptr;
+    std::size_t row_bytes = 0; ///< of the file's rows, before they are expanded
     char message[160] = "";
 };
 
@@ -70,6 +71,22 @@ bool little_endian()
     return first == 1;
 }
 
+/// libpng makes room for some chunks before it looks whether the file holds them: up to 2 GB.
+void check_chunks(const std::string& bytes)
+{
+    constexpr std::size_t signature = 8, around = 12; // of a chunk: its length and type before its data, a checksum behind
+    for (std::size_t at = signature; at + around <= bytes.size();) {
+        std::size_t length = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            length = length << 8 | static_cast<unsigned char>(bytes[at + k]);
+        if (length > bytes.size() - at - around)
+            throw std::runtime_error("it ends too early, or a chunk of it is not as long as it says");
+        if (bytes.compare(at + 4, 4, "IEND") == 0)
+            return;
+        at += around + length;
+    }
+}
+
 bool read_header(Session& s)
 {
     if (setjmp(png_jmpbuf(s.png)))
@@ -77,6 +94,7 @@ bool read_header(Session& s)
     png_set_read_fn(s.png, &s, on_read);
     png_set_user_limits(s.png, 1000000, 1000000);
     png_read_info(s.png, s.info);
+    s.row_bytes = png_get_rowbytes(s.png, s.info);
     png_set_expand(s.png);      // palettes, few bits, tRNS
     png_set_gray_to_rgb(s.png);
     if (little_endian())
@@ -200,6 +218,7 @@ std::vector<png_bytep> row_pointers(Image& image)
 
 DecodedImage decode_png(const std::string& bytes)
 {
+    check_chunks(bytes);
     ReadSession s;
     s.input = &bytes;
     if (!read_header(s))
@@ -208,8 +227,8 @@ DecodedImage decode_png(const std::string& bytes)
     const auto width = png_get_image_width(s.png, s.info);
     const auto height = png_get_image_height(s.png, s.info);
     const int channels = png_get_channels(s.png, s.info), bits = png_get_bit_depth(s.png, s.info);
-    check_plausible_size(double(width) * height * channels * (bits / 8), double(bytes.size()),
-                         8 * greatest_deflate_ratio); // 8: one bit may have become a byte
+    check_plausible_size(double(s.row_bytes) * height, double(bytes.size()), greatest_deflate_ratio);
+    check_memory(double(width) * height * channels * (bits / 8));
     if ((channels != 3 && channels != 4) || (bits != 8 && bits != 16))
         throw std::runtime_error("it is a kind of PNG that cannot be read");
 

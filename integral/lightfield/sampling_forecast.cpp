@@ -93,20 +93,23 @@ bool forecast_errors(const IntegralCamera& camera, const std::vector<double>& de
         const Rays all = rays_of(camera, whole_samples, whole_samples, centre, 0);
         if (all.empty())
             continue;
-        for (std::size_t k = 0; k < depths.size(); ++k) {
-            const auto whole = points_at(all, depths[k]);
-            const double of_whole = own_covariance(whole, detail);
-            for (std::size_t i = 0; i < settings.size(); ++i)
-                for (int seed = 1; seed <= renders(settings[i]); ++seed) {
-                    const Rays rays = rays_of(camera, settings[i].beam_samples, settings[i].pixel_samples, centre, seed);
+        std::vector<std::vector<Vec2>> whole;
+        std::vector<double> of_whole;
+        for (const double depth : depths) {
+            whole.push_back(points_at(all, depth));
+            of_whole.push_back(own_covariance(whole.back(), detail));
+        }
+        for (std::size_t i = 0; i < settings.size(); ++i)
+            for (int seed = 1; seed <= renders(settings[i]); ++seed) {
+                const Rays rays = rays_of(camera, settings[i].beam_samples, settings[i].pixel_samples, centre, seed);
+                if (rays.empty())
+                    continue; // the samples of a pixel on the border of two lenses may all be another lens's
+                for (std::size_t k = 0; k < depths.size(); ++k) {
                     const auto points = points_at(rays, depths[k]);
-                    if (points.empty())
-                        continue; // the samples of a pixel on the border of two lenses may all be another lens's
-                    sums[i][k].square +=
-                        own_covariance(points, detail) - 2 * covariance(points, whole, detail) + of_whole;
+                    sums[i][k].square += own_covariance(points, detail) - 2 * covariance(points, whole[k], detail) + of_whole[k];
                     ++sums[i][k].count;
                 }
-        }
+            }
     }
     bool complete = true;
     for (std::size_t i = 0; i < settings.size(); ++i)

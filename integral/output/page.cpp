@@ -29,6 +29,22 @@ Tiling tiled(int pixels, int room, int overlap)
     return tiling;
 }
 
+constexpr double most_pixels = 1e6; // of a page's side, and of any length on it
+
+/// Throws for lengths that no page has: of a film whose pixels are much smaller than a printer's.
+void check_pixels(double mm, double pixel)
+{
+    if (mm / pixel > most_pixels)
+        throw std::invalid_argument(with_digits(mm, 4) + " mm of a page are more than 1000000 pixels of " + with_digits(pixel, 4)
+                                    + " mm: no printer has the frame's resolution");
+}
+
+int in_pixels(double mm, double pixel)
+{
+    check_pixels(mm, pixel);
+    return int(std::ceil(mm / pixel - 1e-6));
+}
+
 constexpr double strip_height = 2.5, strip_margin = 3; // mm
 constexpr double letter_width = 0.6;                   // of the em; letters are narrower on average
 
@@ -55,10 +71,11 @@ struct Extent {
 std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest& request)
 {
     const Film& film = m.film;
-    const auto in_pixels = [](double mm, double pixel) { return int(std::ceil(mm / pixel - 1e-6)); };
     const double margin = marks_margin(request), below = margin + (request.strip.empty() ? 0 : 2 * strip_height);
     Extent across{0, in_pixels(margin, pitch.x), in_pixels(margin, pitch.x)}, down{0, in_pixels(margin, pitch.y), in_pixels(below, pitch.y)};
     if (request.paper) {
+        check_pixels(request.paper->width, pitch.x);
+        check_pixels(request.paper->height, pitch.y);
         across.page = int(std::lround(request.paper->width / pitch.x));
         down.page = int(std::lround(request.paper->height / pitch.y));
     } else {
@@ -67,7 +84,8 @@ std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest&
         across.page = across.before + film.width + across.after + (margin > 0 ? in_pixels(cell.x, pitch.x) : 0);
         down.page = down.before + film.height + down.after + (margin > 0 ? in_pixels(cell.y, pitch.y) : 0);
     }
-    const int overlap_x = in_pixels(request.overlap, pitch.x), overlap_y = in_pixels(request.overlap, pitch.y);
+    const double overlap = request.tiles ? request.overlap : 0;
+    const int overlap_x = in_pixels(overlap, pitch.x), overlap_y = in_pixels(overlap, pitch.y);
     const bool fits = across.room() >= film.width && down.room() >= film.height;
     const std::string paper = request.paper ? with_digits(request.paper->width, 4) + " x " + with_digits(request.paper->height, 4) + " mm" : "its own size";
     if (!fits && !request.tiles)

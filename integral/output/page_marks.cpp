@@ -2,6 +2,8 @@
 #include "integral/output/page_marks.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <stdexcept>
 
 namespace integral {
 namespace {
@@ -44,6 +46,8 @@ void add_registration_mark(std::vector<PageLine>& lines, Vec2 centre)
         lines.push_back({at(k), at(k + 1)});
 }
 
+constexpr int most_marks = 10000; // on either side of the middle
+
 /// Marks along one pair of the picture's edges. `axis`: a point of the sheet on the middle lens's axis, `step` from each marked axis to the
 /// next and `along` the direction in which the axes run, all in mm of the sheet (y upwards). `on_page` maps such points.
 template <class OnPage>
@@ -55,6 +59,8 @@ void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis,
         const double outwards = side ? 1 : -1;
         for (const int direction : {-1, 1})
             for (int k = direction < 0 ? -1 : 0;; k += direction) {
+                if (std::abs(k) > most_marks)
+                    throw std::invalid_argument("its lenses are too many for marks of their axes: they are much narrower than the picture");
                 const Vec2 p = on_page(axis + double(k) * step), q = on_page(axis + double(k) * step + along);
                 const Vec2 way = q - p;
                 const auto at = [&](double level) { // the axis's point at that height (or place across) of the page

@@ -12,7 +12,7 @@ double marks_margin(const PageRequest& request);
 
 /// The lines of all marks that are asked for. Axis marks: above and below the picture (2-D sheets: left and right, too) the axis of every
 /// fifth lens, counted from the one nearest to the sheet's middle, whose mark is longer, in the direction in which it runs; of hexagonal lenses the
-/// rows' poles of even rows.
+/// rows' poles of even rows. Throws std::invalid_argument where more than 10000 axes would be marked on a side.
 std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& metadata, const PageRequest& request);
 
 } // namespace integral

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/page_raster.h"
 
+#include "integral/io/codecs.h"
+
 #include <cairo.h>
 
 #include <cmath>
@@ -84,6 +86,7 @@ Image picture_on(const Page& page, const Image& picture)
 
 Image rasterized(const Page& page, const Image& picture)
 {
+    check_memory(double(page.width) * page.height * picture.channels * (sample_bits(picture) / 8));
     Image sheet = blank_like(picture, page.width, page.height);
     const std::vector<bool> ink = page.lines.empty() && page.strip.empty() ? std::vector<bool>(std::size_t(page.width) * page.height) : ink_of(page);
     const Image part = picture_on(page, picture);

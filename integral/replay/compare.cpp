@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 namespace integral {
 namespace {
@@ -136,8 +137,9 @@ double structural_similarity(const std::vector<float>& a, const std::vector<floa
     const auto centres = [](int length) { // first centre and the one after the last
         return length >= 11 ? std::pair<int, int>(5, length - 5) : std::pair<int, int>(0, length);
     };
-    const auto [x0, x1] = centres(width);
-    const auto [y0, y1] = centres(height);
+    int x0, x1, y0, y1; // no structured bindings: lambdas of C++17 cannot capture them
+    std::tie(x0, x1) = centres(width);
+    std::tie(y0, y1) = centres(height);
     const std::size_t across = std::size_t(x1 - x0);
     std::vector<Moments> ring(11 * across); // the rows that the current windows reach
 

@@ -78,6 +78,9 @@ public:
         for (int y = 0; y < film.height; ++y)
             for (const int x : {0, film.width - 1})
                 take(x, y);
+        constexpr std::int64_t most_lenses = 1000000;
+        if (most.i - least.i >= most_lenses || most.j - least.j >= most_lenses)
+            throw std::invalid_argument("its film lies behind more than 1000000 lenses one way: they are much narrower than its pixels");
         const int lenses = int(most.i - least.i + 1);
         window = {{least.i, most.j}, arrangement == Arrangement::hexagonal ? 2 * lenses + 1 : lenses,
                   lenticular ? film.height : int(most.j - least.j + 1)};
@@ -251,14 +254,16 @@ const unsigned char* bytes_of(const Image& image) { return bytes_of(const_cast<I
 ViewGrid natural_views(const FrameMetadata& m)
 {
     const Vec2 pixels = pixels_a_lens(m);
-    const auto count = [](double v) { return std::max(1, int(std::lround(v))); };
+    const auto count = [](double v) { return int(std::lround(std::clamp(v, 1.0, 1e9))); };
     return {count(pixels.x), count(pixels.y)};
 }
 
 bool views_are_exact(const FrameMetadata& m, ViewGrid grid)
 {
     const Vec2 pixels = pixels_a_lens(m);
-    return m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 && m.film.subpixels == Subpixels::none && is_whole(pixels.x) && is_whole(pixels.y)
+    const bool lenticular = m.sheet.arrangement == Arrangement::lenticular; // has no pixels a lens down
+    const bool some = pixels.x > 0.5 && (lenticular || pixels.y > 0.5);     // nought is whole, too
+    return some && m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 && m.film.subpixels == Subpixels::none && is_whole(pixels.x) && is_whole(pixels.y)
         && grid.columns == natural_views(m).columns && grid.rows == natural_views(m).rows;
 }
 

@@ -13,6 +13,7 @@
 #include <random>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 using namespace integral;
 namespace fs = std::filesystem;
@@ -297,6 +298,62 @@ BOOST_AUTO_TEST_CASE(a_header_cannot_make_us_allocate)
     } catch (const std::runtime_error& error) {
         BOOST_TEST(std::string(error.what()).find("header promises") != std::string::npos, error.what());
     }
+}
+
+BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
+{
+    const auto refusal_of = [](auto decode, const std::string& bytes) -> std::string {
+        try {
+            decode(bytes);
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    // Found by tests/sanitized/fuzz.test: libpng made room for the 2 GB of a chunk, OpenEXR for those of an attribute.
+    using namespace std::string_literals;
+    std::string png = encode_png({noise<std::uint8_t>(5, 4, 3, srgb), "", {}});
+    constexpr std::size_t behind_header = 33;
+    png.insert(behind_header, "\x7a\x54\0\0eXIfMM"s);
+    BOOST_TEST(refusal_of(decode_png, png).find("chunk") != std::string::npos);
+
+    const std::string exr = encode_exr({noise<float>(5, 4, 3, linear), "", {}});
+    constexpr std::size_t magic_and_version = 8;
+    const auto with_attribute = [&](const std::string& bytes) { return exr.substr(0, magic_and_version) + bytes + exr.substr(magic_and_version); };
+    BOOST_TEST(refusal_of(decode_exr, with_attribute("a\0b\0\1\0\0\0x"s)).find("attribute") == std::string::npos);
+    BOOST_TEST(refusal_of(decode_exr, with_attribute("a\0b\0\0\0\0\x70x"s)).find("longer than the file") != std::string::npos);
+    BOOST_TEST(refusal_of(decode_depths, with_attribute("a\0b\0\0\0\0\x70x"s)).find("longer than the file") != std::string::npos);
+    // A list of channels is read up to its own end; behind it lies what would pass for an attribute.
+    for (const std::string& bad : {"a\0chlist\0\2\0\0\0\0x"s, "a\0box2i\0\x11\0\0\0"s + std::string(17, 'x'), "a\0preview\0\x9\0\0\0\1\0\0\0\1\0\0\0x"s})
+        BOOST_TEST(refusal_of(decode_exr, with_attribute(bad)).find("not as long as its type") != std::string::npos);
+    // The header of a file's second part.
+    std::string parts = with_attribute("a\0b\0\1\0\0\0x\0a\0b\0\0\0\0\x70x"s);
+    parts[5] = 0x10;
+    BOOST_TEST(refusal_of(decode_exr, parts).find("longer than the file") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_white_page_may_be_packed_tightly)
+{
+    // 4000 x 4000 pixels of one bit are three bytes each when read: 48 MB of a file of two kilobytes.
+    std::string png = "\x89PNG\r\n\x1a\n";
+    const auto four = [](unsigned long v) { return std::string{char(v >> 24), char(v >> 16), char(v >> 8), char(v)}; };
+    const auto add = [&](const std::string& body) {
+        png += four(body.size() - 4) + body + four(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
+    };
+    constexpr int side = 4000;
+    std::string rows(std::size_t(side) * (1 + side / 8), '\xff');
+    for (std::size_t at = 0; at < rows.size(); at += 1 + side / 8)
+        rows[at] = 0; // no filter
+    std::string packed(compressBound(uLong(rows.size())), '\0');
+    uLongf size = uLongf(packed.size());
+    BOOST_REQUIRE(compress2(reinterpret_cast<Bytef*>(&packed[0]), &size, reinterpret_cast<const Bytef*>(rows.data()), uLong(rows.size()), 9) == Z_OK);
+    packed.resize(size);
+    add("IHDR" + four(side) + four(side) + std::string{1, 0, 0, 0, 0});
+    add("IDAT" + packed);
+    add("IEND");
+    const Image image = decode_png(png).image;
+    BOOST_TEST(image.width == side);
+    BOOST_TEST(stored_pixel(image, side - 1, side - 1).g == 1.0f);
 }
 
 BOOST_AUTO_TEST_CASE(writing_is_whole_or_not_at_all)

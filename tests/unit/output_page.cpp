@@ -208,4 +208,33 @@ BOOST_AUTO_TEST_CASE(quilts_name_their_views)
     BOOST_TEST(!grid_in_name("b_qs11x6.png"));
 }
 
+BOOST_AUTO_TEST_CASE(lengths_that_no_page_has_are_refused)
+{
+    // Found by tests/sanitized/fuzz.test: a frame's file may say such films and lenses.
+    const auto refusal = [](const FrameMetadata& m, const PageRequest& request) -> std::string {
+        try {
+            lay_out(m, m.film.pixel_pitch, request);
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const FrameMetadata fine = geometry(lenticular, 8, 6, 1e-6);
+    PageRequest marked;
+    marked.crop_marks = true;
+    PageRequest tiled = on(0.5, 0.5);
+    tiled.tiles = true;
+    for (const PageRequest& request : {on(5000, 5000), marked, tiled})
+        BOOST_TEST(refusal(fine, request).find("more than 1000000 pixels") != std::string::npos);
+    PageRequest plain;
+    plain.centre_on_lens = false;
+    BOOST_TEST(refusal(fine, plain) == "");
+
+    LensSheet narrow = lenticular;
+    narrow.pitch = 1e-4;
+    PageRequest axes;
+    axes.axis_marks = true;
+    BOOST_TEST(refusal(geometry(narrow, 8000, 6, 0.1), axes).find("too many for marks") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

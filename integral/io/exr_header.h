@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A look at an OpenEXR file's header before OpenEXR reads it.
+#ifndef INTEGRAL_IO_EXR_HEADER_H
+#define INTEGRAL_IO_EXR_HEADER_H
+
+#include <string>
+
+namespace integral {
+
+/// Throws std::runtime_error unless the attributes of the header (of each, in a file of several parts) are whole and as long as their types
+/// are. OpenEXR reads most types without looking at the length that stands before them, and takes what follows for the next attribute;
+/// and it makes room for an attribute before it looks whether the file holds it: up to 2 GB, which bytes of a picture can ask for.
+void check_exr_header(const std::string& bytes);
+
+} // namespace integral
+
+#endif

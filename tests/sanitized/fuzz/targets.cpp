@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The table of what is fuzzed. Readers get their bytes through the functions that the commands use, from a file; what they read is
+// then put to use, as far as that is a matter of microseconds.
+#include "tests/sanitized/fuzz/target.h"
+
+#include "integral/cli/scene_depth.h"
+#include "integral/io/image_file.h"
+#include "integral/output/colour_profile.h"
+#include "integral/replay/compare.h"
+#include "integral/replay/replay.h"
+
+#include <cstdlib>
+
+namespace fuzz {
+namespace {
+
+using namespace integral;
+
+constexpr int most_pixels = 4096; // of pictures that are looked at
+
+void look_at(const Frame& frame)
+{
+    if (frame.image.width > most_pixels / frame.image.height)
+        return;
+    compare(frame, frame);
+    if (!frame.metadata)
+        return;
+    View view;
+    view.eye = centre_eye(*frame.metadata);
+    view.width = view.height = 2;
+    view.samples = 1;
+    replay(frame, view, 1);
+}
+
+void read_picture(const Bytes& bytes)
+{
+    const std::string path = file_of(bytes);
+    read_views(path, false);
+    look_at(read_frame(path));
+}
+
+void read_depth_frame(const Bytes& bytes)
+{
+    const std::string path = file_of(bytes);
+    scene_depth_text(path, read_depths(path));
+}
+
+/// A document that is read is written so that it reads back to itself.
+void read_sheet(const Bytes& bytes)
+{
+    const FrameMetadata metadata = read_metadata(file_of(bytes));
+    const std::string text = to_json(metadata);
+    if (to_json(frame_metadata_from_json(text)) != text)
+        std::abort();
+    const SheetOptics optics(metadata.sheet, metadata.aperture);
+    for (const auto mapping : {LensMapping::automatic, LensMapping::closest, LensMapping::accurate})
+        for (const Vec2 pixel : {Vec2{0, 0}, Vec2{0.5, 0.25}, Vec2{100, 1000}})
+            optics.map(film_from_pixel(metadata.film, pixel), mapping);
+}
+
+void read_profile(const Bytes& bytes)
+{
+    const Image picture = bytes.size() % 2 ? make_image<std::uint8_t>(2, 1, 3, {}) : make_image<std::uint16_t>(2, 1, 3, {});
+    try {
+        in_profile(picture, bytes, Intent(bytes.size() / 2 % 4));
+    } catch (const std::runtime_error& error) { // the command adds the file's name
+        throw InputError(error.what());
+    }
+}
+
+const std::vector<Bytes> json_words = {
+    "\"sheet\":", "\"arrangement\":", "\"lenticular\"", "\"square\"", "\"hexagonal\"", "\"pitch_mm\":", "\"thickness_mm\":", "\"ior\":",
+    "\"slant_degrees\":", "\"offset_mm\":", "\"film\":", "\"width\":", "\"height\":", "\"pixel_pitch_mm\":", "\"subpixels\":", "\"rgb\"",
+    "\"bgr\"", "\"aperture\":", "\"distance_mm\":", "\"width_mm\":", "\"height_mm\":", "\"shape\":", "\"ellipse\"", "\"rectangle\"",
+    "\"camera\":", "\"origin\":", "\"units_per_mm\":", "\"encoding\":", "\"kind\":", "\"linear\"", "\"srgb\"", "\"power\"", "\"gamma\":",
+    "\"render\":", "\"quilt\":", "\"columns\":", "\"rows\":", "\"view\":", "\"eyes\":", "null", "true", "[0,0]", "1e-6", "1e-4", "1e3",
+    "1e6", "1e9", "1e30", "1e100", "1e308", "1e999", "-1", "0", "89.99", "1000000", "4096", "9223372036854775807", "\\u0000", "{}", "[["};
+const std::vector<Bytes> png_words = {"IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "sRGB", "cHRM", "iCCP", "iTXt", "zTXt", "tEXt", "pHYs",
+                                      "sBIT", "bKGD", "hIST", "eXIf", "integral"};
+const std::vector<Bytes> exr_words = {"channels", "chlist", "compression", "dataWindow", "displayWindow", "box2i", "lineOrder",
+                                      "pixelAspectRatio", "float", "screenWindowCenter", "screenWindowWidth", "v2f", "tiles", "tiledesc",
+                                      "string", "integral", "xDensity", "type", "name", "chunkCount", "scanlineimage", "tiledimage",
+                                      "deepscanline", "R", "G", "B", "A", "Y", "Z"};
+const std::vector<Bytes> tiff_words = {"II*", "MM", "\x06\x01\x03", "\x0e\x01\x02", "\x11\x01\x04", "\x15\x01\x03", "\x16\x01\x04", "\x17\x01\x04",
+                                       "\x1a\x01\x05", "\x1c\x01\x03", "\x3d\x01\x03", "\x40\x01\x03", "\x42\x01\x04", "\x52\x01\x03", "\x53\x01\x03"};
+const std::vector<Bytes> profile_words = {"acsp", "prtr", "mntr", "spac", "RGB ", "CMYK", "Lab ", "XYZ ", "A2B0", "B2A0", "rTRC", "gXYZ", "wtpt",
+                                          "curv", "para", "mft1", "mft2", "mAB ", "mBA ", "desc"};
+
+/// A fault for the test of the fuzzing itself: reads past its end, but only where the bytes lead it there.
+void planted(const Bytes& bytes)
+{
+    static volatile char sink;
+    if (bytes.size() > 20 && bytes[3] == 'f' && bytes[5] == 'a' && bytes[7] == 'u' && bytes[11] == 'l' && bytes[13] == 't') {
+        const std::vector<char> copy(bytes.begin(), bytes.end());
+        sink = copy.data()[bytes.size()];
+    }
+}
+
+std::vector<Bytes> planted_seeds() { return {Bytes(32, ' ')}; }
+
+} // namespace
+
+const Target planted_fault = {"planted", planted, planted_seeds, {}};
+
+const std::vector<Target> targets = {
+    {"png", read_picture, png_seeds, png_words, mutated_png},
+    {"exr", read_picture, exr_seeds, exr_words},
+    {"tiff", read_picture, tiff_seeds, tiff_words},
+    {"depths", read_depth_frame, depth_seeds, exr_words},
+    {"sheet", read_sheet, sheet_seeds, json_words},
+    {"profile", read_profile, profile_seeds, profile_words},
+    {"commands", run_command, command_seeds, {}},
+};
+
+} // namespace fuzz
