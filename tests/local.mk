@@ -25,6 +25,11 @@ build_tests_raster_LDADD = $(CUPS_LIBS)
 build_tests_dyesub_SOURCES = tests/cli/helpers/dyesub.cpp
 endif
 
+# A simulated scanner, for tests/cli/integral_rectify.test.
+check_PROGRAMS += build/tests/scan
+build_tests_scan_SOURCES = tests/cli/helpers/scan.cpp
+build_tests_scan_LDADD = -lpng
+
 EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
@@ -99,7 +104,7 @@ build_tests_depths_SOURCES = \
 build_tests_depths_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
+test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/tests/scan build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
   build/bench/error_against_time build/bench/eyes $(cups_programs)
 
 .PHONY: check-long

@@ -207,6 +207,12 @@ Views read_views(const std::string& path, bool needs_geometry)
     return views;
 }
 
+Scan read_scan(const std::string& path)
+{
+    DecodedImage picture = decoded(path, decode_any);
+    return {std::move(picture.image), picture.pixel_pitch};
+}
+
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file)
 {
     Views picture = read_with_geometry(path, sheet_file);

@@ -34,6 +34,15 @@ struct Views {
 /// Reads a quilt or one view of it. Throws InputError; for a geometry that cannot be used only if it is needed.
 Views read_views(const std::string& path, bool needs_geometry);
 
+/// A scan: a picture, and its pixels' width and height (mm) where the file says its resolution.
+struct Scan {
+    Image image;
+    std::optional<Vec2> pixel_pitch;
+};
+
+/// Reads a picture as a scan; a geometry that it may carry is none of a scan's. Throws InputError.
+Scan read_scan(const std::string& path);
+
 /// As read_frame, of a picture that must have geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
 
