@@ -120,6 +120,16 @@ ScanMap best_middle(const Plane& edges, const std::vector<Vec2>& points, const L
     return best;
 }
 
+/// Whether a fit has stayed where it was sent to look. Little more than the range is left to it, and scales across and down that
+/// differ by no more than a scanner's.
+bool is_in_range(const LatticeSearch& search, const ScanMap& about, const ScanMap& map)
+{
+    constexpr double margin = 0.01, most_difference = 0.03;
+    const double x = map.scale.x / about.scale.x, y = map.scale.y / about.scale.y;
+    return std::fabs(x - 1) < search.scale_range + margin && std::fabs(y - 1) < search.scale_range + margin
+        && std::fabs(x / y - 1) < most_difference && std::fabs(map.rotation - about.rotation) < search.turn_range + margin;
+}
+
 /// How far the edge on the borders is above what it is for maps at random in the range of the search, in their standard deviations.
 double significance_of(const Plane& edges, const std::vector<Vec2>& points, const LatticeSearch& search, const ScanMap& about, const ScanMap& best)
 {
@@ -185,6 +195,8 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     double farthest = 0;
     for (const Vec2 point : points)
         farthest = std::max(farthest, length(point));
+    if (points.empty())
+        throw std::invalid_argument("the sheet's middle is too far outside of it");
     if (!follow(5))
         return std::nullopt;
 
@@ -197,7 +209,7 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     for (const Candidate& candidate : found) {
         const std::vector<Vec2> central = those_within(points, first_radius, 60000);
         if (central.empty())
-            continue;
+            throw std::invalid_argument("the sheet's middle is too far outside of it");
         ScanMap map = best_middle(wide, central, search.sheet, candidate.map);
         map = fit_borders(wide, central, search.sheet, map);
         for (double radius = 1.6 * first_radius;; radius *= 1.6) {
@@ -206,15 +218,16 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
                 break;
         }
         const double edge = edge_on_borders(fine, points, map);
-        if (edge > most) {
+        if (edge > most && is_in_range(search, about, map)) {
             most = edge;
             best = map;
         }
         if (!follow(7))
             return std::nullopt;
     }
+    FoundLattice result;
     if (most == -1e30)
-        throw std::invalid_argument("the sheet's middle is too far outside of it");
+        return result;
     points = those_within(points, farthest, most_borders);
     best = fit_borders(fine, points, search.sheet, best);
     const double significance = significance_of(fine, those_within(points, farthest, 20000), search, about, best);
@@ -223,7 +236,8 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     if (!follow(9))
         return std::nullopt;
     const FitErrors errors = errors_of_fit(fine, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
-    FoundLattice result;
+    if (!is_in_range(search, about, best))
+        return result;
     result.map = in_larger_pixels(best, 1.0 / reduction);
     result.scale_error = {errors.deviation[0], errors.deviation[1]};
     result.rotation_error = errors.deviation[2];

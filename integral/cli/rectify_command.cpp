@@ -219,7 +219,8 @@ FoundLattice find(const std::string& input, const Image& scan, const LatticeSear
         throw Interrupted();
     if (!(found->significance >= least_significance))
         throw InputError(input + ": no micro-images of lenses " + with_digits(search.sheet.pitch, 6) + " mm apart are found in it, within 4% of "
-                         + with_digits(mm_per_inch * search.about.scale.x, 6) + " dpi and 10 degrees of upright; check --pitch, --scan-dpi and --turn");
+                         + with_digits(mm_per_inch * search.about.scale.x, 6) + " dpi and 10 degrees of upright (the likeliest stand out by " + with_decimals(found->significance, 1) + " deviations, "
+                         + with_decimals(least_significance, 0) + " are wanted); check --pitch, --scan-dpi and --turn");
     return *found;
 }
 
