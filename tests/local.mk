@@ -33,6 +33,11 @@ build_tests_screen_SOURCES = tests/cli/helpers/screen.cpp
 build_tests_screen_LDADD = $(LIBINTEGRAL_LIBS) -lX11
 endif
 
+# A simulated scanner, for tests/cli/integral_rectify.test.
+check_PROGRAMS += build/tests/scan
+build_tests_scan_SOURCES = tests/cli/helpers/scan.cpp
+build_tests_scan_LDADD = -lpng
+
 EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES = $(unit_sources)
 build_sanitized_unit_CPPFLAGS = $(build_tests_unit_CPPFLAGS)
@@ -41,6 +46,8 @@ build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(SDL2_L
 
 # One line per file.
 unit_sources = \
+  tests/unit/analysis_lattice.cpp \
+  tests/unit/analysis_scan.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/lightfield_depth_range.cpp \
@@ -115,7 +122,7 @@ build_tests_depths_SOURCES = \
 build_tests_depths_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
+test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/tests/scan build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
   build/bench/error_against_time build/bench/eyes $(cups_programs) $(screen_programs)
 
 .PHONY: check-long

@@ -28,6 +28,7 @@ build_bin_integral_SOURCES += \
   integral/cli/print_options.h \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
+  integral/cli/rectify_command.cpp \
   integral/cli/renderer.cpp \
   integral/cli/renderer.h \
   integral/cli/replay_command.cpp \

@@ -26,9 +26,8 @@ options::options_description make_options()
     };
     add_sheet_options(all);
     add_film_options(all);
+    add_aperture_options(all);
     all.add_options()
-        ("distance", value("MM"), "from the viewer, and the capture aperture, to the sheet (default 300)")
-        ("aperture", value("W[,H]"), "extent of the capture aperture, mm (default: what fills a lens)")
         ("pupil", value("MM"), "diameter of the eye's pupil (default 5)")
         ("depths", value("MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")
         ("detail", value("MM"), "distance between the edges that sampling errors are foretold for (default 5)")
@@ -41,41 +40,6 @@ options::options_description make_options()
         ("output,o", value("FILE"), "print to FILE instead of standard output")
         ("help", "print this");
     return all;
-}
-
-/// The aperture: as given, else as the geometry has it, else what fills the lens.
-void change_aperture(const options::variables_map& arguments, FrameMetadata& geometry, bool keep)
-{
-    Aperture& aperture = geometry.aperture;
-    read_number(arguments, "distance", aperture.distance);
-    if (!(aperture.distance >= 1e-2 && aperture.distance <= 1e9))
-        throw UsageError("--distance " + text_of(arguments, "distance") +
-                         ": 0.01 to 1e9 mm is expected");
-    if (given(arguments, "aperture")) {
-        const auto numbers = parse_numbers("aperture", text_of(arguments, "aperture"), "W or W,H", 1, 2);
-        Vec2 extent{numbers.front(), numbers.back()};
-        if (numbers.size() == 1 && geometry.sheet.arrangement == Arrangement::lenticular)
-            (slit_is_horizontal(geometry.sheet) ? extent.y : extent.x) = 0; // a slit
-        if (!(extent.x >= 0 && extent.y >= 0 && extent.x <= 1e12 && extent.y <= 1e12))
-            throw UsageError("--aperture " + text_of(arguments, "aperture") +
-                             ": 0 to 1e12 mm is expected");
-        aperture.width = extent.x;
-        aperture.height = extent.y;
-    } else if (!keep) {
-        const auto filling = filling_aperture(geometry.sheet, aperture.distance);
-        if (!filling)
-            throw UsageError("no aperture, however wide, fills these lenses; give --aperture W,H");
-        aperture = *filling;
-    }
-}
-
-/// Whether any option changes what the filling aperture depends on.
-bool changes_lenses(const options::variables_map& arguments)
-{
-    for (const char* option : {"arrangement", "pitch", "thickness", "ior", "slant", "distance"})
-        if (given(arguments, option))
-            return true;
-    return false;
 }
 
 double positive(const options::variables_map& arguments, const char* option, double value)

@@ -232,6 +232,11 @@ std::pair<int, int> picture_size(const std::string& path)
     }
     const DecodedImage picture = decoded(path, decode_any);
     return {picture.image.width, picture.image.height};
+
+Scan read_scan(const std::string& path)
+{
+    DecodedImage picture = decoded(path, decode_any);
+    return {std::move(picture.image), picture.pixel_pitch};
 }
 
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file)

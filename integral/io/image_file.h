@@ -38,6 +38,15 @@ Views read_views(const std::string& path, bool needs_geometry);
 /// Width and height of a picture, of a PNG read from its header alone. Throws InputError.
 std::pair<int, int> picture_size(const std::string& path);
 
+/// A scan: a picture, and its pixels' width and height (mm) where the file says its resolution.
+struct Scan {
+    Image image;
+    std::optional<Vec2> pixel_pitch;
+};
+
+/// Reads a picture as a scan; a geometry that it may carry is none of a scan's. Throws InputError.
+Scan read_scan(const std::string& path);
+
 /// As read_frame, of a picture that must have geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
 

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/analysis: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/analysis/border_fit.cpp \
+  integral/analysis/border_fit.h \
+  integral/analysis/edge_response.cpp \
+  integral/analysis/edge_response.h \
+  integral/analysis/lattice_search.cpp \
+  integral/analysis/lattice_search.h \
+  integral/analysis/lens_borders.cpp \
+  integral/analysis/lens_borders.h \
+  integral/analysis/rectify.cpp \
+  integral/analysis/rectify.h \
+  integral/analysis/scan_colour.cpp \
+  integral/analysis/scan_colour.h \
+  integral/analysis/scan_map.h \
+  integral/analysis/spectrum.cpp \
+  integral/analysis/spectrum.h

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/analysis/spectrum.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <new>
+
+namespace integral {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+struct Free {
+    void operator()(void* memory) const { fftw_free(memory); }
+};
+
+} // namespace
+
+Spectrum::Spectrum(const Plane& plane, int most) : size_(2), extent_(0)
+{
+    const int width = std::min(plane.width, most), height = std::min(plane.height, most);
+    const int left = (plane.width - width) / 2, top = (plane.height - height) / 2;
+    extent_ = std::min(width, height);
+    while (size_ < 2 * std::max(width, height)) // twice as fine as the window tells apart
+        size_ *= 2;
+    const int columns = size_ / 2 + 1, padded = 2 * columns;
+    std::unique_ptr<double[], Free> values(fftw_alloc_real(std::size_t(size_) * padded));
+    if (!values)
+        throw std::bad_alloc();
+    std::fill_n(values.get(), std::size_t(size_) * padded, 0.0);
+
+    double mean = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            mean += plane.at(left + x, top + y);
+    mean /= std::max(1.0, double(width) * height);
+    const auto window = [](int k, int length) { return 0.5 - 0.5 * std::cos(2 * pi * (k + 0.5) / length); };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            values[std::size_t(y) * padded + x] = window(x, width) * window(y, height) * (plane.at(left + x, top + y) - mean);
+
+    auto* frequencies = reinterpret_cast<fftw_complex*>(values.get()); // in place, as FFTW lays it out
+    const fftw_plan plan = fftw_plan_dft_r2c_2d(size_, size_, values.get(), frequencies, FFTW_ESTIMATE);
+    if (!plan)
+        throw std::bad_alloc();
+    fftw_execute(plan);
+    fftw_destroy_plan(plan);
+
+    power_.resize(std::size_t(size_) * columns);
+    std::vector<double> sums(size_, 0.0), counts(size_, 0.0);
+    const auto ring = [&](int x, int y) { return int(std::lround(std::hypot(x, y <= size_ / 2 ? y : y - size_))); };
+    for (int y = 0; y < size_; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const std::size_t k = std::size_t(y) * columns + x;
+            power_[k] = float(frequencies[k][0] * frequencies[k][0] + frequencies[k][1] * frequencies[k][1]);
+            sums[ring(x, y)] += power_[k];
+            counts[ring(x, y)] += 1;
+        }
+    // each ring and its neighbours
+    constexpr int reach = 4;
+    std::vector<double> means(size_, 0.0);
+    for (int r = 0; r < size_; ++r) {
+        double sum = 0, count = 0;
+        for (int k = std::max(0, r - reach); k <= std::min(size_ - 1, r + reach); ++k) {
+            sum += sums[k];
+            count += counts[k];
+        }
+        means[r] = count > 0 ? sum / count : 0;
+    }
+    for (int y = 0; y < size_; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const double level = means[ring(x, y)];
+            float& value = power_[std::size_t(y) * columns + x];
+            value = level > 0 ? float(value / level) : 0;
+        }
+}
+
+double Spectrum::power(Vec2 frequency) const
+{
+    if (frequency.x < 0)
+        frequency = -1.0 * frequency; // of real numbers: the same
+    if (!(frequency.x < 0.5 && std::fabs(frequency.y) < 0.5))
+        return 0;
+    const double x = frequency.x * size_, y = frequency.y * size_;
+    const int left = int(x), top = int(std::floor(y));
+    double sum = 0;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            const double weight = (i ? x - left : 1 - (x - left)) * (j ? y - top : 1 - (y - top));
+            sum += weight * power_[std::size_t((top + j + size_) % size_) * (size_ / 2 + 1) + left + i];
+        }
+    return sum;
+}
+
+} // namespace integral

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The power spectrum of a raster of numbers, by FFTW.
+#ifndef INTEGRAL_ANALYSIS_SPECTRUM_H
+#define INTEGRAL_ANALYSIS_SPECTRUM_H
+
+#include "integral/analysis/edge_response.h"
+#include "integral/optics/vec.h"
+
+namespace integral {
+
+/// Powers at frequencies, against the mean of all the frequencies of about the same size: 1 where there is nothing but noise.
+class Spectrum {
+public:
+    /// Of the plane's middle, at most `most` pixels each way, less its mean, under a Hann window.
+    Spectrum(const Plane& plane, int most);
+
+    /// At a frequency in cycles a pixel along x and y (downwards), interpolated; 0 beyond half a cycle a pixel.
+    double power(Vec2 frequency) const;
+
+    int extent() const { return extent_; } ///< pixels of the shorter side of the window
+
+private:
+    int size_, extent_;
+    std::vector<float> power_; ///< (size_/2 + 1) columns from frequency 0, size_ rows
+};
+
+} // namespace integral
+
+#endif
