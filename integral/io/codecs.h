@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The image formats, from bytes and to bytes. For image_file.cpp, the replay's page and the tests alone.
+// The image formats, from bytes and to bytes. For image_file.cpp, the strips of a frame, the replay's page and the tests alone.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
