@@ -13,6 +13,7 @@ include $(srcdir)/integral/lightfield/local.mk
 include $(srcdir)/integral/replay/local.mk
 include $(srcdir)/integral/output/local.mk
 include $(srcdir)/integral/io/local.mk
+include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/cli/local.mk
 
 # Its man page says what its parser knows.
