@@ -45,6 +45,7 @@ struct Command {
 };
 
 extern const Command sheet_command, replay_command, views_command, print_command, compare_command;
+extern const Command batch_command;
 
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();

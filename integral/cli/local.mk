@@ -2,6 +2,15 @@
 # Sources of the integral program: one line per file, headers too.
 
 build_bin_integral_SOURCES += \
+  integral/cli/batch_command.cpp \
+  integral/cli/batch_report.cpp \
+  integral/cli/batch_report.h \
+  integral/cli/batch_run.cpp \
+  integral/cli/batch_run.h \
+  integral/cli/batch_steps.cpp \
+  integral/cli/batch_steps.h \
+  integral/cli/child_process.cpp \
+  integral/cli/child_process.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \

@@ -18,7 +18,8 @@ namespace integral {
 const std::vector<const Command*>& all_commands()
 {
     static const std::vector<const Command*> commands = {&sheet_command, &replay_command, &views_command,
-                                                         &print_command, &compare_command};
+                                                         &print_command, &compare_command,
+                                                         &batch_command};
     return commands;
 }
 

@@ -24,6 +24,13 @@ DecodedImage decode_png(const std::string& bytes);
 DecodedImage decode_exr(const std::string& bytes);
 DecodedImage decode_tiff(const std::string& bytes);
 
+/// What a PNG says before its pixels: its size and the JSON document, empty if there is none. Throws as decode_png does.
+struct PngHeader {
+    int width = 0, height = 0;
+    std::string document;
+};
+PngHeader decode_png_header(const std::string& bytes);
+
 /// The channels Z and A of a depth frame, its size and its document.
 struct DecodedDepths {
     int width = 0, height = 0;

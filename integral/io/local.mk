@@ -4,6 +4,8 @@
 build_lib_libintegral_a_SOURCES += \
   integral/io/animation.cpp \
   integral/io/animation.h \
+  integral/io/base64.cpp \
+  integral/io/base64.h \
   integral/io/codecs.h \
   integral/io/exr_codec.cpp \
   integral/io/file_bytes.cpp \

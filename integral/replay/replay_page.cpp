@@ -2,6 +2,7 @@
 #include "integral/replay/replay_page.h"
 
 #include "build/generated/replay_page_text.h" // replay_page_html, replay_page_glsl, replay_page_js
+#include "integral/io/base64.h"
 #include "integral/io/codecs.h"
 #include "integral/lightfield/names.h"
 #include "integral/replay/arrange.h"
@@ -15,22 +16,6 @@
 
 namespace integral {
 namespace {
-
-std::string base64(const std::string& bytes)
-{
-    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t three = 0; // bytes, the first one highest
-        for (std::size_t k = 0; k < 3; ++k)
-            three = three << 8 | (k < count ? std::uint8_t(bytes[i + k]) : 0);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += k <= count ? digits[three >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
 
 /// JSON that no HTML parser takes for markup: `<` stands in its strings alone.
 std::string within_html(const std::string& json)

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/batch_report.h"
+
+#include "integral/io/base64.h"
+#include "integral/io/file_bytes.h"
+#include "integral/lightfield/number_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace integral {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// done, failed, blocked or missing.
+std::string state_of(const StepResult& result, const StepRecord& record)
+{
+    if (result.fate == StepFate::failed || result.fate == StepFate::blocked)
+        return name_of(result.fate);
+    if (result.fate == StepFate::waiting)
+        return record.state == StepState::failed ? "failed" : "missing";
+    return "done";
+}
+
+std::string escaped(const std::string& text)
+{
+    std::string safe;
+    for (const char c : text)
+        safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+    return safe;
+}
+
+std::string text_at(const Json& object, const char* field) { return object.at(field).is_string() ? object.at(field).get<std::string>() : ""; }
+
+std::string figure(const Json& value, int digits) { return value.is_number() ? with_digits(value.get<double>(), digits) : "–"; }
+
+constexpr char page_head[] = R"(<!DOCTYPE html>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<style>
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em; color: #222; background: #f4f4f2 }
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(256px, 1fr)); gap: 1em }
+article { background: #fff; border: 1px solid #ddd; border-radius: 6px; padding: 8px; overflow-wrap: anywhere }
+article.failed { border-color: #c33 }
+.picture { height: 240px; display: flex; align-items: center; justify-content: center; background: #eee; color: #777 }
+.picture img { max-width: 100%; max-height: 240px }
+h1 { font-size: 1.4em } h2 { font-size: 1em; margin: .6em 0 .2em }
+p { margin: .2em 0 } .reason { color: #a00 } a { color: #06c; margin-right: .6em }
+@media (prefers-color-scheme: dark) { body { background: #1c1c1c; color: #ddd } article { background: #262626; border-color: #444 }
+.picture { background: #111 } a { color: #7bf } .reason { color: #f88 } }
+</style>
+)";
+
+} // namespace
+
+Json batch_summary(const Manifest& manifest, const BatchPlan& plan, const std::vector<StepResult>& results, const std::set<int>& only)
+{
+    const BatchFolder folder = batch_folder(manifest.output);
+    Json jobs = Json::array();
+    int done = 0, failed = 0, missing = 0, made = 0, kept = 0;
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        const BatchStep& step = plan.steps[i];
+        if (!only.empty() && !only.count(step.job))
+            continue;
+        const StepRecord record = read_record(folder.record(step));
+        const std::string state = state_of(results[i], record);
+        const std::string reason = state == "done" || state == "missing" ? "" : !results[i].reason.empty() ? results[i].reason : record.reason;
+        made += results[i].fate == StepFate::made;
+        kept += results[i].fate == StepFate::kept;
+        if (step.kind == StepKind::frame) {
+            const BatchJob& job = manifest.jobs[std::size_t(step.job)];
+            jobs.push_back({{"name", job.name},
+                            {"scene", manifest.scenes[std::size_t(job.scene)].name},
+                            {"sheet", job.sheet < 0 ? Json(nullptr) : Json(manifest.sheets[std::size_t(job.sheet)].name)},
+                            {"state", "done"},
+                            {"reason", nullptr},
+                            {"render_seconds", state == "done" ? Json(record.render_seconds) : Json(nullptr)},
+                            {"error_rms", state == "done" && record.error ? Json(*record.error) : Json(nullptr)},
+                            {"seconds", 0},
+                            {"steps", Json::array()}});
+        }
+        Json& job = jobs.back();
+        if (state == "failed" || state == "missing")
+            if (job["state"] != "failed")
+                job["state"] = state;
+        if (state == "failed" && job["reason"].is_null())
+            job["reason"] = step.name + ": " + reason;
+        if (state == "done")
+            job["seconds"] = job["seconds"].get<double>() + record.seconds;
+        job["steps"].push_back({{"kind", name_of(step.kind)},
+                                {"target", step.kind == StepKind::frame ? Json(nullptr) : Json(step.target)},
+                                {"state", state},
+                                {"this_run", name_of(results[i].fate)},
+                                {"file", step.output},
+                                {"seconds", state == "done" ? Json(record.seconds) : Json(nullptr)},
+                                {"memory_bytes", state == "done" ? Json(record.memory) : Json(nullptr)},
+                                {"reason", reason.empty() ? Json(nullptr) : Json(reason)}});
+    }
+    for (const Json& job : jobs) {
+        done += job["state"] == "done";
+        failed += job["state"] == "failed";
+        missing += job["state"] == "missing";
+    }
+    return {{"manifest", manifest.path}, {"jobs_done", done}, {"jobs_failed", failed}, {"jobs_missing", missing},
+            {"steps_made", made}, {"steps_kept", kept}, {"jobs", std::move(jobs)}};
+}
+
+std::string batch_page(const Json& summary, const BatchFolder& folder)
+{
+    const auto count = [&](const char* field) { return std::to_string(summary.at(field).get<int>()); };
+    const std::string title = escaped(text_at(summary, "manifest"));
+    std::string page = page_head;
+    page += "<title>" + title + "</title>\n<h1>" + title + "</h1>\n<p>" + count("jobs_done") + " jobs done, " + count("jobs_failed") + " failed, "
+          + count("jobs_missing") + " not yet made</p>\n<main>\n";
+    for (const Json& job : summary.at("jobs")) {
+        const std::string name = escaped(text_at(job, "name")), state = text_at(job, "state");
+        std::string picture = state == "failed" ? "failed" : state == "done" ? "no picture" : "not yet made", links;
+        for (const Json& step : job.at("steps")) {
+            if (step.at("state") != "done")
+                continue;
+            const std::string file = text_at(step, "file"), kind = text_at(step, "kind");
+            if (kind != "thumbnail") {
+                links += "<a href=\"" + escaped(file) + "\">" + kind + (kind == "frame" ? "" : " " + escaped(text_at(step, "target"))) + "</a>\n";
+                continue;
+            }
+            try {
+                picture = "<img alt=\"" + name + ", seen from the middle\" src=\"data:image/png;base64," + base64(read_file(folder.path + "/" + file)) + "\">";
+            } catch (const InputError&) { // it has gone since
+            }
+        }
+        page += "<article class=\"" + state + "\"><div class=\"picture\">" + picture + "</div>\n<h2>" + name + "</h2>\n<p>" + figure(job.at("render_seconds"), 3)
+              + " s, estimated error " + figure(job.at("error_rms"), 3) + "</p>\n<p>" + links + "</p>\n";
+        if (job.at("reason").is_string())
+            page += "<p class=\"reason\">" + escaped(text_at(job, "reason")) + "</p>\n";
+        page += "</article>\n";
+    }
+    return page + "</main>\n</html>\n";
+}
+
+} // namespace integral
