@@ -4,6 +4,7 @@
 #define INTEGRAL_BATCH_PLAN_H
 
 #include "integral/batch/manifest.h"
+#include "integral/batch/strips.h"
 
 #include <map>
 #include <string>
@@ -26,6 +27,7 @@ struct BatchStep {
     Names words;         ///< of its command line, without output and threads
     FrameSize size;      ///< of a frame, where the manifest says it
     int threads = 0;     ///< that the manifest gives it; 0: as the batch finds best
+    std::optional<RowStrip> rows; ///< of a frame, where these alone are made: a strip
     Names files;         ///< of the manifest that it reads, beside the frame: paths
 };
 

@@ -256,63 +256,43 @@ ErrorEstimate combined(const std::vector<ErrorEstimate>& strips, const std::vect
 
 namespace {
 
-/// A scene's text without comments; strings as their quotes' contents, apart from its words.
-struct SceneWords {
-    std::set<std::string> words;
-    std::vector<std::string> includes;
-};
-
-SceneWords words_of(const std::string& text)
+/// The words of a scene's text, without comments and strings.
+void add_words(const std::string& text, std::set<std::string>& words)
 {
-    SceneWords found;
-    std::string last;
+    const auto at = [&](std::size_t k, const char* what) { return text.compare(k, 2, what) == 0; };
     for (std::size_t k = 0; k < text.size();) {
-        if (text.compare(k, 2, "//") == 0) {
+        if (at(k, "//")) {
             k = std::min(text.find('\n', k), text.size());
-        } else if (text.compare(k, 2, "/*") == 0) { // which POV-Ray nests
+        } else if (at(k, "/*")) { // which POV-Ray nests
             int depth = 0;
             do {
-                depth += text.compare(k, 2, "/*") == 0 ? 1 : text.compare(k, 2, "*/") == 0 ? -1 : 0;
-                k += text.compare(k, 2, "/*") == 0 || text.compare(k, 2, "*/") == 0 ? 2 : 1;
+                depth += at(k, "/*") ? 1 : at(k, "*/") ? -1 : 0;
+                k += at(k, "/*") || at(k, "*/") ? 2 : 1;
             } while (depth > 0 && k < text.size());
         } else if (text[k] == '"') {
-            std::size_t end = k + 1;
-            while (end < text.size() && text[end] != '"')
-                end += text[end] == '\\' ? 2 : 1;
-            end = std::min(end, text.size());
-            if (last == "include")
-                found.includes.push_back(text.substr(k + 1, end - k - 1));
-            last.clear();
-            k = end + 1;
+            for (++k; k < text.size() && text[k] != '"'; ++k)
+                k += text[k] == '\\';
+            ++k;
         } else if (std::isalpha(static_cast<unsigned char>(text[k])) || text[k] == '_') {
             std::size_t end = k;
             while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
                 ++end;
-            found.words.insert(last = text.substr(k, end - k));
+            words.insert(text.substr(k, end - k));
             k = end;
         } else {
             ++k;
         }
     }
-    return found;
 }
 
 } // namespace
 
-std::vector<std::string> words_of_chance(const std::string& scene)
+std::vector<std::string> words_of_chance(const std::vector<std::string>& files)
 {
-    const auto folder = std::filesystem::path(scene).parent_path();
-    std::set<std::string> words, seen{scene};
-    std::vector<std::string> files{scene};
-    for (std::size_t k = 0; k < files.size(); ++k) {
-        const SceneWords found = words_of(read_file(files[k]));
-        words.insert(found.words.begin(), found.words.end());
-        for (const std::string& include : found.includes) {
-            const std::string file = (folder / include).string();
-            if (std::filesystem::is_regular_file(file) && seen.insert(file).second)
-                files.push_back(file);
-        }
-    }
+    std::set<std::string> words;
+    for (const std::string& file : files)
+        if (extension_of(file) == "pov" || extension_of(file) == "inc")
+            add_words(read_file(file), words);
     std::vector<std::string> chance;
     for (const char* word : {"radiosity", "photons", "media", "jitter", "crand", "subsurface"})
         if (words.count(word))

@@ -43,10 +43,9 @@ void merge_strips(const std::vector<std::string>& strips, const std::string& out
 /// other: the mean squares' intervals add up as independent ones do, but never below the bias that is common to all of them.
 ErrorEstimate combined(const std::vector<ErrorEstimate>& strips, const std::vector<double>& shares);
 
-/// Words of the scene (and of the files beside it that it includes) after which strips cannot be promised to equal the whole frame, nor two
-/// runs each other: `radiosity`, `photons`, `media`, `jitter`, `crand`, `subsurface`. Comments and strings do not count. Throws InputError for
-/// the scene alone.
-std::vector<std::string> words_of_chance(const std::string& scene);
+/// Words of a scene's files (.pov, .inc; others are passed by) after which strips cannot be promised to equal the whole frame, nor two
+/// runs each other: `radiosity`, `photons`, `media`, `jitter`, `crand`, `subsurface`. Comments and strings do not count. Throws InputError.
+std::vector<std::string> words_of_chance(const std::vector<std::string>& files);
 
 } // namespace integral
 

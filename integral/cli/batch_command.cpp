@@ -2,6 +2,7 @@
 // integral batch: many frames, and what is made of them.
 #include "integral/cli/batch_report.h"
 #include "integral/cli/batch_run.h"
+#include "integral/cli/batch_slurm.h"
 #include "integral/cli/batch_steps.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
@@ -30,6 +31,7 @@ options::options_description make_options()
         ("summary", options::bool_switch(), "only write summary.json and index.html, of what is there")
         ("json", options::bool_switch(), "print the summary, or the plan of --dry-run, as JSON")
         ("help", "print this");
+    add_slurm_options(all);
     return all;
 }
 
@@ -82,17 +84,46 @@ void write_summary(const BatchFolder& folder, const nlohmann::ordered_json& summ
     write_file(folder.path + "/index.html", batch_page(summary, folder));
 }
 
+/// Says on standard error which jobs a cluster has not made. Returns whether there are any.
+bool say_what_is_left(const nlohmann::ordered_json& summary)
+{
+    bool any = false;
+    for (const auto& job : summary.at("jobs")) {
+        const std::string state = job.at("state");
+        if (state == "done")
+            continue;
+        any = true;
+        std::fprintf(stderr, "integral batch: %s: %s\n", job.at("name").get<std::string>().c_str(),
+                     state == "failed" ? job.at("reason").get<std::string>().c_str()
+                                       : "its task ended without having made it, as if it was cancelled, killed or out of time; --slurm submits it again");
+    }
+    return any;
+}
+
 int run(const options::variables_map& arguments)
 {
-    const bool dry = arguments["dry-run"].as<bool>(), only_summary = arguments["summary"].as<bool>(), json = arguments["json"].as<bool>();
+    const bool dry = arguments["dry-run"].as<bool>(), json = arguments["json"].as<bool>();
+    bool only_summary = arguments["summary"].as<bool>();
     if (dry && only_summary)
         throw UsageError("--dry-run and --summary do not go together");
     if (only_summary && given(arguments, "only"))
         throw UsageError("--summary is of all jobs: not with --only");
     const Manifest manifest = read_manifest(inputs_of(arguments)[0]);
-    const RunOptions wanted = run_options(arguments, manifest);
+    RunOptions wanted = run_options(arguments, manifest);
     const BatchPlan plan = plan_of(manifest);
-    StepInputs inputs(manifest, batch_programs());
+    const BatchPrograms programs = batch_programs();
+    StepInputs inputs(manifest, programs);
+    const PlannedBatch planned{manifest, plan, inputs, programs, wanted};
+    std::set<int> merged;
+    if (const auto made = do_task(arguments, planned, merged)) {
+        if (!*made || merged.empty())
+            return *made ? exit_done : exit_check_failed;
+        wanted.jobs = merged;
+    }
+    const AfterSlurm after = use_slurm(arguments, planned);
+    if (after == AfterSlurm::nothing)
+        return exit_done;
+    only_summary = only_summary || after == AfterSlurm::summary;
     const BatchFolder folder = batch_folder(manifest.output);
     const auto results = dry || only_summary ? survey(manifest, plan, inputs, wanted) : run_batch(manifest, plan, inputs, wanted, progress_bar("batch"));
     const auto summary = batch_summary(manifest, plan, results, wanted.jobs);
@@ -108,6 +139,8 @@ int run(const options::variables_map& arguments)
                                     + (only_summary ? ", " + std::to_string(summary.at("jobs_missing").get<int>()) + " not yet made" : "") + "; "
                                     + std::to_string(summary.at("steps_made").get<int>()) + " steps made, " + std::to_string(summary.at("steps_kept").get<int>())
                                     + " kept\n");
+    if (after == AfterSlurm::summary)
+        return say_what_is_left(summary) ? exit_check_failed : exit_done;
     return !dry && failed > 0 ? exit_check_failed : exit_done;
 }
 

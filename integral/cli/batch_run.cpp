@@ -279,6 +279,8 @@ private:
             else {
                 if (step.kind == StepKind::frame)
                     read_figures(made, record);
+                if (step.rows)
+                    cut_strip(made, *step.rows, made);
                 publish(folder_, step, record);
             }
         } catch (const InputError& error) {

@@ -7,8 +7,12 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_report.h \
   integral/cli/batch_run.cpp \
   integral/cli/batch_run.h \
+  integral/cli/batch_slurm.cpp \
+  integral/cli/batch_slurm.h \
   integral/cli/batch_steps.cpp \
   integral/cli/batch_steps.h \
+  integral/cli/batch_strips.cpp \
+  integral/cli/batch_strips.h \
   integral/cli/child_process.cpp \
   integral/cli/child_process.h \
   integral/cli/command.cpp \
@@ -38,6 +42,8 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_plots.h \
   integral/cli/sheet_report.cpp \
   integral/cli/sheet_report.h \
+  integral/cli/slurm.cpp \
+  integral/cli/slurm.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
   integral/cli/views_command.cpp \

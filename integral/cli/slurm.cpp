@@ -121,8 +121,28 @@ std::string joined(const std::vector<std::string>& words, char separator)
     return text;
 }
 
-/// squeue where one of the jobs is unknown prints nothing of the others: told apart by its words.
+/// Slurm forgets jobs some minutes after their end.
 bool says_unknown(const Said& said) { return said.errors.find("Invalid job id") != std::string::npos; }
+
+/// What squeue prints in slurm_queue's format.
+std::vector<SlurmTask> tasks_in(const std::string& text)
+{
+    std::vector<SlurmTask> tasks;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        std::string id;
+        SlurmTask task;
+        if (!std::getline(fields, id, '|') || !std::getline(fields, task.state, '|') || !std::getline(fields, task.reason))
+            continue;
+        const auto bar = id.find('_');
+        task.job = id.substr(0, bar);
+        if (bar != std::string::npos)
+            task.task = std::atoi(id.c_str() + bar + 1);
+        tasks.push_back(task);
+    }
+    return tasks;
+}
 
 } // namespace
 
@@ -137,8 +157,7 @@ std::string slurm_submit(const SlurmRequest& request)
     add("--partition=", request.partition);
     add("--time=", request.time);
     add("--mem=", request.memory);
-    if (request.tasks > 0)
-        words.push_back("--array=0-" + std::to_string(request.tasks - 1));
+    words.push_back("--array=0-" + std::to_string(request.tasks - 1));
     add("--dependency=afterany:", joined(request.after, ':'));
     words.insert(words.end(), request.options.begin(), request.options.end());
     const Said said = run(words, request.script);
@@ -161,25 +180,6 @@ int slurm_array_limit()
     return limit;
 }
 
-std::vector<SlurmTask> slurm_tasks_in(const std::string& text)
-{
-    std::vector<SlurmTask> tasks;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream fields(line);
-        std::string id;
-        SlurmTask task;
-        if (!std::getline(fields, id, '|') || !std::getline(fields, task.state, '|') || !std::getline(fields, task.reason))
-            continue;
-        const auto bar = id.find('_');
-        task.job = id.substr(0, bar);
-        if (bar != std::string::npos)
-            task.task = std::atoi(id.c_str() + bar + 1);
-        tasks.push_back(task);
-    }
-    return tasks;
-}
-
 std::vector<SlurmTask> slurm_queue(const std::vector<std::string>& jobs)
 {
     std::vector<SlurmTask> tasks;
@@ -190,7 +190,7 @@ std::vector<SlurmTask> slurm_queue(const std::vector<std::string>& jobs)
     };
     Said said = ask(joined(jobs, ','));
     if (said.status == 0)
-        return slurm_tasks_in(said.output);
+        return tasks_in(said.output);
     if (!says_unknown(said))
         refuse("squeue", said);
     for (const std::string& job : jobs) {
@@ -198,7 +198,7 @@ std::vector<SlurmTask> slurm_queue(const std::vector<std::string>& jobs)
         if (said.status != 0 && !says_unknown(said))
             refuse("squeue", said);
         if (said.status == 0)
-            for (SlurmTask& task : slurm_tasks_in(said.output))
+            for (SlurmTask& task : tasks_in(said.output))
                 tasks.push_back(std::move(task));
     }
     return tasks;

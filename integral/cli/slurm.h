@@ -15,23 +15,23 @@ struct SlurmRequest {
     std::string partition, time, memory;
     int cpus = 1;                     ///< of each task
     std::vector<std::string> options; ///< more of sbatch's own
-    int tasks = 0;                    ///< of an array, numbered from 0; 0: no array
+    int tasks = 1;                    ///< of the array, numbered from 0
     std::vector<std::string> after;   ///< jobs that must have ended, well or not, before this begins
-    std::string log;                  ///< what it says goes there, with sbatch's %A, %a and %j
+    std::string log;                  ///< what it says goes there, with sbatch's %A and %a
     std::string folder;               ///< to work in
     std::string script;
 };
 
-/// Submits a job and returns its number. Throws InputError with sbatch's reason.
+/// Submits an array and returns its number. Throws InputError with sbatch's reason.
 std::string slurm_submit(const SlurmRequest& request);
 
 /// The most tasks that one array may have here. Throws InputError.
 int slurm_array_limit();
 
-/// A job, or one task of an array, that waits or runs.
+/// One task of an array that waits or runs.
 struct SlurmTask {
-    std::string job;    ///< the array's number, of an array's task
-    int task = -1;      ///< -1: no array
+    std::string job;    ///< the array's number
+    int task = 0;
     std::string state;  ///< PENDING, RUNNING ...
     std::string reason; ///< why it waits, "None" if it does not
 };
@@ -39,10 +39,7 @@ struct SlurmTask {
 /// Those of the jobs' tasks that have not ended. Jobs that Slurm has forgotten have ended. Throws InputError.
 std::vector<SlurmTask> slurm_queue(const std::vector<std::string>& jobs);
 
-/// What squeue printed in slurm_queue's format.
-std::vector<SlurmTask> slurm_tasks_in(const std::string& text);
-
-/// Takes jobs, or tasks of arrays ("12_3"), from the queue and ends what runs of them. Throws InputError.
+/// Takes arrays, or tasks of them ("12_3"), from the queue and ends what runs of them. Throws InputError.
 void slurm_cancel(const std::vector<std::string>& jobs);
 
 } // namespace integral

@@ -250,12 +250,14 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
 BOOST_AUTO_TEST_CASE(words_of_chance_are_found_where_they_count)
 {
     const Folder folder;
-    write_file(folder / "a.pov", "// radiosity\n/* media /* jitter */ photons */ #include \"b.inc\"\n#declare radiosity_on = 1; text { \"crand\" }\n");
-    write_file(folder / "b.inc", "sphere { 0, 1 }\n");
-    BOOST_TEST(words_of_chance(folder / "a.pov").empty());
-    write_file(folder / "b.inc", "#include \"a.pov\" global_settings { radiosity { } }\nlight_source { 0 1 area_light x,y,2,2 jitter }");
-    BOOST_TEST(words_of_chance(folder / "a.pov") == (std::vector<std::string>{"radiosity", "jitter"}), boost::test_tools::per_element());
-    BOOST_CHECK_THROW(words_of_chance(folder / "none.pov"), InputError);
+    const std::string a = folder / "a.pov", b = folder / "b.inc", c = folder / "c.png";
+    write_file(a, "// radiosity\n/* media /* jitter */ photons */ #include \"b.inc\"\n#declare radiosity_on = 1; text { \"crand \\\" media\" }\n");
+    write_file(b, "sphere { 0, 1 }\n");
+    write_file(c, "photons\n");
+    BOOST_TEST(words_of_chance({a, b, c}).empty());
+    write_file(b, "global_settings { radiosity { } }\nlight_source { 0 1 area_light x,y,2,2 jitter }");
+    BOOST_TEST(words_of_chance({a, b, c}) == (std::vector<std::string>{"radiosity", "jitter"}), boost::test_tools::per_element());
+    BOOST_CHECK_THROW(words_of_chance({folder / "none.pov"}), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
