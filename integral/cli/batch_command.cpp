@@ -149,7 +149,7 @@ int run(const options::variables_map& arguments)
 const Command batch_command = {
     "batch",
     "a manifest of scenes, sheets, papers and panels: frames, prints, panel images, previews",
-    "MANIFEST.json [--only JOB] [--jobs N] [--retry N] [--dry-run]",
+    "MANIFEST.json [--only JOB] [--jobs N] [--retry N] [--dry-run] [--slurm [--strips N]] [--follow] [--cancel]",
     "Renders every scene of a manifest behind every sheet, and makes of each frame its prints, panel\n"
     "images and previews, on all cores. What is there already, of the same inputs, is kept: a batch\n"
     "that was interrupted or killed goes on where it was, and after a change only what depends on it\n"

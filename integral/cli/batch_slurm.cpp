@@ -67,7 +67,7 @@ std::map<Task, Queued> queue_of(const std::string& folder)
         bool any = false;
         for (const SlurmTask& task : tasks) {
             const std::size_t index = std::size_t(std::max(task.task, 0));
-            if (task.job != one.job || index >= one.tasks.size())
+            if (task.job != one.job || index >= one.tasks.size() || task.state == "COMPLETING") // the program has ended
                 continue;
             any = true;
             queued[one.tasks[index]] = {one.job + "_" + std::to_string(index), task};
