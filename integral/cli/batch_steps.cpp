@@ -15,6 +15,7 @@
 #include <fstream>
 #include <sstream>
 #include <thread>
+#include <unistd.h>
 
 namespace integral {
 namespace {
@@ -25,7 +26,19 @@ constexpr int thumbnail_side = 240;            // pixels
 
 std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-/// A program's standard words, joined to single lines.
+/// A program's path, if it is a bare name: from PATH, as it would be run.
+std::string found_on_path(const std::string& name)
+{
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    std::string folder;
+    while (name.find('/') == std::string::npos && std::getline(folders, folder, ':'))
+        if (access((folder + "/" + name).c_str(), X_OK) == 0)
+            return std::filesystem::weakly_canonical(folder + "/" + name).string();
+    return name;
+}
+
+/// Words with single blanks between them.
 std::string tidy(const std::string& text)
 {
     std::istringstream words(text);
@@ -80,7 +93,7 @@ BatchPrograms batch_programs()
     BatchPrograms programs;
     programs.integral_version = PACKAGE_VERSION;
     const std::string renderer = renderer_program();
-    programs.renderer_share = std::filesystem::path(renderer).parent_path().parent_path().string() + "/share/povray-integral-3.7";
+    programs.renderer_share = std::filesystem::path(found_on_path(renderer)).parent_path().parent_path().string() + "/share/povray-integral-3.7";
     const ScratchFolder scratch;
     const std::string said = scratch.path("version.txt");
     ChildProcess child({renderer, "--version"}, ".", said);
