@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/statvfs.h>
 #include <thread>
 #include <unistd.h>
 
@@ -66,6 +67,13 @@ std::string beginning_of(const std::string& path)
     file.read(&bytes[0], std::streamsize(bytes.size()));
     bytes.resize(std::size_t(std::max<std::streamsize>(0, file.gcount())));
     return bytes;
+}
+
+bool disk_is_full(const std::string& path)
+{
+    constexpr double least = 1 << 16; // bytes
+    struct statvfs disk;
+    return statvfs(path.substr(0, path.rfind('/')).c_str(), &disk) == 0 && double(disk.f_bavail) * double(disk.f_frsize) < least;
 }
 
 FrameSize size_of_frame(const std::string& path)
@@ -172,13 +180,15 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
         said = read_file(log);
     } catch (const InputError&) { // a full disk has no room for it
     }
+    const std::string full = disk_is_full(log) ? "; the disk is full" : "";
     if (end.status == 0)
-        return step.kind == StepKind::frame ? "the renderer wrote no whole frame; the disk may be full" : "it wrote no whole file under the name that the batch gave it; the disk may be full, or its options write several files";
+        return step.kind == StepKind::frame ? "the renderer wrote no whole frame" + full
+                                             : "it wrote no whole file of the name that the batch gave it" + (full.empty() ? "; its options may write several" : full);
     std::string reason = tidy(step.kind == StepKind::frame ? reason_in(said) : last_line(said));
     const std::string prefix = "integral " + step.words[0] + ": ";
     if (step.kind != StepKind::frame && reason.rfind(prefix, 0) == 0)
         reason.erase(0, prefix.size());
-    return reason.empty() ? "its program ended with status " + std::to_string(end.status) : reason;
+    return (reason.empty() ? "its program ended with status " + std::to_string(end.status) : reason) + full;
 }
 
 void read_figures(const std::string& frame, StepRecord& record)

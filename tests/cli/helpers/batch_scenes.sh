@@ -32,4 +32,4 @@ POV
 
 starts() { cat "$1"/.integral-batch/steps/*.json | sed -n 's/^ "starts": \([0-9]*\),$/\1/p' | awk '{ sum += $1 } END { print sum + 0 }'; }
 state() { sed -n 's/^ "state": "\(.*\)",$/\1/p' "$1/.integral-batch/steps/$2.json"; }
-frame_words() { strings -n 20 "$1" | sed -n '/^{"sheet"/,/}}$/s/"seconds":[^,}]*//p'; }
+frame_words() { strings -n 20 "$1" | sed -n -e 's/"seconds":[^,}]*//g' -e '/^{"sheet"/,/}}$/p'; }
