@@ -34,6 +34,7 @@ build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(BOOST_
 # One line per file.
 unit_sources = \
   tests/unit/batch_strips.cpp \
+  tests/unit/batch_files.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/lightfield_depth_range.cpp \

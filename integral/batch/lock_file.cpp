@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
-#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <sys/file.h>
@@ -145,6 +146,20 @@ bool LockFile::take(const std::string& path, std::string& holder)
     }
     unlink(own.c_str());
     return held();
+}
+
+void sweep_locks(const std::string& folder)
+{
+    const std::string mark = "." + host_name() + ".";
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string();
+        const auto at = name.rfind(mark);
+        const std::string process = at == std::string::npos ? "" : name.substr(at + mark.size());
+        const bool candidate = !process.empty() && process.find_first_not_of("0123456789") == std::string::npos;
+        if (candidate && begin_of_process(std::atol(process.c_str())).empty())
+            unlink(entry.path().c_str());
+    }
 }
 
 void LockFile::refresh() const

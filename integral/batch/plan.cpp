@@ -66,7 +66,7 @@ BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
         step.words.push_back("+H" + std::to_string(step.size.height));
     }
     // One picture, without window, waiting or files of its own beside it.
-    for (const char* word : {"+KFI1", "+KFF1", "-D", "-P", "-C"})
+    for (const char* word : {"+KFI1", "+KFF1", "-D", "-P", "-C", "-V"})
         step.words.push_back(word);
     step.words.push_back(manifest.frame_format == "exr" ? "+FE" : "+FN");
     if (manifest.frame_bits > 0)

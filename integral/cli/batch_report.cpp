@@ -127,8 +127,10 @@ std::string batch_page(const Json& summary, const BatchFolder& folder)
             } catch (const InputError&) { // it has gone since
             }
         }
-        page += "<article class=\"" + state + "\"><div class=\"picture\">" + picture + "</div>\n<h2>" + name + "</h2>\n<p>" + figure(job.at("render_seconds"), 3)
-              + " s, estimated error " + figure(job.at("error_rms"), 3) + "</p>\n<p>" + links + "</p>\n";
+        page += "<article class=\"" + state + "\"><div class=\"picture\">" + picture + "</div>\n<h2>" + name + "</h2>\n";
+        if (job.at("render_seconds").is_number())
+            page += "<p>" + figure(job.at("render_seconds"), 3) + " s, estimated error " + figure(job.at("error_rms"), 3) + "</p>\n";
+        page += "<p>" + links + "</p>\n";
         if (job.at("reason").is_string())
             page += "<p class=\"reason\">" + escaped(text_at(job, "reason")) + "</p>\n";
         page += "</article>\n";

@@ -58,6 +58,7 @@ public:
     void run(const Progress& progress)
     {
         keep_done();
+        tidy_up();
         // The longest first: then the last ones to end do so at nearly the same time. What a frame's steps make of it comes at once.
         std::map<int, double> cost;
         for (const int i : pending_) {
@@ -123,12 +124,27 @@ private:
         pending_.remove(i);
     }
 
+    /// Takes away what killed batches have left of steps that are done.
+    void tidy_up()
+    {
+        sweep_locks(folder_.lock(""));
+        for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
+            const BatchStep& step = plan_.steps[i];
+            LockFile lock;
+            std::string holder;
+            if (results_[i].fate == StepFate::kept && (exists(folder_.work(step)) || exists(folder_.lock(step.name))) && lock.take(folder_.lock(step.name), holder))
+                clean(step);
+        }
+    }
+
+    static bool exists(const std::string& path) { return access(path.c_str(), F_OK) == 0; }
+
     void fail(int i, const std::string& reason)
     {
         const BatchStep& step = plan_.steps[std::size_t(i)];
         results_[std::size_t(i)] = {StepFate::failed, reason};
         pending_.remove(i);
-        const bool log = std::filesystem::exists(folder_.log(step));
+        const bool log = exists(folder_.log(step));
         std::fprintf(stderr, "%sintegral batch: %s: %s%s\n", line_start(), step.name.c_str(), reason.c_str(),
                      log ? ("; see " + folder_.log(step)).c_str() : "");
         for (const int other : std::vector<int>(pending_.begin(), pending_.end()))

@@ -14,7 +14,9 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/statvfs.h>
 #include <thread>
+#include <unistd.h>
 
 namespace integral {
 namespace {
@@ -25,7 +27,19 @@ constexpr int thumbnail_side = 240;            // pixels
 
 std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-/// A program's standard words, joined to single lines.
+/// A program's path, if it is a bare name: from PATH, as it would be run.
+std::string found_on_path(const std::string& name)
+{
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    std::string folder;
+    while (name.find('/') == std::string::npos && std::getline(folders, folder, ':'))
+        if (access((folder + "/" + name).c_str(), X_OK) == 0)
+            return std::filesystem::weakly_canonical(folder + "/" + name).string();
+    return name;
+}
+
+/// Words with single blanks between them.
 std::string tidy(const std::string& text)
 {
     std::istringstream words(text);
@@ -55,6 +69,13 @@ std::string beginning_of(const std::string& path)
     return bytes;
 }
 
+bool disk_is_full(const std::string& path)
+{
+    constexpr double least = 1 << 16; // bytes
+    struct statvfs disk;
+    return statvfs(path.substr(0, path.rfind('/')).c_str(), &disk) == 0 && double(disk.f_bavail) * double(disk.f_frsize) < least;
+}
+
 FrameSize size_of_frame(const std::string& path)
 {
     if (extension_of(path) == "png") {
@@ -80,7 +101,7 @@ BatchPrograms batch_programs()
     BatchPrograms programs;
     programs.integral_version = PACKAGE_VERSION;
     const std::string renderer = renderer_program();
-    programs.renderer_share = std::filesystem::path(renderer).parent_path().parent_path().string() + "/share/povray-integral-3.7";
+    programs.renderer_share = std::filesystem::path(found_on_path(renderer)).parent_path().parent_path().string() + "/share/povray-integral-3.7";
     const ScratchFolder scratch;
     const std::string said = scratch.path("version.txt");
     ChildProcess child({renderer, "--version"}, ".", said);
@@ -159,13 +180,15 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
         said = read_file(log);
     } catch (const InputError&) { // a full disk has no room for it
     }
+    const std::string full = disk_is_full(log) ? "; the disk is full" : "";
     if (end.status == 0)
-        return step.kind == StepKind::frame ? "the renderer wrote no whole frame; the disk may be full" : "it wrote no whole file under the name that the batch gave it; the disk may be full, or its options write several files";
+        return step.kind == StepKind::frame ? "the renderer wrote no whole frame" + full
+                                             : "it wrote no whole file of the name that the batch gave it" + (full.empty() ? "; its options may write several" : full);
     std::string reason = tidy(step.kind == StepKind::frame ? reason_in(said) : last_line(said));
     const std::string prefix = "integral " + step.words[0] + ": ";
     if (step.kind != StepKind::frame && reason.rfind(prefix, 0) == 0)
         reason.erase(0, prefix.size());
-    return reason.empty() ? "its program ended with status " + std::to_string(end.status) : reason;
+    return (reason.empty() ? "its program ended with status " + std::to_string(end.status) : reason) + full;
 }
 
 void read_figures(const std::string& frame, StepRecord& record)
