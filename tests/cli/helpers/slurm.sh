@@ -86,14 +86,20 @@ start_slurm() {
 }
 
 node_is_idle() { [ "$(sinfo -h -o %T)" = idle ]; }
+queue_is_empty() { [ -z "$(timeout 5 squeue -h)" ]; }
+has_ended() { ! kill -0 "$1" 2> /dev/null || [ "$(sed 's/.*) //; s/ .*//' "/proc/$1/stat" 2> /dev/null)" = Z ]; }
 
+# The tasks first: their ends are told to services that are still there. A service that does not end is killed.
 stop_slurm() {
     local service
     [ ${#slurm_services[@]} = 0 ] || {
-        scancel --user="$(id -un)" --signal=KILL --full 2> /dev/null || true
-        scancel --user="$(id -un)" 2> /dev/null || true
+        timeout 10 scancel --user="$(id -un)" 2> /dev/null || true
+        until_it 15 queue_is_empty || true
     }
-    for service in "${slurm_services[@]}"; do kill "$service" 2> /dev/null || true; done
-    for service in "${slurm_services[@]}"; do wait "$service" 2> /dev/null || true; done
+    for ((service = ${#slurm_services[@]} - 1; service >= 0; service--)); do
+        kill "${slurm_services[service]}" 2> /dev/null || true
+        until_it 5 has_ended "${slurm_services[service]}" || kill -9 "${slurm_services[service]}" 2> /dev/null || true
+        wait "${slurm_services[service]}" 2> /dev/null || true
+    done
     slurm_services=()
 }
