@@ -16,7 +16,7 @@ namespace integral {
 namespace {
 
 constexpr int largest_side = 1000000; // pixels
-constexpr std::size_t most_jobs = 100000;
+constexpr std::size_t most_jobs = 10000;
 
 std::string list_of(const Names& names)
 {
@@ -219,7 +219,7 @@ void add_job(Manifest& manifest, const Located& place, BatchJob job, const Targe
     if (index_of(manifest.jobs, job.name) >= 0)
         place.refuse("there are two jobs of the name " + job.name);
     if (manifest.jobs.size() == most_jobs)
-        place.refuse("there are more than 100000 jobs");
+        place.refuse("there are more than 10000 jobs");
     manifest.jobs.push_back(std::move(job));
 }
 
