@@ -308,8 +308,10 @@ Manifest read_manifest(const std::string& path)
     });
     read_list(root, "panels", manifest.panels, [&](const Located& object) {
         object.allow({"name", "panel", "options", "format"});
-        return BatchTarget{name_in(object.field("name")), format_in(object, {"png", "tiff"}), readable_file(object.field("panel"), manifest.folder),
-                           command_options(object, "--panel")};
+        const Located panel = object.field("panel"); // a name that integral lcd knows, or a file
+        const bool file = extension_of(panel.text()) == "json" || panel.text().find('/') != std::string::npos || panel.text().empty();
+        return BatchTarget{name_in(object.field("name")), format_in(object, {"png", "tiff", "exr"}),
+                           file ? readable_file(panel, manifest.folder) : panel.text(), command_options(object, "--panel")};
     });
     read_list(root, "previews", manifest.previews, [&](const Located& object) {
         object.allow({"name", "options", "format"});
