@@ -170,8 +170,11 @@ void LockFile::refresh() const
 
 void LockFile::release()
 {
-    if (held())
-        unlink(path_.c_str());
+    if (held()) {
+        const Holder me = myself(), holder = holder_in(path_); // who was silent for long may have lost it to another
+        if (holder.process == me.process && holder.host == me.host)
+            unlink(path_.c_str());
+    }
     path_.clear();
 }
 

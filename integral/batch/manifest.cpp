@@ -16,7 +16,7 @@ namespace integral {
 namespace {
 
 constexpr int largest_side = 1000000; // pixels
-constexpr std::size_t most_jobs = 100000;
+constexpr std::size_t most_jobs = 10000;
 
 std::string list_of(const Names& names)
 {
@@ -219,7 +219,7 @@ void add_job(Manifest& manifest, const Located& place, BatchJob job, const Targe
     if (index_of(manifest.jobs, job.name) >= 0)
         place.refuse("there are two jobs of the name " + job.name);
     if (manifest.jobs.size() == most_jobs)
-        place.refuse("there are more than 100000 jobs");
+        place.refuse("there are more than 10000 jobs");
     manifest.jobs.push_back(std::move(job));
 }
 
@@ -308,8 +308,10 @@ Manifest read_manifest(const std::string& path)
     });
     read_list(root, "panels", manifest.panels, [&](const Located& object) {
         object.allow({"name", "panel", "options", "format"});
-        return BatchTarget{name_in(object.field("name")), format_in(object, {"png", "tiff"}), readable_file(object.field("panel"), manifest.folder),
-                           command_options(object, "--panel")};
+        const Located panel = object.field("panel"); // a name that integral lcd knows, or a file
+        const bool file = extension_of(panel.text()) == "json" || panel.text().find('/') != std::string::npos || panel.text().empty();
+        return BatchTarget{name_in(object.field("name")), format_in(object, {"png", "tiff", "exr"}),
+                           file ? readable_file(panel, manifest.folder) : panel.text(), command_options(object, "--panel")};
     });
     read_list(root, "previews", manifest.previews, [&](const Located& object) {
         object.allow({"name", "options", "format"});

@@ -11,17 +11,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <list>
-#include <thread>
+#include <poll.h>
 #include <unistd.h>
 
 namespace integral {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto poll_interval = std::chrono::milliseconds(5), again_after = std::chrono::milliseconds(200);
+constexpr int poll_milliseconds = 5;
+constexpr auto again_after = std::chrono::milliseconds(200);
 constexpr auto patience = std::chrono::seconds(5), refresh_after = std::chrono::seconds(10);
 
 std::string megabytes(double bytes) { return with_decimals(std::ceil(bytes / (1 << 20)), 0) + " MB"; }
@@ -57,6 +59,9 @@ public:
 
     void run(const Progress& progress)
     {
+        struct sigaction wake = {};
+        wake.sa_handler = [](int) {};
+        sigaction(SIGCHLD, &wake, nullptr);
         keep_done();
         tidy_up();
         // The longest first: then the last ones to end do so at nearly the same time. What a frame's steps make of it comes at once.
@@ -93,7 +98,7 @@ public:
                 next_refresh = Clock::now() + refresh_after;
             }
             if (!ended)
-                std::this_thread::sleep_for(poll_interval);
+                poll(nullptr, 0, poll_milliseconds); // a child's end interrupts it
         }
         if (total_ > 0)
             progress(total_, total_);
@@ -348,7 +353,7 @@ private:
     {
         for (Running& one : running_)
             one.child.stop();
-        for (const auto until = Clock::now() + patience; !running_.empty() && Clock::now() < until; std::this_thread::sleep_for(poll_interval))
+        for (const auto until = Clock::now() + patience; !running_.empty() && Clock::now() < until; poll(nullptr, 0, poll_milliseconds))
             for (auto it = running_.begin(); it != running_.end();)
                 if (it->child.ended()) {
                     clean(plan_.steps[std::size_t(it->step)]);
