@@ -31,6 +31,8 @@ bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench
 	$(srcdir)/bench/start_and_end
 	$(srcdir)/bench/camera_cost
 	$(srcdir)/bench/mapping_cost
+	$(srcdir)/bench/strip_cost
+	$(srcdir)/bench/batch_throughput
 
 # Minutes of rendering: error against run time (doc/error-against-time.md). Its test runs a small part of it.
 check_PROGRAMS += build/bench/error_against_time

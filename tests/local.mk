@@ -48,6 +48,8 @@ build_sanitized_unit_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(SDL2_L
 unit_sources = \
   tests/unit/analysis_lattice.cpp \
   tests/unit/analysis_scan.cpp \
+  tests/unit/batch_files.cpp \
+  tests/unit/batch_strips.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/lightfield_depth_range.cpp \

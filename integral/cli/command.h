@@ -44,7 +44,8 @@ struct Command {
     int (*run)(const options::variables_map&);
 };
 
-extern const Command sheet_command, replay_command, views_command, print_command, lcd_command, compare_command, rectify_command;
+extern const Command sheet_command, replay_command, views_command, print_command, lcd_command, compare_command, rectify_command,
+    batch_command;
 
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();

@@ -2,6 +2,19 @@
 # Sources of the integral program: one line per file, headers too.
 
 build_bin_integral_SOURCES += \
+  integral/cli/batch_command.cpp \
+  integral/cli/batch_report.cpp \
+  integral/cli/batch_report.h \
+  integral/cli/batch_run.cpp \
+  integral/cli/batch_run.h \
+  integral/cli/batch_slurm.cpp \
+  integral/cli/batch_slurm.h \
+  integral/cli/batch_steps.cpp \
+  integral/cli/batch_steps.h \
+  integral/cli/batch_strips.cpp \
+  integral/cli/batch_strips.h \
+  integral/cli/child_process.cpp \
+  integral/cli/child_process.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
@@ -41,6 +54,8 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_plots.h \
   integral/cli/sheet_report.cpp \
   integral/cli/sheet_report.h \
+  integral/cli/slurm.cpp \
+  integral/cli/slurm.h \
   integral/cli/suite_pair.cpp \
   integral/cli/suite_pair.h \
   integral/cli/suite_pictures.cpp \

@@ -18,7 +18,8 @@ namespace integral {
 const std::vector<const Command*>& all_commands()
 {
     static const std::vector<const Command*> commands = {&sheet_command, &replay_command, &views_command,
-                                                         &print_command, &lcd_command, &compare_command, &rectify_command};
+                                                         &print_command, &lcd_command, &compare_command, &rectify_command,
+                                                         &batch_command};
     return commands;
 }
 
@@ -46,8 +47,8 @@ std::string overview()
         text << "  " << command->name << std::string(12 - std::string(command->name).size(), ' ')
              << command->summary << "\n";
     text << "\n`integral help COMMAND` explains one; `integral help --man` prints the man page,\n`integral --version` the version.\n\n"
-            "Exit status: 0 done; 1 a comparison or check failed; 2 wrong usage; 3 unreadable or\n"
-            "malformed input; 4 the output could not be written; 130 interrupted.\n";
+            "Exit status: 0 done; 1 a comparison or check failed, or a batch has failed jobs; 2 wrong\n"
+            "usage; 3 unreadable or malformed input; 4 the output could not be written; 130 interrupted.\n";
     return text.str();
 }
 

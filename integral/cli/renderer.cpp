@@ -38,7 +38,9 @@ namespace {
 
 constexpr char name[] = "povray-integral";
 
-std::string renderer()
+} // namespace
+
+std::string renderer_program()
 {
     std::error_code error;
     const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -46,7 +48,6 @@ std::string renderer()
     return !error && access(beside.c_str(), X_OK) == 0 ? beside.string() : name;
 }
 
-/// POV-Ray's reason: the sentence that says "Error:", its broken lines joined, else its last line.
 std::string reason_in(const std::string& said)
 {
     std::string last;
@@ -72,6 +73,8 @@ std::string reason_in(const std::string& said)
     return last;
 }
 
+namespace {
+
 /// Waits for its end and returns its status. An interrupt of this program is passed on, as it may have come to this one alone.
 int wait_for(pid_t child)
 {
@@ -91,7 +94,7 @@ int wait_for(pid_t child)
 
 void render(const std::string& what, const std::vector<std::string>& options, const ScratchFolder& scratch)
 {
-    const std::string program = renderer(), log = scratch.path("said.txt");
+    const std::string program = renderer_program(), log = scratch.path("said.txt");
     std::vector<std::string> words = options;
     words.insert(words.begin(), name);
     std::vector<char*> arguments;

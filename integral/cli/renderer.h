@@ -22,6 +22,12 @@ private:
     std::string path_;
 };
 
+/// povray-integral's path: the one beside this program, or else its bare name, to be looked for on PATH.
+std::string renderer_program();
+
+/// POV-Ray's reason for a failure in all that it said: the sentence that says "Error:", its broken lines joined, else its last line.
+std::string reason_in(const std::string& said);
+
 /// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its end. What it says goes to
 /// a file in `scratch`. Throws InputError, with the renderer's own reason, where it fails, naming `what` (the scene); Interrupted where
 /// that is why.

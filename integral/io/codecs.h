@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The image formats, from bytes and to bytes. For image_file.cpp, printed pages, the replay's page and the tests alone.
+// The image formats, from bytes and to bytes. For image_file.cpp, printed pages, the strips of a frame, the replay's page and the tests alone.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
@@ -23,6 +23,13 @@ struct DecodedImage {
 DecodedImage decode_png(const std::string& bytes);
 DecodedImage decode_exr(const std::string& bytes);
 DecodedImage decode_tiff(const std::string& bytes);
+
+/// What a PNG says before its pixels: its size and the JSON document, empty if there is none. Throws as decode_png does.
+struct PngHeader {
+    int width = 0, height = 0;
+    std::string document;
+};
+PngHeader decode_png_header(const std::string& bytes);
 
 /// The channels Z and A of a depth frame, its size and its document.
 struct DecodedDepths {

@@ -232,6 +232,7 @@ std::pair<int, int> picture_size(const std::string& path)
     }
     const DecodedImage picture = decoded(path, decode_any);
     return {picture.image.width, picture.image.height};
+}
 
 Scan read_scan(const std::string& path)
 {

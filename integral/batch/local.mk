@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/batch: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/batch/batch_folder.cpp \
+  integral/batch/batch_folder.h \
+  integral/batch/content_hash.cpp \
+  integral/batch/content_hash.h \
+  integral/batch/located_json.cpp \
+  integral/batch/located_json.h \
+  integral/batch/lock_file.cpp \
+  integral/batch/lock_file.h \
+  integral/batch/manifest.cpp \
+  integral/batch/manifest.h \
+  integral/batch/plan.cpp \
+  integral/batch/plan.h \
+  integral/batch/scene_files.cpp \
+  integral/batch/scene_files.h \
+  integral/batch/step_record.cpp \
+  integral/batch/step_record.h \
+  integral/batch/strips.cpp \
+  integral/batch/strips.h

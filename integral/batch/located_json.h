@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// JSON that a person writes: every complaint names the line and the field.
+#ifndef INTEGRAL_BATCH_LOCATED_JSON_H
+#define INTEGRAL_BATCH_LOCATED_JSON_H
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// A value of a JSON document that knows where it stands. The document must be kept by whoever holds one: they share it.
+class Located {
+public:
+    /// Throws InputError, "PATH:LINE: ...", for JSON that is malformed or has a field twice.
+    static Located parse(const std::string& path, const std::string& text);
+
+    bool has(const char* field) const;
+    /// A field of an object. Throws InputError where it is missing.
+    Located field(const char* name) const;
+    /// Throws InputError for the first field that is not among `names`, with those that are; and where this is no object.
+    void allow(const std::vector<const char*>& names) const;
+    /// The values of a list. Throws InputError where this is none.
+    std::vector<Located> list() const;
+    /// The fields of an object, by name.
+    std::vector<std::pair<std::string, Located>> fields() const;
+
+    /// Each throws InputError where the value is of another kind.
+    std::string text() const;
+    std::vector<std::string> texts() const;
+    int whole(int least, int most) const;
+    const nlohmann::ordered_json& json() const { return *value_; }
+
+    int line() const;
+    /// Throws InputError: "PATH:LINE: FIELD: `what`".
+    [[noreturn]] void refuse(const std::string& what) const;
+
+private:
+    struct Document {
+        std::string path;
+        nlohmann::ordered_json json;
+        std::map<std::string, int> lines; ///< by JSON pointer
+    };
+    Located(std::shared_ptr<const Document> document, const nlohmann::ordered_json* value, std::string pointer, std::string name);
+    Located at(const std::string& key, const nlohmann::ordered_json& value, const std::string& name) const;
+
+    std::shared_ptr<const Document> document_;
+    const nlohmann::ordered_json* value_;
+    std::string pointer_, name_; ///< /scenes/0/file, scenes[0].file
+};
+
+} // namespace integral
+
+#endif

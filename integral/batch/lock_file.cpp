@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/batch/lock_file.h"
+
+#include "integral/io/file_bytes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace integral {
+namespace {
+
+struct Holder {
+    std::string host, boot;
+    long process = 0;
+    std::string begun; ///< when the process began, in the kernel's ticks: process numbers are used again
+};
+
+std::string first_line(const std::string& path)
+{
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
+/// Empty if there is no such process.
+std::string begin_of_process(long process)
+{
+    const std::string status = first_line("/proc/" + std::to_string(process) + "/stat");
+    const auto name_end = status.rfind(')'); // the name before it may hold anything
+    if (name_end == std::string::npos)
+        return "";
+    std::istringstream rest(status.substr(name_end + 1));
+    std::string field, state;
+    rest >> state;
+    for (int i = 4; i <= 22; ++i)
+        rest >> field;
+    return state == "Z" ? "" : field;
+}
+
+Holder myself()
+{
+    return {host_name(), first_line("/proc/sys/kernel/random/boot_id"), long(getpid()), begin_of_process(getpid())};
+}
+
+Holder holder_in(const std::string& path)
+{
+    Holder holder;
+    try {
+        const auto json = nlohmann::json::parse(read_file(path));
+        holder = {json.at("host"), json.at("boot"), json.at("process"), json.at("begun")};
+    } catch (const InputError&) {
+    } catch (const nlohmann::json::exception&) {
+    }
+    return holder;
+}
+
+/// `now` is the file system's own clock.
+bool is_dead(const Holder& holder, const std::string& path, const struct timespec& now)
+{
+    const Holder me = myself();
+    if (holder.host == me.host && holder.boot == me.boot)
+        return begin_of_process(holder.process) != holder.begun;
+    if (holder.host == me.host && !holder.boot.empty())
+        return true; // before this machine's last start
+    struct stat status;
+    return stat(path.c_str(), &status) == 0 && now.tv_sec - status.st_mtim.tv_sec > LockFile::seconds_of_silence;
+}
+
+/// One process at a time, where the file system can do that, judges a lock: it goes with its process.
+class Guard {
+public:
+    explicit Guard(const std::string& path) : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+    {
+        while (descriptor_ >= 0 && flock(descriptor_, LOCK_EX) != 0 && errno == EINTR)
+            ;
+    }
+    ~Guard()
+    {
+        if (descriptor_ >= 0)
+            close(descriptor_);
+    }
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+
+private:
+    int descriptor_;
+};
+
+} // namespace
+
+std::string host_name()
+{
+    char name[256] = "";
+    gethostname(name, sizeof name - 1);
+    return name;
+}
+
+LockFile& LockFile::operator=(LockFile&& other) noexcept
+{
+    if (this != &other) {
+        release();
+        path_ = std::move(other.path_);
+        other.path_.clear();
+    }
+    return *this;
+}
+
+bool LockFile::take(const std::string& path, std::string& holder)
+{
+    release();
+    const auto slash = path.rfind('/');
+    const Guard guard(path.substr(0, slash + 1) + "guard");
+    const Holder me = myself();
+    // Made whole under a name of its own, then linked to the lock's: that succeeds for one process alone.
+    const std::string own = path + "." + me.host + "." + std::to_string(me.process);
+    write_file(own, nlohmann::ordered_json{{"host", me.host}, {"process", me.process}, {"begun", me.begun}, {"boot", me.boot}}.dump() + "\n");
+    struct stat status = {};
+    stat(own.c_str(), &status);
+    for (int round = 0; round < 2; ++round) {
+        if (link(own.c_str(), path.c_str()) == 0) {
+            path_ = path;
+            break;
+        }
+        if (errno != EEXIST) {
+            const int error = errno;
+            unlink(own.c_str());
+            throw OutputError(path + ": this folder cannot be locked: " + std::strerror(error));
+        }
+        const Holder other = holder_in(path);
+        if (!is_dead(other, path, status.st_mtim)) {
+            holder = other.process == 0 ? "another process" : "process " + std::to_string(other.process) + " on " + other.host;
+            break;
+        }
+        unlink(path.c_str());
+    }
+    unlink(own.c_str());
+    return held();
+}
+
+void sweep_locks(const std::string& folder)
+{
+    const std::string mark = "." + host_name() + ".";
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string();
+        const auto at = name.rfind(mark);
+        const std::string process = at == std::string::npos ? "" : name.substr(at + mark.size());
+        const bool candidate = !process.empty() && process.find_first_not_of("0123456789") == std::string::npos;
+        if (candidate && begin_of_process(std::atol(process.c_str())).empty())
+            unlink(entry.path().c_str());
+    }
+}
+
+void LockFile::refresh() const
+{
+    if (held())
+        utimensat(AT_FDCWD, path_.c_str(), nullptr, 0);
+}
+
+void LockFile::release()
+{
+    if (held()) {
+        const Holder me = myself(), holder = holder_in(path_); // who was silent for long may have lost it to another
+        if (holder.process == me.process && holder.host == me.host)
+            unlink(path_.c_str());
+    }
+    path_.clear();
+}
+
+} // namespace integral

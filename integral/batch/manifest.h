@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What a batch's manifest asks for. doc/guide.md, "Batches", says what each field means to its user.
+#ifndef INTEGRAL_BATCH_MANIFEST_H
+#define INTEGRAL_BATCH_MANIFEST_H
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace integral {
+
+using Names = std::vector<std::string>;
+
+/// Which of the manifest's papers, panels and previews something is made for; not given: all.
+struct Targets {
+    std::optional<Names> papers, panels, previews;
+};
+
+struct FrameSize {
+    int width = 0, height = 0; ///< pixels; 0: the renderer's own settings say it
+};
+
+struct BatchScene {
+    std::string name, file; ///< .pov or .ini
+    Names options;          ///< the renderer's
+    std::vector<std::pair<std::string, std::string>> declare;
+    FrameSize size;
+    Names inputs;               ///< files that it reads and that its text does not name
+    std::optional<Names> sheets; ///< not given: all; empty: its own camera is integral
+    Targets targets;
+};
+
+struct BatchSheet {
+    std::string name, camera; ///< Integral_Camera's words
+    Names options;
+    FrameSize size; ///< instead of the scene's
+    Targets targets;
+};
+
+/// A paper, a panel or a preview: what one command makes of a frame.
+struct BatchTarget {
+    std::string name, format; ///< the output's extension
+    std::string what;         ///< a paper's name or size, a panel's file; may be empty for papers; nothing for previews
+    Names options;            ///< the command's
+};
+
+/// A scene on a sheet, for some targets.
+struct BatchJob {
+    std::string name;
+    int scene = 0, sheet = -1; ///< in the manifest's lists; -1: none
+    Names papers, panels, previews;
+    int line = 0; ///< of the manifest
+};
+
+struct Manifest {
+    std::string path, folder; ///< of the manifest; relative names in it start at the folder
+    std::string output;       ///< folder
+    std::string frame_format = "png";
+    int frame_bits = 0; ///< 0: the renderer's
+    std::vector<BatchScene> scenes;
+    std::vector<BatchSheet> sheets;
+    std::vector<BatchTarget> papers, panels, previews;
+    std::vector<BatchJob> jobs; ///< all, in order; names are unique
+};
+
+/// Reads and checks a manifest: fields, names, that scenes and panels can be read, that no option is given that the batch itself
+/// gives. Throws InputError with line and field.
+Manifest read_manifest(const std::string& path);
+
+/// A name of the manifest as a path: absolute as it is, else from its folder.
+std::string path_in(const std::string& folder, const std::string& name);
+
+/// Why a batch gives this renderer option itself, or has no use for it; empty if it may be given.
+std::string refused_renderer_option(const std::string& word);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/batch/plan.h"
+
+#include "integral/batch/content_hash.h"
+#include "integral/batch/scene_files.h"
+#include "integral/io/file_bytes.h"
+
+#include <sys/stat.h>
+
+namespace integral {
+namespace {
+
+constexpr char record_format[] = "1"; // another one makes every step's hash another
+
+std::string folder_of(const std::string& path)
+{
+    const auto slash = path.rfind('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+template <class Thing> const Thing& named(const std::vector<Thing>& things, const std::string& name)
+{
+    for (const Thing& thing : things)
+        if (thing.name == name)
+            return thing;
+    throw InputError(name + ": it is not in the manifest");
+}
+
+int threads_in(const Names& options)
+{
+    int threads = 0;
+    for (const std::string& word : options) {
+        const bool letters = word.size() > 3 && (word[0] == '+' || word[0] == '-') && (word[1] == 'W' || word[1] == 'w') && (word[2] == 'T' || word[2] == 't');
+        const bool keyword = word.rfind("Work_Threads=", 0) == 0;
+        if (letters || keyword)
+            threads = std::atoi(word.c_str() + (letters ? 3 : 13));
+    }
+    return threads;
+}
+
+BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
+{
+    const BatchScene& scene = manifest.scenes[std::size_t(job.scene)];
+    const std::string path = path_in(manifest.folder, scene.file), file = last_part(path);
+    BatchStep step;
+    step.name = "frame." + job.name;
+    step.output = "frames/" + job.name + "." + manifest.frame_format;
+    step.folder = folder_of(path);
+    step.words.push_back(extension_of(file) == "ini" ? "\"" + file + "\"" : "+I\"" + file + "\"");
+    step.words.insert(step.words.end(), scene.options.begin(), scene.options.end());
+    for (const auto& [name, value] : scene.declare)
+        step.words.push_back("Declare=" + name + "=" + value);
+    step.size = scene.size;
+    if (job.sheet >= 0) {
+        const BatchSheet& sheet = manifest.sheets[std::size_t(job.sheet)];
+        step.words.insert(step.words.end(), sheet.options.begin(), sheet.options.end());
+        step.words.push_back("Integral_Camera=" + sheet.camera);
+        if (sheet.size.width > 0)
+            step.size = sheet.size;
+    }
+    step.threads = threads_in(step.words);
+    if (step.size.width > 0) {
+        step.words.push_back("+W" + std::to_string(step.size.width));
+        step.words.push_back("+H" + std::to_string(step.size.height));
+    }
+    // One picture, without window, waiting or files of its own beside it.
+    for (const char* word : {"+KFI1", "+KFF1", "-D", "-P", "-C", "-V"})
+        step.words.push_back(word);
+    step.words.push_back(manifest.frame_format == "exr" ? "+FE" : "+FN");
+    if (manifest.frame_bits > 0)
+        step.words.push_back("Bits_Per_Color=" + std::to_string(manifest.frame_bits));
+    for (const std::string& input : scene.inputs)
+        step.files.push_back(path_in(manifest.folder, input));
+    return step;
+}
+
+/// A file of the manifest's folder that an option names: --icc FILE, --sheet=FILE.
+void add_named_files(const Manifest& manifest, BatchStep& step, const Names& options)
+{
+    for (const std::string& word : options) {
+        const auto equals = word.find('=');
+        const std::string name = word[0] == '-' ? (equals == std::string::npos ? "" : word.substr(equals + 1)) : word;
+        struct stat status;
+        const std::string path = path_in(manifest.folder, name);
+        if (!name.empty() && stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+            step.files.push_back(path);
+    }
+}
+
+BatchStep target_step(const Manifest& manifest, const BatchJob& job, int frame, StepKind kind, const BatchTarget& target, Names words)
+{
+    BatchStep step;
+    step.kind = kind;
+    step.name = std::string(name_of(kind)) + "." + job.name + "." + target.name;
+    step.frame = frame;
+    step.target = target.name;
+    step.output = std::string(name_of(kind)) + "s/" + job.name + "." + target.name + "." + target.format;
+    step.folder = manifest.folder;
+    step.words = std::move(words);
+    step.words.insert(step.words.end(), target.options.begin(), target.options.end());
+    add_named_files(manifest, step, step.words);
+    return step;
+}
+
+} // namespace
+
+const char* const frame_word = "@frame";
+
+const char* name_of(StepKind kind)
+{
+    switch (kind) {
+    case StepKind::frame: return "frame";
+    case StepKind::print: return "print";
+    case StepKind::panel: return "panel";
+    case StepKind::preview: return "preview";
+    case StepKind::thumbnail: break;
+    }
+    return "thumbnail";
+}
+
+BatchPlan plan_of(const Manifest& manifest)
+{
+    BatchPlan plan;
+    for (std::size_t j = 0; j < manifest.jobs.size(); ++j) {
+        const BatchJob& job = manifest.jobs[j];
+        const int frame = int(plan.steps.size());
+        const std::size_t first = plan.steps.size();
+        plan.steps.push_back(frame_step(manifest, job));
+        plan.steps.push_back(target_step(manifest, job, frame, StepKind::thumbnail, {"eye", "png", "", {}}, {"replay", frame_word}));
+        for (const std::string& name : job.previews)
+            plan.steps.push_back(target_step(manifest, job, frame, StepKind::preview, named(manifest.previews, name), {"replay", frame_word}));
+        for (const std::string& name : job.papers) {
+            const BatchTarget& paper = named(manifest.papers, name);
+            const Names words = paper.what.empty() ? Names{"print", frame_word} : Names{"print", frame_word, "--paper", paper.what};
+            plan.steps.push_back(target_step(manifest, job, frame, StepKind::print, paper, words));
+        }
+        for (const std::string& name : job.panels) {
+            const BatchTarget& panel = named(manifest.panels, name);
+            plan.steps.push_back(target_step(manifest, job, frame, StepKind::panel, panel, {"lcd", frame_word, "--panel", panel.what}));
+        }
+        for (std::size_t i = first; i < plan.steps.size(); ++i)
+            plan.steps[i].job = int(j);
+    }
+    return plan;
+}
+
+StepInputs::StepInputs(const Manifest& manifest, BatchPrograms programs) : manifest_(manifest), programs_(std::move(programs)) {}
+
+const std::string& StepInputs::content(const std::string& path)
+{
+    const auto found = contents_.find(path);
+    return found != contents_.end() ? found->second : contents_.emplace(path, hash_of_file(path)).first->second;
+}
+
+const std::string& StepInputs::scene_hash(const BatchStep& step)
+{
+    const BatchScene& scene = manifest_.scenes[std::size_t(manifest_.jobs[std::size_t(step.job)].scene)];
+    std::string key = step.folder + "\n" + scene.file;
+    for (const std::string& word : step.words)
+        key += "\n" + word;
+    const auto known = scenes_.find(key);
+    if (known != scenes_.end())
+        return known->second;
+    ContentHash hash;
+    for (const SceneFile& file : files_of_scene(last_part(scene.file), {step.folder, step.words, programs_.renderer_share})) {
+        hash.add(file.name);
+        hash.add(content(file.path));
+    }
+    return scenes_.emplace(key, hash.digits()).first->second;
+}
+
+std::string StepInputs::hash(const BatchStep& step, const std::string& frame_hash)
+{
+    const bool frame = step.kind == StepKind::frame;
+    ContentHash hash;
+    hash.add(record_format);
+    hash.add(name_of(step.kind));
+    hash.add(frame ? programs_.renderer_version : programs_.integral_version);
+    hash.add(step.output.substr(step.output.rfind('.') + 1));
+    hash.add(frame ? scene_hash(step) : frame_hash);
+    hash.add(std::to_string(step.words.size()));
+    for (const std::string& word : step.words)
+        hash.add(word);
+    for (const std::string& file : step.files)
+        hash.add(content(file));
+    return hash.digits();
+}
+
+} // namespace integral

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Batches: hashes, scenes' files, records, locks.
+#include "integral/batch/batch_folder.h"
+#include "integral/batch/content_hash.h"
+#include "integral/batch/located_json.h"
+#include "integral/batch/lock_file.h"
+#include "integral/batch/scene_files.h"
+#include "integral/batch/step_record.h"
+#include "integral/io/file_bytes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace integral;
+
+BOOST_AUTO_TEST_SUITE(batch_files)
+
+namespace {
+
+/// A folder of the test's own.
+struct Folder {
+    Folder()
+    {
+        char name[] = "/tmp/integral-unit.XXXXXX";
+        BOOST_REQUIRE(mkdtemp(name));
+        path = name;
+        setenv("POVINI", (path + "/none.ini").c_str(), 1);
+        setenv("POVINC", "", 1);
+        setenv("HOME", path.c_str(), 1);
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    void write(const std::string& name, const std::string& text) const
+    {
+        std::filesystem::create_directories(std::filesystem::path(path + "/" + name).parent_path());
+        write_file(path + "/" + name, text);
+    }
+    std::string path;
+};
+
+std::string names_of(const std::vector<SceneFile>& files)
+{
+    std::string names;
+    for (const SceneFile& file : files)
+        names += file.name + " ";
+    return names;
+}
+
+std::string refusal(const std::string& json)
+{
+    try {
+        Located::parse("m.json", json).allow({"a", "b"});
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(file_hash_is_sha256)
+{
+    const Folder folder;
+    folder.write("abc", "abc"); // FIPS 180-2, appendix B.1
+    BOOST_TEST(hash_of_file(folder.path + "/abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    folder.write("empty", "");
+    BOOST_TEST(hash_of_file(folder.path + "/empty") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    folder.write("long", std::string(1000000, 'a')); // B.3
+    BOOST_TEST(hash_of_file(folder.path + "/long") == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+    BOOST_CHECK_THROW(hash_of_file(folder.path + "/none"), InputError);
+    BOOST_CHECK_THROW(hash_of_file(folder.path), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(pieces_are_told_apart)
+{
+    ContentHash one, other;
+    one.add("ab"), one.add("c");
+    other.add("a"), other.add("bc");
+    BOOST_TEST(one.digits() != other.digits());
+}
+
+BOOST_AUTO_TEST_CASE(scene_names_its_files)
+{
+    const Folder folder;
+    folder.write("s/scene.pov", "#include \"a.inc\"\n#include \"bare\"\npigment { image_map { png \"sky.png\" } }\n#debug \"not a file\"\n// \"x.inc\"\n");
+    folder.write("s/a.inc", "#include \"lib.inc\" \"text with \\\" in it\" \"sky.png\"\n");
+    folder.write("s/bare.inc", "");
+    folder.write("s/sky.png", "\"a.pov\"");
+    folder.write("lib/lib.inc", "#include \"scene.pov\"\n#include \"deep.inc\"");
+    folder.write("share/include/deep.inc", "");
+    folder.write("share/include/a.inc", "\"unused.inc\"");
+    folder.write("share/include/unused.inc", "");
+    SceneSearch search{folder.path + "/s", {"+A0.3", "+L" + folder.path + "/lib"}, folder.path + "/share"};
+    auto files = files_of_scene("scene.pov", search);
+    BOOST_TEST(names_of(files) == "scene.pov a.inc lib.inc deep.inc sky.png bare ");
+    BOOST_TEST(files[1].path == folder.path + "/s/a.inc"); // before the library's
+    search.options.pop_back();
+    BOOST_TEST(names_of(files_of_scene("scene.pov", search)) == "scene.pov a.inc sky.png bare ");
+    BOOST_CHECK_THROW(files_of_scene("none.pov", search), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(settings_name_their_files)
+{
+    const Folder folder;
+    folder.write("s/scene.ini", "Input_File_Name=scene.pov ; the scene\nLibrary_Path = \"../lib\"\n");
+    folder.write("s/scene.pov", "#include \"lib.inc\"");
+    folder.write("lib/lib.inc", "");
+    folder.write("s/more.ini", "Declare=Map=\"map.png\"\n");
+    folder.write("s/map.png", "");
+    folder.write("s/povray.ini", "");
+    const SceneSearch search{folder.path + "/s", {"more.ini[part]"}, folder.path + "/share"};
+    BOOST_TEST(names_of(files_of_scene("scene.ini", search)) == "povray.ini more.ini map.png scene.ini scene.pov lib.inc ");
+}
+
+BOOST_AUTO_TEST_CASE(records_come_back)
+{
+    const Folder folder;
+    const std::string path = folder.path + "/r.json";
+    BOOST_TEST(int(read_record(path).state) == int(StepState::none));
+    StepRecord record;
+    record.state = StepState::done;
+    record.starts = 3;
+    record.inputs = "in";
+    record.output = "out";
+    record.bytes = 3e9;
+    record.seconds = 0.1;
+    record.error = 1.0 / 3;
+    record.reason = "a \"reason\"\xff";
+    write_record(path, record);
+    const StepRecord back = read_record(path);
+    BOOST_TEST(int(back.state) == int(StepState::done));
+    BOOST_TEST(back.starts == 3);
+    BOOST_TEST(back.bytes == 3e9);
+    BOOST_TEST(back.seconds == 0.1);
+    BOOST_TEST(*back.error == 1.0 / 3);
+    BOOST_TEST(back.reason.substr(0, 10) == "a \"reason\"");
+    for (const char* broken : {"", "{", "[]", "{\"state\": 3}", "null"}) {
+        write_file(path, broken);
+        BOOST_TEST(int(read_record(path).state) == int(StepState::none), broken);
+        BOOST_TEST(read_record(path).starts == 0, broken);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(published_between_record_and_place)
+{
+    const Folder folder;
+    BatchStep step;
+    step.name = "frame.a";
+    step.output = "frames/a.png";
+    BatchPlan plan;
+    plan.steps.push_back(step);
+    const BatchFolder batch = make_batch_folder(folder.path + "/out", plan);
+    std::filesystem::create_directories(batch.work(step));
+    write_file(batch.made(step), "picture");
+    StepRecord record;
+    record.inputs = "i";
+    publish(batch, step, record);
+    record = read_record(batch.record(step));
+    BOOST_TEST(is_done(batch, step, record, "i"));
+    BOOST_TEST(!is_done(batch, step, record, "j"));
+    // A kill after the record, before the rename.
+    std::filesystem::rename(batch.output(step), batch.made(step));
+    BOOST_TEST(is_done(batch, step, record, "i"));
+    BOOST_TEST(read_file(batch.output(step)) == "picture");
+    write_file(batch.output(step), "Picture");
+    BOOST_TEST(!is_done(batch, step, record, "i"));
+    std::filesystem::remove(batch.output(step));
+    BOOST_TEST(!is_done(batch, step, record, "i"));
+}
+
+BOOST_AUTO_TEST_CASE(only_whole_pictures)
+{
+    const Folder folder;
+    const std::string end("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+    folder.write("a.png", "......." + end);
+    folder.write("b.png", "......." + end.substr(0, 11));
+    folder.write("c.png", "");
+    BOOST_TEST(is_whole(folder.path + "/a.png"));
+    BOOST_TEST(!is_whole(folder.path + "/b.png"));
+    BOOST_TEST(!is_whole(folder.path + "/c.png"));
+    BOOST_TEST(!is_whole(folder.path + "/d.png"));
+}
+
+BOOST_AUTO_TEST_CASE(one_holder_of_a_lock)
+{
+    const Folder folder;
+    const std::string path = folder.path + "/lock";
+    std::string holder;
+    LockFile first, second;
+    BOOST_REQUIRE(first.take(path, holder));
+    BOOST_TEST(!second.take(path, holder));
+    BOOST_TEST(holder == "process " + std::to_string(getpid()) + " on " + host_name());
+    first.release();
+    BOOST_TEST(second.take(path, holder));
+    second.release();
+    BOOST_TEST(!std::filesystem::exists(path));
+    // A process that was killed with it.
+    const pid_t child = fork();
+    if (child == 0) {
+        LockFile lock;
+        std::string nobody;
+        _exit(lock.take(path, nobody) ? 0 : 1);
+    }
+    int status = 1;
+    BOOST_REQUIRE(waitpid(child, &status, 0) == child);
+    BOOST_REQUIRE(status == 0);
+    BOOST_TEST(std::filesystem::exists(path));
+    BOOST_TEST(first.take(path, holder));
+    // What one that was killed while it took a lock has left.
+    folder.write("lock." + host_name() + "." + std::to_string(child), "");
+    folder.write("lock." + host_name() + ".x", "");
+    sweep_locks(folder.path + "/");
+    BOOST_TEST(!std::filesystem::exists(path + "." + host_name() + "." + std::to_string(child)));
+    BOOST_TEST(std::filesystem::exists(path + "." + host_name() + ".x"));
+    BOOST_TEST(std::filesystem::exists(path));
+}
+
+BOOST_AUTO_TEST_CASE(many_processes_one_lock)
+{
+    // 8 processes add to one figure, 20 times each, under a lock; without it some additions would be lost.
+    const Folder folder;
+    write_file(folder.path + "/figure", "0");
+    std::vector<pid_t> children;
+    for (int i = 0; i < 8; ++i) {
+        const pid_t child = fork();
+        if (child == 0) {
+            for (int round = 0; round < 20;) {
+                LockFile lock;
+                std::string holder;
+                if (!lock.take(folder.path + "/lock", holder)) {
+                    usleep(1000);
+                    continue;
+                }
+                const int figure = std::atoi(read_file(folder.path + "/figure").c_str());
+                usleep(500);
+                write_file(folder.path + "/figure", std::to_string(figure + 1));
+                ++round;
+            }
+            _exit(0);
+        }
+        children.push_back(child);
+    }
+    for (const pid_t child : children)
+        BOOST_TEST(waitpid(child, nullptr, 0) == child);
+    BOOST_TEST(read_file(folder.path + "/figure") == "160");
+}
+
+BOOST_AUTO_TEST_CASE(json_knows_its_lines)
+{
+    BOOST_TEST(refusal("{\"a\": [1,\n2], \"c\":\n 3}") == "m.json:3: c: there is no such field; there are: a, b");
+    BOOST_TEST(refusal("{\"a\": 1,\n\"a\": 2}") == "m.json:2: the field a stands twice in one object");
+    BOOST_TEST(refusal("{\"a\": {\"a\": 1}, \"b\": {\"a\": 2}}") == "");
+    BOOST_TEST(refusal("{\n\"a\": 1,\n}").rfind("m.json:3: this is no JSON: ", 0) == 0);
+    BOOST_TEST(refusal("[]") == "m.json:1: an object {...} is expected, of the fields a, b");
+    BOOST_TEST(refusal("").rfind("m.json:1: this is no JSON: ", 0) == 0);
+    const Located root = Located::parse("m.json", "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
+    BOOST_TEST(root.field("x/y").list()[1].line() == 3);
+    BOOST_TEST(root.field("z").field("k").line() == 7);
+    BOOST_TEST(root.field("z").line() == 5);
+    BOOST_TEST(root.field("x/y").list()[1].whole(0, 5) == 2);
+    BOOST_CHECK_THROW(root.field("x/y").list()[1].whole(3, 5), InputError);
+    BOOST_CHECK_THROW(root.field("none"), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
