@@ -151,7 +151,7 @@ fuzz_objects = $(patsubst %.cpp,build/fuzz/%.o,$(filter %.cpp,$(build_lib_libint
   tests/sanitized/fuzz/main.cpp tests/sanitized/fuzz/targets.cpp tests/sanitized/fuzz/seeds.cpp tests/sanitized/fuzz/commands.cpp \
   tests/sanitized/fuzz/png_mutation.cpp))
 build/fuzz/readers: $(fuzz_objects)
-	$(AM_V_CXXLD)$(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -o $@ $(fuzz_objects) $(FILE_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lpthread
+	$(AM_V_CXXLD)$(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -o $@ $(fuzz_objects) $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lpthread
 build/fuzz/%.o: %.cpp build/generated/replay_page_text.h
 	$(AM_V_CXX)$(MKDIR_P) $(@D) && $(FUZZ_CXX) $(DEFS) $(fuzz_defines) $(AM_CPPFLAGS) $(FUZZ_CXXFLAGS) -MMD -MP -c -o $@ $<
 build/fuzz/integral/cli/main.o: fuzz_defines = -Dmain=integral_main

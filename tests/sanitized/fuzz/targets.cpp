@@ -3,11 +3,14 @@
 // then put to use, as far as that is a matter of microseconds.
 #include "tests/sanitized/fuzz/target.h"
 
+#include "integral/batch/manifest.h"
 #include "integral/cli/scene_depth.h"
 #include "integral/io/image_file.h"
 #include "integral/output/colour_profile.h"
+#include "integral/output/panel.h"
 #include "integral/replay/compare.h"
 #include "integral/replay/replay.h"
+#include "integral/replay/tolerances.h"
 
 #include <cstdlib>
 
@@ -58,6 +61,42 @@ void read_sheet(const Bytes& bytes)
             optics.map(film_from_pixel(metadata.film, pixel), mapping);
 }
 
+/// Library readers throw std::invalid_argument; commands add the file's name.
+template <class Read> auto as_input(Read read)
+{
+    try {
+        return read();
+    } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
+    }
+}
+
+void read_panel(const Bytes& bytes)
+{
+    const Panel panel = as_input([&] { return panel_from_json(bytes); });
+    const std::string text = to_json(panel);
+    if (to_json(panel_from_json(text)) != text)
+        std::abort();
+    camera_words(panel);
+    const FrameMetadata geometry = frame_geometry(panel);
+    SheetOptics(geometry.sheet, geometry.aperture).map({0, 0}, LensMapping::automatic);
+    if (panel.calibration)
+        for (int channel = 0; channel < 3; ++channel) {
+            const double view = view_of_subpixel(*panel.calibration, panel.film.width - 1, 0, channel);
+            if (!(view >= 0 && view < 1))
+                std::abort();
+        }
+}
+
+void read_tolerances(const Bytes& bytes)
+{
+    const Tolerances tolerances = as_input([&] { return tolerances_from_json(bytes); });
+    for (const char* name : {"", "glass/ball.png", "a11.png"})
+        limits_for(tolerances, name);
+}
+
+void read_batch(const Bytes& bytes) { read_manifest(file_of(bytes)); }
+
 void read_profile(const Bytes& bytes)
 {
     const Image picture = bytes.size() % 2 ? make_image<std::uint8_t>(2, 1, 3, {}) : make_image<std::uint16_t>(2, 1, 3, {});
@@ -75,6 +114,16 @@ const std::vector<Bytes> json_words = {
     "\"camera\":", "\"origin\":", "\"units_per_mm\":", "\"encoding\":", "\"kind\":", "\"linear\"", "\"srgb\"", "\"power\"", "\"gamma\":",
     "\"render\":", "\"quilt\":", "\"columns\":", "\"rows\":", "\"view\":", "\"eyes\":", "null", "true", "[0,0]", "1e-6", "1e-4", "1e3",
     "1e6", "1e9", "1e30", "1e100", "1e308", "1e999", "-1", "0", "89.99", "1000000", "4096", "9223372036854775807", "\\u0000", "{}", "[["};
+const std::vector<Bytes> panel_words = {
+    "\"panel\":", "\"name\":", "\"width\":", "\"height\":", "\"pixel_pitch_mm\":", "\"subpixels\":", "\"vrgb\"", "\"pattern\":", "\"cells\":",
+    "\"mirrored\":", "\"xy\"", "\"sheet\":", "\"micro_image_pitch_mm\":", "\"viewing_distance_mm\":", "\"aperture\":", "\"calibration\":",
+    "\"pitch\":", "\"slope\":", "\"center\":", "\"viewCone\":", "\"invView\":", "\"DPI\":", "\"screenW\":", "\"screenH\":", "\"flipImageX\":",
+    "\"subpixelCells\":", "\"ROffsetX\":", "\"CellPatternMode\":", "\"value\":", "\"devices\":", "null", "1e-300", "1e300", "0", "-1", "1e9"};
+const std::vector<Bytes> suite_words = {"\"defaults\":", "\"files\":", "\"max_rmse\":", "\"min_psnr\":", "\"min_ssim\":", "\"max_difference\":",
+                                        "\"max_micro_image_rmse\":", "null", "*", "[", "]", "\\", "1e999", "-1"};
+const std::vector<Bytes> manifest_words = {"\"output\":", "\"scenes\":", "\"sheets\":", "\"papers\":", "\"panels\":", "\"previews\":", "\"jobs\":",
+                                           "\"name\":", "\"file\":", "\"options\":", "\"declare\":", "\"size\":", "\"camera\":", "\"inputs\":", "\"format\":",
+                                           "\"scene\":", "\"sheet\":", "\"/dev/null\"", "[1,1]", "\n", "\"..\"", "\"-o\"", "null", "1e999"};
 const std::vector<Bytes> png_words = {"IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "sRGB", "cHRM", "iCCP", "iTXt", "zTXt", "tEXt", "pHYs",
                                       "sBIT", "bKGD", "hIST", "eXIf", "integral"};
 const std::vector<Bytes> exr_words = {"channels", "chlist", "compression", "dataWindow", "displayWindow", "box2i", "lineOrder",
@@ -108,6 +157,9 @@ const std::vector<Target> targets = {
     {"tiff", read_picture, tiff_seeds, tiff_words},
     {"depths", read_depth_frame, depth_seeds, exr_words},
     {"sheet", read_sheet, sheet_seeds, json_words},
+    {"panel", read_panel, panel_seeds, panel_words},
+    {"suite", read_tolerances, tolerance_seeds, suite_words},
+    {"batch", read_batch, manifest_seeds, manifest_words},
     {"profile", read_profile, profile_seeds, profile_words},
     {"commands", run_command, command_seeds, {}},
 };
