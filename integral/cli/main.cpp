@@ -147,7 +147,7 @@ int guarded(const std::vector<std::string>& words)
 {
     std::string name = "integral";
     const auto complain = [&](const std::string& what, int status) {
-        std::cerr << name << ": " << what << "\n";
+        std::cerr << name << ": " << one_line(what) << "\n";
         return status;
     };
     try {

@@ -8,10 +8,13 @@
 
 namespace integral {
 
+/// A text as one line of a terminal: each control character, which a name or a file's text may have, becomes a question mark.
+std::string one_line(std::string text);
+
 /// An input that cannot be read or makes no sense. The message is one line, "FILE: what is
 /// wrong; what would help".
 struct InputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit InputError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 /// An output that could not be written. Same form.
