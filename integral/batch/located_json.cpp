@@ -81,7 +81,7 @@ public:
         const std::string said = error.what();
         const auto reason = said.rfind(" - ");
         const auto colon = said.find(": ");
-        trouble = reason != std::string::npos ? said.substr(reason + 3) : colon != std::string::npos ? said.substr(colon + 2) : said;
+        trouble = error.id == 406 ? "a number is out of range" : reason != std::string::npos ? said.substr(reason + 3) : colon != std::string::npos ? said.substr(colon + 2) : said;
         return false;
     }
 
@@ -157,10 +157,9 @@ int Located::line() const
     return found == document_->lines.end() ? 1 : found->second;
 }
 
-void Located::refuse(const std::string& what) const
-{
-    throw InputError(document_->path + ":" + std::to_string(line()) + ": " + (name_.empty() ? "" : name_ + ": ") + what);
-}
+std::string Located::place() const { return document_->path + ":" + std::to_string(line()) + (name_.empty() ? "" : ": " + name_); }
+
+void Located::refuse(const std::string& what) const { throw InputError(place() + ": " + what); }
 
 Located Located::at(const std::string& key, const Json& value, const std::string& name) const
 {

@@ -35,6 +35,7 @@ public:
     const nlohmann::ordered_json& json() const { return *value_; }
 
     int line() const;
+    std::string place() const; ///< "PATH:LINE: FIELD", or "PATH:LINE" of the document
     /// Throws InputError: "PATH:LINE: FIELD: `what`".
     [[noreturn]] void refuse(const std::string& what) const;
 

@@ -78,7 +78,7 @@ Names renderer_options(const Located& object)
 }
 
 /// Options of print, lcd or replay.
-Names command_options(const Located& object, const char* own_option)
+Names command_options(const Located& object, const std::string& own_field)
 {
     Names all;
     if (!object.has("options"))
@@ -93,8 +93,10 @@ Names command_options(const Located& object, const char* own_option)
         for (const char* other : {"--printer", "--show", "--play", "--help", "--chart", "--even"})
             if (name == other)
                 one.refuse(word + ": a batch writes files, which are printed and shown afterwards");
-        if (own_option && name == own_option)
+        if (name == "--" + own_field)
             one.refuse(word + ": there is a field for it");
+        if (word.rfind("--", 0) == 0 && name.find(' ') != std::string::npos)
+            one.refuse(word + ": each word stands by itself, as in \"--eye\", \"-30,0,120\"");
         all.push_back(word);
     }
     return all;
@@ -108,6 +110,13 @@ std::string format_in(const Located& object, const Names& formats)
     if (std::find(formats.begin(), formats.end(), format) == formats.end())
         object.field("format").refuse(list_of(formats) + ": one of these is expected");
     return format;
+}
+
+/// A paper, panel or preview; `field` is the one that says what it is.
+BatchTarget read_target(const Located& object, const Names& formats, const char* field, const std::string& what)
+{
+    const auto place_of = [&](const char* name) { return (object.has(name) ? object.field(name) : object).place(); };
+    return {name_in(object.field("name")), format_in(object, formats), what, command_options(object, field), place_of(field), place_of("options")};
 }
 
 /// All lists of things that have names.
@@ -301,21 +310,17 @@ Manifest read_manifest(const std::string& path)
     }
     read_list(root, "papers", manifest.papers, [&](const Located& object) {
         object.allow({"name", "paper", "options", "format"});
-        BatchTarget paper{name_in(object.field("name")), format_in(object, {"pdf", "tiff", "png"}), "", command_options(object, "--paper")};
-        if (object.has("paper"))
-            paper.what = object.field("paper").text();
-        return paper;
+        return read_target(object, {"pdf", "tiff", "png"}, "paper", object.has("paper") ? object.field("paper").text() : "");
     });
     read_list(root, "panels", manifest.panels, [&](const Located& object) {
         object.allow({"name", "panel", "options", "format"});
         const Located panel = object.field("panel"); // a name that integral lcd knows, or a file
         const bool file = extension_of(panel.text()) == "json" || panel.text().find('/') != std::string::npos || panel.text().empty();
-        return BatchTarget{name_in(object.field("name")), format_in(object, {"png", "tiff", "exr"}),
-                           file ? readable_file(panel, manifest.folder) : panel.text(), command_options(object, "--panel")};
+        return read_target(object, {"png", "tiff", "exr"}, "panel", file ? readable_file(panel, manifest.folder) : panel.text());
     });
     read_list(root, "previews", manifest.previews, [&](const Located& object) {
         object.allow({"name", "options", "format"});
-        return BatchTarget{name_in(object.field("name")), format_in(object, {"png", "exr", "tiff", "webp", "html"}), "", command_options(object, nullptr)};
+        return read_target(object, {"png", "exr", "tiff", "webp", "html"}, "", "");
     });
     read_list(root, "sheets", manifest.sheets, [&](const Located& object) { return read_sheet(object, manifest); });
     read_list(root, "scenes", manifest.scenes, [&](const Located& object) { return read_scene(object, manifest); });

@@ -43,6 +43,7 @@ struct BatchTarget {
     std::string name, format; ///< the output's extension
     std::string what;         ///< a paper's name or size, a panel's file; may be empty for papers; nothing for previews
     Names options;            ///< the command's
+    std::string place, options_place; ///< where `what` and `options` stand: "batch.json:7: papers[0].paper", for messages
 };
 
 /// A scene on a sheet, for some targets.

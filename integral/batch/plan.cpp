@@ -128,7 +128,7 @@ BatchPlan plan_of(const Manifest& manifest)
         const int frame = int(plan.steps.size());
         const std::size_t first = plan.steps.size();
         plan.steps.push_back(frame_step(manifest, job));
-        plan.steps.push_back(target_step(manifest, job, frame, StepKind::thumbnail, {"eye", "png", "", {}}, {"replay", frame_word}));
+        plan.steps.push_back(target_step(manifest, job, frame, StepKind::thumbnail, {"eye", "png", "", {}, "", ""}, {"replay", frame_word}));
         for (const std::string& name : job.previews)
             plan.steps.push_back(target_step(manifest, job, frame, StepKind::preview, named(manifest.previews, name), {"replay", frame_word}));
         for (const std::string& name : job.papers) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral batch: many frames, and what is made of them.
+#include "integral/cli/batch_check.h"
 #include "integral/cli/batch_report.h"
 #include "integral/cli/batch_run.h"
 #include "integral/cli/batch_slurm.h"
@@ -109,6 +110,7 @@ int run(const options::variables_map& arguments)
     if (only_summary && given(arguments, "only"))
         throw UsageError("--summary is of all jobs: not with --only");
     const Manifest manifest = read_manifest(inputs_of(arguments)[0]);
+    check_targets(manifest);
     RunOptions wanted = run_options(arguments, manifest);
     const BatchPlan plan = plan_of(manifest);
     const BatchPrograms programs = batch_programs();

@@ -35,7 +35,7 @@ article.failed { border-color: var(--bad); }
 .picture img { max-width: 100%; max-height: 240px; }
 article h2 { font-size: 1em; margin: .6em 0 .2em; }
 article p { margin: .2em 0; }
-article a { margin-right: .6em; }
+article a { margin-right: .6em; display: inline-block; }
 .reason { color: var(--bad); }
 )css";
 

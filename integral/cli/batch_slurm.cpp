@@ -321,6 +321,10 @@ AfterSlurm use_slurm(const options::variables_map& arguments, const PlannedBatch
     const bool submits = arguments["slurm"].as<bool>(), follows = arguments["follow"].as<bool>(), cancels = arguments["cancel"].as<bool>();
     if (cancels && (submits || follows))
         throw UsageError("--cancel goes alone");
+    if (arguments["dry-run"].as<bool>() && (submits || follows || cancels))
+        throw UsageError("--dry-run goes without --slurm, --follow and --cancel; what it says to do is what --slurm submits");
+    if (!submits && !arguments["cpus"].defaulted())
+        throw UsageError("--cpus is for --slurm; --jobs says how many programs run here");
     if (!submits)
         for (const char* option : {"strips", "partition", "time", "sbatch"})
             if (given(arguments, option))

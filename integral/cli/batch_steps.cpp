@@ -6,7 +6,6 @@
 #include "integral/io/image_file.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
@@ -15,7 +14,6 @@
 #include <fstream>
 #include <sstream>
 #include <sys/statvfs.h>
-#include <thread>
 #include <unistd.h>
 
 namespace integral {
@@ -104,13 +102,10 @@ BatchPrograms batch_programs()
     programs.renderer_share = std::filesystem::path(found_on_path(renderer)).parent_path().parent_path().string() + "/share/povray-integral-3.7";
     const ScratchFolder scratch;
     const std::string said = scratch.path("version.txt");
-    ChildProcess child({renderer, "--version"}, ".", said);
-    std::optional<ChildEnd> end;
-    while (!(end = child.ended()))
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const ChildEnd end = ChildProcess({renderer, "--version"}, ".", said).wait();
     programs.renderer_version = tidy(read_file(said));
-    if (end->status != 0)
-        throw InputError("povray-integral cannot be run: " + last_line(read_file(said)) + "; it belongs beside this program, or on PATH");
+    if (end.status != 0)
+        throw no_renderer(read_file(said));
     return programs;
 }
 

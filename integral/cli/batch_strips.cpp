@@ -4,18 +4,15 @@
 #include "integral/batch/lock_file.h"
 #include "integral/batch/scene_files.h"
 #include "integral/cli/batch_steps.h"
-#include "integral/cli/progress.h"
 #include "integral/cli/renderer.h"
 #include "integral/io/image_file.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
 
 namespace integral {
 namespace {
@@ -52,14 +49,9 @@ std::string render_there(const BatchStep& step, Names words, const ScratchFolder
 {
     words.insert(words.begin(), renderer_program());
     const std::string log = scratch.path("said.txt");
-    ChildProcess child(words, step.folder, log);
-    std::optional<ChildEnd> end;
-    while (!(end = child.ended())) {
-        stop_if_interrupted();
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    if (end->status != 0)
-        throw InputError(step.name + ": " + failure_of(step, log, *end));
+    const ChildEnd end = ChildProcess(words, step.folder, log).wait();
+    if (end.status != 0)
+        throw InputError(step.name + ": " + failure_of(step, log, end));
     return read_file(log);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/child_process.h"
 
+#include "integral/cli/progress.h"
 #include "integral/io/file_bytes.h"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -11,6 +13,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace integral {
@@ -28,7 +31,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::str
     if (process_ == 0) { // only calls that are safe between fork and exec
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent) // it had ended before
-            _exit(127);
+            _exit(program_cannot_be_run);
         dup2(nothing, 0);
         dup2(said, 1);
         dup2(said, 2);
@@ -38,7 +41,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::str
         for (const char* text : {"Error: ", static_cast<const char*>(arguments[0]), " cannot be run: ", why, "\n"})
             if (write(2, text, std::strlen(text)) < 0)
                 break;
-        _exit(127);
+        _exit(program_cannot_be_run);
     }
     if (said >= 0)
         close(said);
@@ -70,6 +73,22 @@ std::optional<ChildEnd> ChildProcess::ended()
     end.signal = ended > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     end.memory = double(usage.ru_maxrss) * 1024;
     return end;
+}
+
+ChildEnd ChildProcess::wait()
+{
+    bool told = false; // an interrupt may have come to this program alone
+    for (;;) {
+        if (const auto end = ended()) {
+            stop_if_interrupted();
+            return *end;
+        }
+        if (interrupted() && !told) {
+            stop();
+            told = true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
 }
 
 void ChildProcess::stop() { kill(process_, SIGTERM); }

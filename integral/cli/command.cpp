@@ -5,6 +5,28 @@
 
 namespace integral {
 
+options::variables_map read_arguments(const Command& command, const std::vector<std::string>& words)
+{
+    options::options_description all = command.make_options();
+    all.add_options()("input", options::value<std::vector<std::string>>());
+    options::positional_options_description positional;
+    positional.add("input", -1);
+    namespace style = options::command_line_style;
+    options::variables_map arguments;
+    try {
+        options::store(options::command_line_parser(words)
+                           .options(all)
+                           .positional(positional)
+                           .style(style::unix_style & ~style::allow_guessing)
+                           .run(),
+                       arguments);
+        options::notify(arguments);
+    } catch (const options::error& error) {
+        throw UsageError(error.what());
+    }
+    return arguments;
+}
+
 std::vector<std::string> inputs_of(const options::variables_map& arguments)
 {
     return given(arguments, "input") ? arguments["input"].as<std::vector<std::string>>()

@@ -50,6 +50,9 @@ extern const Command sheet_command, replay_command, views_command, print_command
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();
 
+/// Reads the words of a command's line. Throws UsageError for options that it does not have, and for values of another kind.
+options::variables_map read_arguments(const Command& command, const std::vector<std::string>& words);
+
 /// The inputs of a command line, in order.
 std::vector<std::string> inputs_of(const options::variables_map& arguments);
 

@@ -2,6 +2,8 @@
 # Sources of the integral program: one line per file, headers too.
 
 build_bin_integral_SOURCES += \
+  integral/cli/batch_check.cpp \
+  integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
   integral/cli/batch_report.cpp \
   integral/cli/batch_report.h \

@@ -84,33 +84,9 @@ std::string manual_page()
     return page + ".SH \"SEE ALSO\"\n.BR povray-integral (1)\n";
 }
 
-/// Reads a command's options; throws options::error or UsageError.
-options::variables_map read_arguments(const Command& command, const std::vector<std::string>& words)
-{
-    options::options_description all = command.make_options();
-    all.add_options()("input", options::value<std::vector<std::string>>());
-    options::positional_options_description positional;
-    positional.add("input", -1);
-    namespace style = options::command_line_style;
-    options::variables_map arguments;
-    options::store(options::command_line_parser(words)
-                       .options(all)
-                       .positional(positional)
-                       .style(style::unix_style & ~style::allow_guessing)
-                       .run(),
-                   arguments);
-    options::notify(arguments);
-    return arguments;
-}
-
 int run_command(const Command& command, const std::vector<std::string>& words)
 {
-    options::variables_map arguments;
-    try {
-        arguments = read_arguments(command, words);
-    } catch (const options::error& error) {
-        throw UsageError(error.what());
-    }
+    const options::variables_map arguments = read_arguments(command, words);
     if (given(arguments, "help")) {
         std::cout << help_for(command);
         return exit_done;

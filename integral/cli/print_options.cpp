@@ -36,24 +36,28 @@ std::optional<Paper> parse_paper(const options::variables_map& arguments, const 
         return std::nullopt;
     }
     const std::string text = text_of(arguments, "paper");
-    std::optional<Paper> paper = paper_named(text);
-    const bool named = paper.has_value();
-    if (!named) {
-        double width = 0, height = 0;
-        int read = 0;
-        if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 || read != int(text.size()) || !(width >= 5 && height >= 5)
-            || !(width <= largest_paper && height <= largest_paper))
-            throw UsageError("--paper " + text + ": " + paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm, is expected");
-        paper = Paper{width, height};
-    }
+    Paper paper = parse_paper_size(text);
+    const bool named = paper_named(text).has_value();
     const bool wide = film.width * film.pixel_pitch.x > film.height * film.pixel_pitch.y;
-    const bool turn = way == "auto" ? named && wide : (way == "landscape") != (paper->width > paper->height);
+    const bool turn = way == "auto" ? named && wide : (way == "landscape") != (paper.width > paper.height);
     if (turn)
-        std::swap(paper->width, paper->height);
+        std::swap(paper.width, paper.height);
     return paper;
 }
 
 } // namespace
+
+Paper parse_paper_size(const std::string& text)
+{
+    if (const std::optional<Paper> paper = paper_named(text))
+        return *paper;
+    double width = 0, height = 0;
+    int read = 0;
+    if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 || read != int(text.size()) || !(width >= 5 && height >= 5)
+        || !(width <= largest_paper && height <= largest_paper))
+        throw UsageError("--paper " + text + ": " + paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm, is expected");
+    return {width, height};
+}
 
 Vec2 printer_pitch(const options::variables_map& arguments, const Film& film)
 {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/renderer.h"
 
-#include "integral/cli/progress.h"
-#include "integral/io/file_bytes.h"
+#include "integral/cli/child_process.h"
 
 #include <cerrno>
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace integral {
 
@@ -73,48 +64,23 @@ std::string reason_in(const std::string& said)
     return last;
 }
 
-namespace {
-
-/// Waits for its end and returns its status. An interrupt of this program is passed on, as it may have come to this one alone.
-int wait_for(pid_t child)
+InputError no_renderer(const std::string& said)
 {
-    int status = 0;
-    bool told = false;
-    for (pid_t ended = 0; ended == 0 || (ended < 0 && errno == EINTR);) {
-        if (interrupted() && !told)
-            told = kill(child, SIGTERM) == 0;
-        ended = waitpid(child, &status, WNOHANG); // and not until it ends: a signal just before would go unnoticed
-        if (ended == 0)
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return status;
+    const std::string before = "cannot be run: ";
+    const auto place = said.find(before);
+    const std::string reason = reason_in(place == std::string::npos ? said : said.substr(place + before.size()));
+    return InputError("povray-integral cannot be run: " + reason + "; it belongs beside this program, or on PATH");
 }
-
-} // namespace
 
 void render(const std::string& what, const std::vector<std::string>& options, const ScratchFolder& scratch)
 {
-    const std::string program = renderer_program(), log = scratch.path("said.txt");
     std::vector<std::string> words = options;
-    words.insert(words.begin(), name);
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_adddup2(&actions, 1, 2);
-    pid_t child;
-    const int failed = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed)
-        throw InputError(what + ": povray-integral cannot be run: " + std::strerror(failed) + "; it belongs beside this program, or on PATH");
-    const int status = wait_for(child);
-    stop_if_interrupted();
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    words.insert(words.begin(), renderer_program());
+    const std::string log = scratch.path("said.txt");
+    const ChildEnd end = ChildProcess(words, ".", log).wait();
+    if (end.status == program_cannot_be_run)
+        throw InputError(what + ": " + no_renderer(read_file(log)).what());
+    if (end.status != 0)
         throw InputError(what + ": it cannot be rendered: " + reason_in(read_file(log)));
 }
 

@@ -3,6 +3,8 @@
 #ifndef INTEGRAL_CLI_RENDERER_H
 #define INTEGRAL_CLI_RENDERER_H
 
+#include "integral/io/file_bytes.h"
+
 #include <string>
 #include <vector>
 
@@ -27,6 +29,9 @@ std::string renderer_program();
 
 /// POV-Ray's reason for a failure in all that it said: the sentence that says "Error:", its broken lines joined, else its last line.
 std::string reason_in(const std::string& said);
+
+/// What to throw where povray-integral cannot be run, of what ChildProcess or it has said.
+InputError no_renderer(const std::string& said);
 
 /// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its end. What it says goes to
 /// a file in `scratch`. Throws InputError, with the renderer's own reason, where it fails, naming `what` (the scene); Interrupted where

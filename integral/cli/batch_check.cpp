@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/batch_check.h"
+
+#include "integral/cli/command.h"
+#include "integral/cli/lcd_image.h"
+#include "integral/cli/print_options.h"
+#include "integral/io/file_bytes.h"
+
+namespace integral {
+namespace {
+
+/// What a command reads of a target's options. Throws UsageError.
+options::variables_map options_of(const Command& command, const BatchTarget& target, Names words)
+{
+    words.insert(words.end(), target.options.begin(), target.options.end());
+    words.insert(words.end(), {"frame.png", "--output", "output." + target.format});
+    const options::variables_map arguments = read_arguments(command, words);
+    const auto inputs = inputs_of(arguments);
+    if (inputs.size() > 1)
+        throw UsageError(inputs[0] + ": an option of integral " + command.name + " is expected");
+    return arguments;
+}
+
+/// Says where in the manifest stands what `check` finds wrong.
+template <class Check> void check_at(const std::string& place, const Command& command, const Check& check)
+{
+    try {
+        check();
+    } catch (const UsageError& error) {
+        const std::string what = error.what();
+        throw InputError(place + ": " + what + (what.find(';') == std::string::npos ? std::string("; see integral help ") + command.name : ""));
+    } catch (const InputError& error) {
+        throw InputError(place + ": " + error.what());
+    }
+}
+
+void check_panel(const BatchTarget& target, const std::string& panel)
+{
+    options::variables_map arguments;
+    check_at(target.options_place, lcd_command, [&] {
+        arguments = options_of(lcd_command, target, {"--panel", panel});
+        for (const char* option : {"list", "list-displays"})
+            if (arguments[option].as<bool>())
+                throw UsageError(std::string("--") + option + " makes no image");
+        check_panel_options(arguments);
+    });
+    check_at(target.place, lcd_command, [&] { panel_of(arguments); });
+}
+
+} // namespace
+
+void check_targets(const Manifest& manifest)
+{
+    for (const BatchTarget& paper : manifest.papers) {
+        if (!paper.what.empty())
+            check_at(paper.place, print_command, [&] { parse_paper_size(paper.what); });
+        check_at(paper.options_place, print_command, [&] { options_of(print_command, paper, {}); });
+    }
+    for (const BatchTarget& panel : manifest.panels)
+        check_panel(panel, extension_of(panel.what) == "json" ? path_in(manifest.folder, panel.what) : panel.what);
+    for (const BatchTarget& preview : manifest.previews)
+        check_at(preview.options_place, replay_command, [&] { options_of(replay_command, preview, {}); });
+}
+
+} // namespace integral
