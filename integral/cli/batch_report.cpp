@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace integral {
 namespace {
 
@@ -81,7 +83,7 @@ Json batch_summary(const Manifest& manifest, const BatchPlan& plan, const std::v
                                 {"this_run", name_of(results[i].fate)},
                                 {"file", step.output},
                                 {"seconds", state == "done" ? Json(record.seconds) : Json(nullptr)},
-                                {"memory_bytes", state == "done" ? Json(record.memory) : Json(nullptr)},
+                                {"memory_bytes", state == "done" ? Json(std::llround(record.memory)) : Json(nullptr)},
                                 {"reason", reason.empty() ? Json(nullptr) : Json(reason)}});
     }
     for (const Json& job : jobs) {
