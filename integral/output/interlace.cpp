@@ -2,6 +2,7 @@
 #include "integral/output/interlace.h"
 
 #include "integral/lightfield/eye_place.h"
+#include "integral/output/interlace_rays.h"
 #include "integral/output/interlace_rows.h"
 
 #include <algorithm>
@@ -85,10 +86,12 @@ std::optional<RayMapping> ray_mapping(const FrameMetadata& geometry, EyeGrid eye
     mapping.across.resize(count);
     mapping.x.resize(count);
     mapping.y.resize(count);
+    mapping.y_of_rows.resize(film.height);
     if (mapping.round_lenses)
         mapping.up.resize(count);
     const auto part = [](double at) { return std::uint16_t(std::clamp(std::floor(at * RayMapping::parts), 0.0, RayMapping::parts - 1.0)); };
     const auto row = [&](int y) {
+        std::uint16_t least = RayMapping::parts, greatest = 0;
         for (int x = 0; x < film.width; ++x)
             for (int channel = 0; channel < channels; ++channel) {
                 const std::size_t i = (std::size_t(y) * film.width + x) * channels + channel;
@@ -99,9 +102,12 @@ std::optional<RayMapping> ray_mapping(const FrameMetadata& geometry, EyeGrid eye
                 const Vec2 at = pixel_from_film(film, seen->place);
                 mapping.x[i] = part(at.x / film.width);
                 mapping.y[i] = part(at.y / film.height);
+                least = std::min(least, mapping.y[i]);
+                greatest = std::max(greatest, mapping.y[i]);
                 if (mapping.round_lenses)
                     mapping.up[i] = part(seen->eye.y);
             }
+        mapping.y_of_rows[y] = {std::min(least, greatest), greatest};
     };
     if (!for_each_row(film.height, threads, row, progress))
         return std::nullopt;
@@ -182,7 +188,60 @@ void interlace_as(Image& panel, const ViewPictures& views, const PublishedMappin
     });
 }
 
-template <class Sample> void interlace_as(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads)
+/// The rows of the views that rows of a panel show through lenticular lenses, close together.
+class RayLines {
+public:
+    RayLines(const ViewPictures& views, const RayMapping& mapping, Blend blend)
+        : views_(views), mapping_(mapping), blend_(blend), line_step_(std::size_t(views.grid.count()) * view_bytes()),
+          lines_(lines_kept * line_step_ + view_bytes() + 8)
+    {
+        made_.fill(-1);
+    }
+
+    /// The first samples of the panel's row y, as many as are returned.
+    int make(std::uint8_t* samples, int y)
+    {
+        const auto index = [&](std::uint16_t part) { return int(step_of(blend_.pixels, phase_of_part(part), views_.height).index); };
+        const int first = index(mapping_.y_of_rows[y][0]), last = index(mapping_.y_of_rows[y][1]);
+        if (last - first >= int(lines_kept))
+            return 0;
+        for (int k = first; k <= last; ++k)
+            keep(k);
+        const int count = mapping_.width * channels;
+        const std::size_t i = std::size_t(y) * count;
+        return interlace_ray_row({samples, count, &mapping_.across[i], &mapping_.x[i], &mapping_.y[i], std::uint32_t(views_.grid.count()),
+                                  std::uint32_t(views_.width), std::uint32_t(views_.height), lines_.data(), line_step_},
+                                 blend_.views == Neighbours::linear, blend_.pixels == Neighbours::linear);
+    }
+
+private:
+    std::size_t view_bytes() const { return std::size_t(views_.width) * channels * (blend_.pixels == Neighbours::linear ? 2 : 1); }
+
+    void keep(int k)
+    {
+        if (made_[k % lines_kept] == k)
+            return;
+        made_[k % lines_kept] = k;
+        const std::size_t below = k + 1 < views_.height ? views_.row_step : 0;
+        for (int view = 0; view < views_.grid.count(); ++view) {
+            const std::uint8_t* row = views_.first<std::uint8_t>(view) + k * views_.row_step;
+            std::uint8_t* to = lines_.data() + k % lines_kept * line_step_ + view * view_bytes();
+            if (blend_.pixels == Neighbours::linear)
+                make_ray_line(to, row, row + below, std::size_t(views_.width) * channels);
+            else
+                std::memcpy(to, row, view_bytes());
+        }
+    }
+
+    const ViewPictures& views_;
+    const RayMapping& mapping_;
+    const Blend blend_;
+    const std::size_t line_step_;
+    std::vector<std::uint8_t> lines_;
+    std::array<int, lines_kept> made_;
+};
+
+template <class Sample> void interlace_as(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads, bool portable)
 {
     const ViewGrid grid = mapping.round_lenses ? views.grid : ViewGrid{views.grid.count(), 1};
     std::vector<const Sample*> begin;
@@ -190,8 +249,8 @@ template <class Sample> void interlace_as(Image& panel, const ViewPictures& view
         begin.push_back(views.first<Sample>(view));
     std::vector<Sample>& image = std::get<std::vector<Sample>>(panel.samples);
     const std::size_t samples = std::size_t(panel.width) * channels;
-    for_each_block(panel.height, threads, [&](int first, int end) {
-        for (std::size_t i = first * samples; i < end * samples; ++i) {
+    const auto make = [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
             if (mapping.across[i] == RayMapping::empty) {
                 image[i] = 0;
                 continue;
@@ -217,6 +276,16 @@ template <class Sample> void interlace_as(Image& panel, const ViewPictures& view
                 sum += line(up.index + 1) * up.weight;
             image[i] = Sample((sum + (std::uint64_t(1) << 31)) >> 32);
         }
+    };
+    for_each_block(panel.height, threads, [&](int first, int end) {
+        if constexpr (sizeof(Sample) == 1)
+            if (!portable && !mapping.round_lenses && has_ray_loop(grid.count(), views.width, views.height)) {
+                RayLines lines(views, mapping, blend);
+                for (int y = first; y < end; ++y)
+                    make(y * samples + lines.make(image.data() + y * samples, y), (y + 1) * samples);
+                return;
+            }
+        make(first * samples, end * samples);
     });
 }
 
@@ -229,11 +298,11 @@ void interlace(Image& panel, const ViewPictures& views, const PublishedMapping& 
                             : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads, portable);
 }
 
-void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads)
+void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads, bool portable)
 {
     check_panel(panel, views, mapping.width, mapping.height);
-    sample_bits(panel) == 8 ? interlace_as<std::uint8_t>(panel, views, mapping, blend, threads)
-                            : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads);
+    sample_bits(panel) == 8 ? interlace_as<std::uint8_t>(panel, views, mapping, blend, threads, portable)
+                            : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads, portable);
 }
 
 } // namespace integral

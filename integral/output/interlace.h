@@ -32,6 +32,7 @@ struct RayMapping {
     int width = 0, height = 0;
     bool round_lenses = false;            ///< else `up` is empty: lenticular lenses show all views from left to right
     std::vector<std::uint16_t> across, up, x, y;
+    std::vector<std::array<std::uint16_t, 2>> y_of_rows; ///< the least and the greatest y in each row of what is seen
     static constexpr int parts = 65535, empty = 65535;
 };
 
@@ -78,7 +79,7 @@ Image panel_image(const ViewPictures& views, int width, int height);
 /// Fills the panel's image; it is of panel_image's form. A quilt's views stand on one line, by number, but those for
 /// round lenses in the columns and rows of their grid. `portable`: by the plain loop alone, which the other must equal to the bit.
 void interlace(Image& panel, const ViewPictures& views, const PublishedMapping& mapping, Blend blend = {}, int threads = 0, bool portable = false);
-void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend = {}, int threads = 0);
+void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend = {}, int threads = 0, bool portable = false);
 
 } // namespace integral
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/interlace_rows.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define INTEGRAL_HAS_AVX2
-#include <immintrin.h>
-#endif
+#include "integral/output/interlace_avx2.h"
 
 namespace integral {
 namespace {
@@ -43,8 +40,6 @@ template <class Sample> void plain_blend(Sample* to, const Sample* a, const Samp
 }
 
 #ifdef INTEGRAL_HAS_AVX2
-
-__attribute__((target("avx2"))) inline __m256i vector(const void* at) { return _mm256_loadu_si256(static_cast<const __m256i*>(at)); }
 
 /// Of four bytes the first and the last, weighed.
 __attribute__((target("avx2"))) inline __m256i ends_of(__m256i four, __m256i weights)
@@ -117,12 +112,6 @@ __attribute__((target("avx2"))) std::size_t fast_blend(std::uint8_t* to, const s
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(to + i), _mm256_xor_si256(both, sign));
     }
     return i;
-}
-
-bool has_avx2()
-{
-    static const bool has = __builtin_cpu_supports("avx2");
-    return has;
 }
 
 #endif
