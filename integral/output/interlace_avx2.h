@@ -5,6 +5,8 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define INTEGRAL_HAS_AVX2
+#include <cstdint>
+#include <cstring>
 #include <immintrin.h>
 
 namespace integral {
@@ -32,6 +34,60 @@ template <int byte> __attribute__((target("avx2"))) inline __m128i bytes_of(__m2
     const __m256i bytes = _mm256_shuffle_epi8(lanes, order);
     return _mm_or_si128(_mm256_castsi256_si128(bytes), _mm256_extracti128_si256(bytes, 1));
 }
+
+/// What lies at eight places, of 31 bits: a byte of each, or four, or of two places eight. Loads one by one take less than half the time of the
+/// gather instructions on the processors on which this was measured, and places from a register's halves less than from memory.
+class EightPlaces {
+public:
+    __attribute__((target("avx2"))) explicit EightPlaces(__m256i places)
+    {
+        const __m128i low = _mm256_castsi256_si128(places), high = _mm256_extracti128_si256(places, 1);
+        two_[0] = std::uint64_t(_mm_cvtsi128_si64(low));
+        two_[1] = std::uint64_t(_mm_extract_epi64(low, 1));
+        two_[2] = std::uint64_t(_mm_cvtsi128_si64(high));
+        two_[3] = std::uint64_t(_mm_extract_epi64(high, 1));
+    }
+
+    /// In the lower half.
+    __attribute__((target("avx2"))) __m128i bytes(const std::uint8_t* origin) const
+    {
+        __m128i all = _mm_cvtsi32_si128(origin[place<0>()]);
+        all = _mm_insert_epi8(all, origin[place<1>()], 1);
+        all = _mm_insert_epi8(all, origin[place<2>()], 2);
+        all = _mm_insert_epi8(all, origin[place<3>()], 3);
+        all = _mm_insert_epi8(all, origin[place<4>()], 4);
+        all = _mm_insert_epi8(all, origin[place<5>()], 5);
+        all = _mm_insert_epi8(all, origin[place<6>()], 6);
+        return _mm_insert_epi8(all, origin[place<7>()], 7);
+    }
+
+    __attribute__((target("avx2"))) __m256i fours(const std::uint8_t* origin) const
+    {
+        return _mm256_inserti128_si256(_mm256_castsi128_si256(half<0>(origin)), half<4>(origin), 1);
+    }
+
+    template <int first> __attribute__((target("avx2"))) __m128i eights(const std::uint8_t* origin) const
+    {
+        return _mm_unpacklo_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(origin + place<first>())),
+                                  _mm_loadl_epi64(reinterpret_cast<const __m128i*>(origin + place<first + 1>())));
+    }
+
+private:
+    template <int k> std::uint64_t place() const { return k % 2 ? two_[k / 2] >> 32 : std::uint32_t(two_[k / 2]); }
+    template <int k> int four(const std::uint8_t* origin) const
+    {
+        int value;
+        std::memcpy(&value, origin + place<k>(), sizeof value);
+        return value;
+    }
+    template <int k> __attribute__((target("avx2"))) __m128i half(const std::uint8_t* origin) const
+    {
+        const __m128i all = _mm_insert_epi32(_mm_cvtsi32_si128(four<k>(origin)), four<k + 1>(origin), 1);
+        return _mm_insert_epi32(_mm_insert_epi32(all, four<k + 2>(origin), 2), four<k + 3>(origin), 3);
+    }
+
+    std::uint64_t two_[4];
+};
 
 } // namespace integral
 

@@ -44,31 +44,30 @@ __attribute__((target("avx2"))) inline __m256i eight(const std::uint16_t* at)
     return _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)));
 }
 
-/// Four pixels in lines of two rows: each the sums, less 128 times 256, of its two and of the next pixel's two samples by weights.
-__attribute__((target("avx2"))) inline __m256i of_two_rows(const std::uint8_t* lines, __m128i places, __m256i weights)
+/// Pixels in lines of two rows: each the sums, less 128 times 256, of its two and of the next pixel's two samples by weights.
+__attribute__((target("avx2"))) inline __m256i of_two_rows(__m128i lower, __m128i upper, __m256i weights)
 {
     const __m256i ends = _mm256_setr_epi8(0, -1, 1, -1, 6, -1, 7, -1, 8, -1, 9, -1, 14, -1, 15, -1,
                                           0, -1, 1, -1, 6, -1, 7, -1, 8, -1, 9, -1, 14, -1, 15, -1);
-    const __m256i samples = _mm256_i32gather_epi64(reinterpret_cast<const long long*>(lines), places, 1);
+    const __m256i samples = _mm256_inserti128_si256(_mm256_castsi128_si256(lower), upper, 1);
     return _mm256_sub_epi32(_mm256_madd_epi16(_mm256_shuffle_epi8(samples, ends), weights), _mm256_set1_epi32(32768));
 }
 
 /// Eight pixels blended: 65536 times their values less 128.
-__attribute__((target("avx2"))) inline __m256i of_four(const std::uint8_t* lines, __m256i places, __m256i x_weights, __m256i y_weights)
+__attribute__((target("avx2"))) inline __m256i of_four(const EightPlaces& at, const std::uint8_t* lines, __m256i x_weights, __m256i y_weights)
 {
-    const __m256i order = _mm256_permutevar8x32_epi32(places, _mm256_setr_epi32(0, 1, 4, 5, 2, 3, 6, 7));
-    const __m256i low = of_two_rows(lines, _mm256_castsi256_si128(order), _mm256_unpacklo_epi32(y_weights, y_weights));
-    const __m256i high = of_two_rows(lines, _mm256_extracti128_si256(order, 1), _mm256_unpackhi_epi32(y_weights, y_weights));
-    return _mm256_madd_epi16(_mm256_packs_epi32(low, high), x_weights);
+    const __m256i first = of_two_rows(at.eights<0>(lines), at.eights<4>(lines), _mm256_unpacklo_epi32(y_weights, y_weights));
+    const __m256i second = of_two_rows(at.eights<2>(lines), at.eights<6>(lines), _mm256_unpackhi_epi32(y_weights, y_weights));
+    return _mm256_madd_epi16(_mm256_packs_epi32(first, second), x_weights);
 }
 
 template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) int fast_rays(const RayRow& row)
 {
     static const std::int32_t channel_of[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0};
     const Steps view_steps(row.view_count, blend_views), x_steps(row.width, blend_pixels), y_steps(row.height, blend_pixels);
-    const int sample_bytes = blend_pixels ? 2 : 1; // in a line
+    const std::uint8_t* next_lines = row.lines + std::size_t(row.width) * 3 * (blend_pixels ? 2 : 1); // of the next view
     const __m256i byte = _mm256_set1_epi32(255), view_step = _mm256_set1_epi32(int(row.width * 3)), line_step = _mm256_set1_epi32(int(row.line_step));
-    const __m256i next_view = _mm256_set1_epi32(int(row.width * 3 * sample_bytes)), of_lines = _mm256_set1_epi32(int(lines_kept - 1));
+    const __m256i of_lines = _mm256_set1_epi32(int(lines_kept - 1));
     int i = 0;
     for (int channel = 0; i + 8 <= row.count; i += 8, channel = channel ? channel - 1 : 2) {
         const __m256i across = eight(row.across + i);
@@ -98,11 +97,12 @@ template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) i
         if (blend_pixels)
             place = _mm256_add_epi32(place, place);
         place = _mm256_add_epi32(place, _mm256_mullo_epi32(_mm256_and_si256(y, of_lines), line_step));
+        const EightPlaces at(place);
         __m128i result;
         if (blend_pixels) {
-            const __m256i left = of_four(row.lines, place, x_weights, y_weights);
+            const __m256i left = of_four(at, row.lines, x_weights, y_weights);
             if (blend_views) {
-                const __m256i right = of_four(row.lines, _mm256_add_epi32(place, next_view), x_weights, y_weights);
+                const __m256i right = of_four(at, next_lines, x_weights, y_weights);
                 const __m256i sum = _mm256_add_epi32(_mm256_slli_epi32(left, 8), _mm256_mullo_epi32(_mm256_sub_epi32(right, left), view_weight));
                 result = bytes_of<3>(_mm256_add_epi32(sum, _mm256_set1_epi32(1 << 23)));
             } else {
@@ -110,14 +110,10 @@ template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) i
             }
             result = _mm_xor_si128(result, _mm_set1_epi8(char(128)));
         } else {
-            const int* lines = reinterpret_cast<const int*>(row.lines);
-            const __m256i left = _mm256_i32gather_epi32(lines, place, 1);
+            result = at.bytes(row.lines);
             if (blend_views) {
-                const __m256i right = _mm256_i32gather_epi32(lines, _mm256_add_epi32(place, next_view), 1);
-                const __m256i both = _mm256_or_si256(_mm256_and_si256(left, byte), _mm256_slli_epi32(_mm256_and_si256(right, byte), 16));
+                const __m256i both = _mm256_cvtepu8_epi16(_mm_unpacklo_epi8(result, at.bytes(next_lines)));
                 result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs(view_weight)), _mm256_set1_epi32(128)));
-            } else {
-                result = bytes_of<0>(left);
             }
         }
         const __m128i empty = _mm_cmpeq_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(row.across + i)), _mm_set1_epi16(-1));

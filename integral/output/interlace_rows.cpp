@@ -53,47 +53,41 @@ template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) i
 {
     const __m256i row_phase = _mm256_set1_epi32(int(row.phase)), count = _mm256_set1_epi32(int(row.view_count));
     const __m256i step = _mm256_set1_epi32(int(row.view_step)), byte = _mm256_set1_epi32(255), whole = _mm256_set1_epi32(256);
-    const __m256i shift = _mm256_set1_epi64x(0x80800000), one = _mm256_set1_epi32(1), high = _mm256_set1_epi32(int(0xffff0000));
-    const __m256i low_bytes = _mm256_setr_epi8(0, 4, 8, 12, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
-                                               -1, -1, -1, -1, 0, 4, 8, 12, -1, -1, -1, -1, -1, -1, -1, -1);
-    const int* views = reinterpret_cast<const int*>(row.views);
+    const __m256i shift = _mm256_set1_epi64x(0x80800000), last = _mm256_set1_epi32(int(row.view_count << 8)), high = _mm256_set1_epi32(int(0xffff0000));
+    const std::uint8_t* next_views = row.views + row.view_step;
     int i = 0;
     for (; i + 8 <= row.count; i += 8) {
         const __m256i phase = _mm256_add_epi32(vector(row.phases + i), row_phase);
-        __m256i even = _mm256_mul_epu32(phase, count), odd = _mm256_mul_epu32(_mm256_srli_epi64(phase, 32), count);
+        const __m256i even = _mm256_mul_epu32(phase, count), odd = _mm256_mul_epu32(_mm256_srli_epi64(phase, 32), count);
+        __m256i view, view_weight;
         if (blend_views) {
-            even = _mm256_add_epi64(even, shift);
-            odd = _mm256_add_epi64(odd, shift);
+            // 256 times the next view, and its weight; none beyond the outermost.
+            const __m256i next = _mm256_blend_epi32(_mm256_srli_epi64(_mm256_add_epi64(even, shift), 24), _mm256_slli_epi64(_mm256_add_epi64(odd, shift), 8), 0xaa);
+            const __m256i both = _mm256_sub_epi32(_mm256_min_epu32(_mm256_max_epu32(next, whole), last), whole);
+            view_weight = _mm256_and_si256(both, byte);
+            view = _mm256_srli_epi32(both, 8);
+        } else {
+            view = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa);
         }
-        __m256i view = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa), view_weight = view;
-        if (blend_views) {
-            const __m256i outside = _mm256_or_si256(_mm256_cmpeq_epi32(view, _mm256_setzero_si256()), _mm256_cmpeq_epi32(view, count));
-            const __m256i low = _mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xaa);
-            view_weight = _mm256_andnot_si256(outside, _mm256_srli_epi32(low, 24));
-            view_weight = _mm256_or_si256(_mm256_sub_epi32(whole, view_weight), _mm256_slli_epi32(view_weight, 16));
-            view = _mm256_sub_epi32(_mm256_max_epu32(view, one), one);
-        }
-        const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(view, step), vector(row.places + i));
-        __m256i result = _mm256_i32gather_epi32(views, at, 1);
+        const EightPlaces at(_mm256_add_epi32(_mm256_mullo_epi32(view, step), vector(row.places + i)));
+        __m128i result;
         if (blend_pixels) {
-            const __m256i weight = vector(row.weights + i);
-            const __m256i pixel_weights = _mm256_or_si256(_mm256_sub_epi32(whole, weight), _mm256_slli_epi32(weight, 16));
-            result = ends_of(result, pixel_weights);
+            const __m256i weights = pairs(vector(row.weights + i)), left = ends_of(at.fours(row.views), weights);
             if (blend_views) {
-                const __m256i next = ends_of(_mm256_i32gather_epi32(views, _mm256_add_epi32(at, step), 1), pixel_weights);
-                const __m256i both = _mm256_or_si256(_mm256_srli_epi32(result, 1), _mm256_and_si256(_mm256_slli_epi32(next, 15), high));
-                result = _mm256_srli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, view_weight), _mm256_set1_epi32(16384)), 15);
+                const __m256i right = ends_of(at.fours(next_views), weights);
+                const __m256i both = _mm256_or_si256(_mm256_srli_epi32(left, 1), _mm256_and_si256(_mm256_slli_epi32(right, 15), high));
+                result = bytes_of<2>(_mm256_slli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, pairs(view_weight)), _mm256_set1_epi32(16384)), 1));
             } else {
-                result = _mm256_srli_epi32(_mm256_add_epi32(result, _mm256_set1_epi32(128)), 8);
+                result = bytes_of<1>(_mm256_add_epi32(left, _mm256_set1_epi32(128)));
             }
-        } else if (blend_views) {
-            const __m256i next = _mm256_i32gather_epi32(views, _mm256_add_epi32(at, step), 1);
-            const __m256i both = _mm256_or_si256(_mm256_and_si256(result, byte), _mm256_slli_epi32(_mm256_and_si256(next, byte), 16));
-            result = _mm256_srli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, view_weight), _mm256_set1_epi32(128)), 8);
+        } else {
+            result = at.bytes(row.views);
+            if (blend_views) {
+                const __m256i both = _mm256_cvtepu8_epi16(_mm_unpacklo_epi8(result, at.bytes(next_views)));
+                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs(view_weight)), _mm256_set1_epi32(128)));
+            }
         }
-        const __m256i bytes = _mm256_shuffle_epi8(result, low_bytes);
-        _mm_storel_epi64(reinterpret_cast<__m128i*>(row.samples + i),
-                         _mm_or_si128(_mm256_castsi256_si128(bytes), _mm256_extracti128_si256(bytes, 1)));
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(row.samples + i), result);
     }
     return i;
 }
@@ -132,8 +126,8 @@ template <> void interlace_row(const InterlacedRow<std::uint8_t>& row, bool blen
 {
     int done = 0;
 #ifdef INTEGRAL_HAS_AVX2
-    // Places are counted by 31 bits there.
-    if (has_avx2() && (std::uint64_t(row.view_count) + 1) * row.view_step < 0x7fffffff) {
+    // Places are counted by 31 bits there, views by 23.
+    if (has_avx2() && (std::uint64_t(row.view_count) + 1) * row.view_step < 0x7fffffff && row.view_count < (1u << 23)) {
         if (blend_views)
             done = blend_pixels ? fast_samples<true, true>(row) : fast_samples<true, false>(row);
         else
