@@ -19,6 +19,10 @@ constexpr double whole_range = 4294967296.0; // 2^32
 constexpr int channels = 3;
 constexpr int rows_a_block = 32;
 
+/// Bytes from view to view where rows of all views lie close together: an odd number of the cache's lines, so that what all of them show at one place
+/// does not meet in a few of its sets.
+std::size_t spread(std::size_t bytes) { return ((bytes + 63) / 64 | 1) * 64; }
+
 /// A part of a range, modulo 1.
 std::uint32_t phase_of(double part)
 {
@@ -29,7 +33,7 @@ std::uint32_t phase_of(double part)
 std::uint32_t middle_phase(int pixel, int count, bool flip) { return phase_of((flip ? count - pixel - 0.5 : pixel + 0.5) / count); }
 
 /// The phase of the middle of one of RayMapping's parts.
-std::uint32_t phase_of_part(std::uint16_t part) { return part * 65537u + 32768u; }
+std::uint32_t phase_of_part(std::uint16_t part) { return part * 65536u + 32768u; }
 
 Step step_of(Neighbours neighbours, std::uint32_t phase, int count)
 {
@@ -89,9 +93,9 @@ std::optional<RayMapping> ray_mapping(const FrameMetadata& geometry, EyeGrid eye
     mapping.y_of_rows.resize(film.height);
     if (mapping.round_lenses)
         mapping.up.resize(count);
-    const auto part = [](double at) { return std::uint16_t(std::clamp(std::floor(at * RayMapping::parts), 0.0, RayMapping::parts - 1.0)); };
+    const auto part = [](double at) { return std::uint16_t(std::clamp(std::floor(at * RayMapping::parts), 0.0, double(RayMapping::last))); };
     const auto row = [&](int y) {
-        std::uint16_t least = RayMapping::parts, greatest = 0;
+        std::uint16_t least = RayMapping::last, greatest = 0;
         for (int x = 0; x < film.width; ++x)
             for (int channel = 0; channel < channels; ++channel) {
                 const std::size_t i = (std::size_t(y) * film.width + x) * channels + channel;
@@ -154,7 +158,7 @@ template <class Sample>
 void interlace_as(Image& panel, const ViewPictures& views, const PublishedMapping& mapping, Blend blend, int threads, bool portable)
 {
     const int count = views.grid.count(), samples = panel.width * channels;
-    const std::size_t view_samples = std::size_t(views.width) * channels;
+    const std::size_t view_samples = std::size_t(views.width) * channels, view_step = spread(view_samples * sizeof(Sample)) / sizeof(Sample);
     std::vector<std::uint32_t> places(samples), weights(samples);
     for (int i = 0; i < samples; ++i) {
         const Step step = step_of(blend.pixels, middle_phase(i / channels, panel.width, mapping.flip_x), views.width);
@@ -164,7 +168,7 @@ void interlace_as(Image& panel, const ViewPictures& views, const PublishedMappin
     std::vector<Sample>& image = std::get<std::vector<Sample>>(panel.samples);
     for_each_block(panel.height, threads, [&](int first, int end) {
         // A row of each view, one after the other: what a row of the panel is made of lies close together. Weights of 0 may read one view farther.
-        std::vector<Sample> rows((count + 1) * view_samples + 2 * channels);
+        std::vector<Sample> rows((count + 1) * view_step + 2 * channels);
         Step made{0, 0};
         bool any = false;
         for (int y = first; y < end; ++y) {
@@ -172,7 +176,7 @@ void interlace_as(Image& panel, const ViewPictures& views, const PublishedMappin
             if (!any || step.index != made.index || step.weight != made.weight)
                 for (int view = 0; view < count; ++view) {
                     const Sample* above = views.first<Sample>(view) + step.index * views.row_step;
-                    Sample* row = rows.data() + view * view_samples;
+                    Sample* row = rows.data() + view * view_step;
                     if (step.weight == 0)
                         std::memcpy(row, above, view_samples * sizeof(Sample));
                     else
@@ -182,7 +186,7 @@ void interlace_as(Image& panel, const ViewPictures& views, const PublishedMappin
             made = step;
             const InterlacedRow<Sample> row{image.data() + std::size_t(y) * samples, samples,
                                             mapping.of_columns[y % mapping.of_columns.size()].data(), mapping.of_rows[y],
-                                            rows.data(), std::uint32_t(view_samples), std::uint32_t(count), places.data(), weights.data()};
+                                            rows.data(), std::uint32_t(view_step), std::uint32_t(count), places.data(), weights.data()};
             (portable ? interlace_row_portably<Sample> : interlace_row<Sample>)(row, blend.views == Neighbours::linear, blend.pixels == Neighbours::linear);
         }
     });
@@ -210,12 +214,12 @@ public:
         const int count = mapping_.width * channels;
         const std::size_t i = std::size_t(y) * count;
         return interlace_ray_row({samples, count, &mapping_.across[i], &mapping_.x[i], &mapping_.y[i], std::uint32_t(views_.grid.count()),
-                                  std::uint32_t(views_.width), std::uint32_t(views_.height), lines_.data(), line_step_},
+                                  std::uint32_t(views_.width), std::uint32_t(views_.height), std::uint32_t(first), std::uint32_t(last), lines_.data(), view_bytes(), line_step_},
                                  blend_.views == Neighbours::linear, blend_.pixels == Neighbours::linear);
     }
 
 private:
-    std::size_t view_bytes() const { return std::size_t(views_.width) * channels * (blend_.pixels == Neighbours::linear ? 2 : 1); }
+    std::size_t view_bytes() const { return spread(std::size_t(views_.width) * channels * (blend_.pixels == Neighbours::linear ? 2 : 1)); }
 
     void keep(int k)
     {
@@ -229,7 +233,7 @@ private:
             if (blend_.pixels == Neighbours::linear)
                 make_ray_line(to, row, row + below, std::size_t(views_.width) * channels);
             else
-                std::memcpy(to, row, view_bytes());
+                std::memcpy(to, row, std::size_t(views_.width) * channels);
         }
     }
 
@@ -279,7 +283,7 @@ template <class Sample> void interlace_as(Image& panel, const ViewPictures& view
     };
     for_each_block(panel.height, threads, [&](int first, int end) {
         if constexpr (sizeof(Sample) == 1)
-            if (!portable && !mapping.round_lenses && has_ray_loop(grid.count(), views.width, views.height)) {
+            if (!portable && !mapping.round_lenses && has_ray_loop(grid.count(), views.width, views.height, spread(std::size_t(views.width) * channels * 2))) {
                 RayLines lines(views, mapping, blend);
                 for (int y = first; y < end; ++y)
                     make(y * samples + lines.make(image.data() + y * samples, y), (y + 1) * samples);

@@ -3,54 +3,54 @@
 
 #include "integral/output/interlace_avx2.h"
 
+#include <algorithm>
+
 namespace integral {
 namespace {
 
 #ifdef INTEGRAL_HAS_AVX2
 
-/// Steps among `count` equal parts, of RayMapping's parts, by 32 bits: linear_step and nearest_step of phase_of_part exactly. With part p,
-/// phase times count, and what is added for rounding, is p count 65537 + sum; what is kept of it, divided by 65536, is p count + (p count + sum)/65536.
+/// Steps among `count` equal parts, of RayMapping's parts: linear_step and nearest_step of phase_of_part exactly, as 65536 times the index, and in the
+/// second byte the weight. By 32 bits: with part p, phase times count is 65536 p count and what does not depend on p.
 class Steps {
 public:
     __attribute__((target("avx2"))) Steps(std::uint32_t parts, bool linear)
     {
-        const std::uint64_t sum = parts * std::uint64_t(32768) + (linear ? 0x80800000u : 0u);
-        count = _mm256_set1_epi32(int(parts));
-        high = _mm256_set1_epi32(int(sum >> 16));
-        low = _mm256_set1_epi32(int(sum & 65535));
-        last = _mm256_set1_epi32(int(parts << 8));
+        count_ = _mm256_set1_epi32(int(parts));
+        shift_ = _mm256_set1_epi32(int(parts / 2) + (linear ? 0x8080 - 0x10000 : 0));
+        last_ = _mm256_set1_epi32(int((parts - 1) << 16));
     }
 
-    __attribute__((target("avx2"))) __m256i nearest(__m256i parts) const { return _mm256_srli_epi32(kept(parts), 16); }
-
-    /// 256 times the index, and the weight of the next in the lowest 8 bits.
-    __attribute__((target("avx2"))) __m256i linear(__m256i parts) const
+    __attribute__((target("avx2"))) __m256i of(__m256i parts) const
     {
-        const __m256i whole = _mm256_set1_epi32(256);
-        return _mm256_sub_epi32(_mm256_min_epu32(_mm256_max_epu32(_mm256_srli_epi32(kept(parts), 8), whole), last), whole);
+        const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(parts, count_), shift_);
+        return _mm256_min_epi32(_mm256_max_epi32(at, _mm256_setzero_si256()), last_);
     }
 
 private:
-    __attribute__((target("avx2"))) __m256i kept(__m256i parts) const
-    {
-        const __m256i product = _mm256_mullo_epi32(parts, count);
-        return _mm256_add_epi32(_mm256_add_epi32(product, high), _mm256_srli_epi32(_mm256_add_epi32(product, low), 16));
-    }
-    __m256i count, high, low, last;
+    __m256i count_, shift_, last_;
 };
+
+/// The weights of such steps in pairs for madd: what is left of 256, and they.
+__attribute__((target("avx2"))) inline __m256i pairs_of(__m256i steps)
+{
+    const __m256i twice = _mm256_setr_epi8(1, -1, 1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13, -1, 1, -1, 1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13, -1);
+    const __m256i weights = _mm256_xor_si256(_mm256_shuffle_epi8(steps, twice), _mm256_set1_epi32(255));
+    return _mm256_add_epi32(weights, _mm256_set1_epi32(1));
+}
 
 __attribute__((target("avx2"))) inline __m256i eight(const std::uint16_t* at)
 {
     return _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)));
 }
 
-/// Pixels in lines of two rows: each the sums, less 128 times 256, of its two and of the next pixel's two samples by weights.
+/// Pixels in lines of two rows: each the sums of its two and of the next pixel's two samples by weights.
 __attribute__((target("avx2"))) inline __m256i of_two_rows(__m128i lower, __m128i upper, __m256i weights)
 {
     const __m256i ends = _mm256_setr_epi8(0, -1, 1, -1, 6, -1, 7, -1, 8, -1, 9, -1, 14, -1, 15, -1,
                                           0, -1, 1, -1, 6, -1, 7, -1, 8, -1, 9, -1, 14, -1, 15, -1);
     const __m256i samples = _mm256_inserti128_si256(_mm256_castsi128_si256(lower), upper, 1);
-    return _mm256_sub_epi32(_mm256_madd_epi16(_mm256_shuffle_epi8(samples, ends), weights), _mm256_set1_epi32(32768));
+    return _mm256_madd_epi16(_mm256_shuffle_epi8(samples, ends), weights);
 }
 
 /// Eight pixels blended: 65536 times their values less 128.
@@ -58,66 +58,51 @@ __attribute__((target("avx2"))) inline __m256i of_four(const EightPlaces& at, co
 {
     const __m256i first = of_two_rows(at.eights<0>(lines), at.eights<4>(lines), _mm256_unpacklo_epi32(y_weights, y_weights));
     const __m256i second = of_two_rows(at.eights<2>(lines), at.eights<6>(lines), _mm256_unpackhi_epi32(y_weights, y_weights));
-    return _mm256_madd_epi16(_mm256_packs_epi32(first, second), x_weights);
+    const __m256i less = _mm256_xor_si256(_mm256_packus_epi32(first, second), _mm256_set1_epi16(short(32768))); // by 128 times 256: with a sign
+    return _mm256_madd_epi16(less, x_weights);
 }
 
 template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) int fast_rays(const RayRow& row)
 {
-    static const std::int32_t channel_of[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0};
+    static const std::int32_t channel_of[2][10] = {{0, 1, 2, 0, 1, 2, 0, 1, 2, 0}, {0, 2, 4, 0, 2, 4, 0, 2, 4, 0}};
     const Steps view_steps(row.view_count, blend_views), x_steps(row.width, blend_pixels), y_steps(row.height, blend_pixels);
-    const std::uint8_t* next_lines = row.lines + std::size_t(row.width) * 3 * (blend_pixels ? 2 : 1); // of the next view
-    const __m256i byte = _mm256_set1_epi32(255), view_step = _mm256_set1_epi32(int(row.width * 3)), line_step = _mm256_set1_epi32(int(row.line_step));
-    const __m256i of_lines = _mm256_set1_epi32(int(lines_kept - 1));
+    const std::uint8_t *const lines = row.lines + (row.first_line == row.last_line ? row.first_line % lines_kept * row.line_step : 0), *const next_lines = lines + row.view_step;
+    const bool several = row.first_line != row.last_line;
+    const std::uint16_t *const of_across = row.across, *const of_x = row.x, *const of_y = row.y;
+    std::uint8_t* const samples = row.samples;
+    const int count = row.count;
+    const __m256i place_steps = _mm256_set1_epi32(int((blend_pixels ? 6 : 3) | std::uint32_t(row.view_step) << 16)); // of x and views
+    const __m256i line_step = _mm256_set1_epi32(int(row.line_step)), of_lines = _mm256_set1_epi32(int(lines_kept - 1));
     int i = 0;
-    for (int channel = 0; i + 8 <= row.count; i += 8, channel = channel ? channel - 1 : 2) {
-        const __m256i across = eight(row.across + i);
-        __m256i x, y, view, x_weights, y_weights;
-        if (blend_pixels) {
-            x = x_steps.linear(eight(row.x + i));
-            y = y_steps.linear(eight(row.y + i));
-            x_weights = pairs(_mm256_and_si256(x, byte));
-            y_weights = pairs(_mm256_and_si256(y, byte));
-            x = _mm256_srli_epi32(x, 8);
-            y = _mm256_srli_epi32(y, 8);
-        } else {
-            x = x_steps.nearest(eight(row.x + i));
-            y = y_steps.nearest(eight(row.y + i));
-        }
-        __m256i view_weight;
-        if (blend_views) {
-            view = view_steps.linear(across);
-            view_weight = _mm256_and_si256(view, byte);
-            view = _mm256_srli_epi32(view, 8);
-        } else {
-            // What no eye sees may be past the last view.
-            view = _mm256_min_epu32(view_steps.nearest(across), _mm256_set1_epi32(int(row.view_count - 1)));
-        }
-        __m256i place = _mm256_add_epi32(_mm256_mullo_epi32(view, view_step), _mm256_add_epi32(x, _mm256_add_epi32(x, x)));
-        place = _mm256_add_epi32(place, vector(channel_of + channel));
-        if (blend_pixels)
-            place = _mm256_add_epi32(place, place);
-        place = _mm256_add_epi32(place, _mm256_mullo_epi32(_mm256_and_si256(y, of_lines), line_step));
+    for (int channel = 0; i + 8 <= count; i += 8, channel = channel ? channel - 1 : 2) {
+        const __m256i view = view_steps.of(eight(of_across + i)), x = x_steps.of(eight(of_x + i));
+        const __m256i columns = _mm256_blend_epi16(_mm256_srli_epi32(x, 16), view, 0xaa);
+        __m256i place = _mm256_add_epi32(_mm256_madd_epi16(columns, place_steps), vector(channel_of[blend_pixels] + channel)), y;
+        if (blend_pixels || several)
+            y = y_steps.of(eight(of_y + i));
+        if (several)
+            place = _mm256_add_epi32(place, _mm256_mullo_epi32(_mm256_and_si256(_mm256_srli_epi32(y, 16), of_lines), line_step));
         const EightPlaces at(place);
         __m128i result;
         if (blend_pixels) {
-            const __m256i left = of_four(at, row.lines, x_weights, y_weights);
-            if (blend_views) {
+            const __m256i x_weights = pairs_of(x), y_weights = pairs_of(y), left = of_four(at, lines, x_weights, y_weights);
+            if (blend_views) { // with a half for rounding, and the 128 that they are less
                 const __m256i right = of_four(at, next_lines, x_weights, y_weights);
-                const __m256i sum = _mm256_add_epi32(_mm256_slli_epi32(left, 8), _mm256_mullo_epi32(_mm256_sub_epi32(right, left), view_weight));
-                result = bytes_of<3>(_mm256_add_epi32(sum, _mm256_set1_epi32(1 << 23)));
+                const __m256i weight = _mm256_and_si256(_mm256_srli_epi32(view, 8), _mm256_set1_epi32(255));
+                const __m256i sum = _mm256_add_epi32(_mm256_slli_epi32(left, 8), _mm256_mullo_epi32(_mm256_sub_epi32(right, left), weight));
+                result = bytes_of<3>(_mm256_add_epi32(sum, _mm256_set1_epi32(int(0x80800000))));
             } else {
-                result = bytes_of<2>(_mm256_add_epi32(left, _mm256_set1_epi32(1 << 15)));
+                result = bytes_of<2>(_mm256_add_epi32(left, _mm256_set1_epi32(0x808000)));
             }
-            result = _mm_xor_si128(result, _mm_set1_epi8(char(128)));
         } else {
-            result = at.bytes(row.lines);
+            result = at.bytes(lines);
             if (blend_views) {
                 const __m256i both = _mm256_cvtepu8_epi16(_mm_unpacklo_epi8(result, at.bytes(next_lines)));
-                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs(view_weight)), _mm256_set1_epi32(128)));
+                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs_of(view)), _mm256_set1_epi32(128)));
             }
         }
-        const __m128i empty = _mm_cmpeq_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(row.across + i)), _mm_set1_epi16(-1));
-        _mm_storel_epi64(reinterpret_cast<__m128i*>(row.samples + i), _mm_andnot_si128(_mm_packs_epi16(empty, empty), result));
+        const __m128i empty = _mm_cmpeq_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(of_across + i)), _mm_set1_epi16(-1));
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(samples + i), _mm_andnot_si128(_mm_packs_epi16(empty, empty), result));
     }
     return i;
 }
@@ -138,13 +123,13 @@ __attribute__((target("avx2"))) std::size_t fast_line(std::uint8_t* to, const st
 
 } // namespace
 
-bool has_ray_loop(std::uint32_t view_count, std::uint32_t width, std::uint32_t height)
+bool has_ray_loop(std::uint32_t view_count, std::uint32_t width, std::uint32_t height, std::size_t view_step)
 {
 #ifdef INTEGRAL_HAS_AVX2
-    // Parts times a count stay within 31 bits, and so do places.
-    return has_avx2() && view_count < 32768 && width < 32768 && height < 32768
-           && (view_count + 1) * std::uint64_t(width) * 6 * lines_kept < 0x7fffffff;
+    // Indices and the step from view to view are of 15 bits, parts times a count and places of 31.
+    return has_avx2() && std::max({view_count, width, height}) < 32768 && view_step < 32768 && (view_count + 1) * view_step * lines_kept < 0x7fffff00;
 #else
+    static_cast<void>(view_count), static_cast<void>(width), static_cast<void>(height), static_cast<void>(view_step);
     return false;
 #endif
 }
@@ -156,6 +141,7 @@ int interlace_ray_row(const RayRow& row, bool blend_views, bool blend_pixels)
         return blend_pixels ? fast_rays<true, true>(row) : fast_rays<true, false>(row);
     return blend_pixels ? fast_rays<false, true>(row) : fast_rays<false, false>(row);
 #else
+    static_cast<void>(row), static_cast<void>(blend_views), static_cast<void>(blend_pixels);
     return 0;
 #endif
 }

@@ -16,16 +16,17 @@ struct RayRow {
     const std::uint16_t *across, *x, *y;   ///< of each, as in RayMapping
     std::uint32_t view_count;
     std::uint32_t width, height;           ///< of a view, pixels
-    /// Row k of the views' pictures begins at lines + (k % lines_kept) line_step, as make_ray_line makes it of one view after the other:
-    /// the rows that this row of the panel shows are there. As many bytes as a view has there, and eight, may follow.
+    std::uint32_t first_line, last_line;   ///< rows of a view that this row shows
+    /// Row k of the views' pictures begins at lines + (k % lines_kept) line_step, as make_ray_line makes it of one view and, view_step bytes
+    /// farther on, the next: the rows that this row of the panel shows are there. One more view_step and eight bytes may be read.
     const std::uint8_t* lines;
-    std::size_t line_step;
+    std::size_t view_step, line_step;
 };
 
 constexpr std::uint32_t lines_kept = 4; ///< a power of two
 
 /// Whether this machine has such a loop, and it can count such views' places.
-bool has_ray_loop(std::uint32_t view_count, std::uint32_t width, std::uint32_t height);
+bool has_ray_loop(std::uint32_t view_count, std::uint32_t width, std::uint32_t height, std::size_t view_step);
 
 /// The first samples of the row, and how many they are: a few may be left to be made one by one. Only if has_ray_loop.
 int interlace_ray_row(const RayRow& row, bool blend_views, bool blend_pixels);
