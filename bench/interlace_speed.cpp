@@ -71,8 +71,6 @@ int main()
         for (const Neighbours of_views : {Neighbours::nearest, Neighbours::linear})
             for (const Neighbours of_pixels : {Neighbours::nearest, Neighbours::linear})
                 for (const bool portable : {false, true}) {
-                    if (portable && getenv("QUICK"))
-                        continue;
                     const auto word = [](Neighbours n) { return n == Neighbours::linear ? "linear" : "nearest"; };
                     tasks.push_back({std::string(of_rays ? "optics: " : "published: ") + word(of_views) + " views, " + word(of_pixels) + " pixels"
                                          + (portable ? ", portable" : ""),

@@ -163,7 +163,7 @@ void interlace_as(Image& panel, const ViewPictures& views, const PublishedMappin
     for (int i = 0; i < samples; ++i) {
         const Step step = step_of(blend.pixels, middle_phase(i / channels, panel.width, mapping.flip_x), views.width);
         places[i] = step.index * channels + i % channels;
-        weights[i] = step.weight;
+        weights[i] = step.weight << 16 | (256 - step.weight);
     }
     std::vector<Sample>& image = std::get<std::vector<Sample>>(panel.samples);
     for_each_block(panel.height, threads, [&](int first, int end) {

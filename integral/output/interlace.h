@@ -77,7 +77,7 @@ private:
 Image panel_image(const ViewPictures& views, int width, int height);
 
 /// Fills the panel's image; it is of panel_image's form. A quilt's views stand on one line, by number, but those for
-/// round lenses in the columns and rows of their grid. `portable`: by the plain loop alone, which the other must equal to the bit.
+/// round lenses in the columns and rows of their grid. `portable`: by the plain loops alone, which the others must equal to the bit.
 void interlace(Image& panel, const ViewPictures& views, const PublishedMapping& mapping, Blend blend = {}, int threads = 0, bool portable = false);
 void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend = {}, int threads = 0, bool portable = false);
 

@@ -20,10 +20,12 @@ inline bool has_avx2()
 __attribute__((target("avx2"))) inline __m256i vector(const void* at) { return _mm256_loadu_si256(static_cast<const __m256i*>(at)); }
 __attribute__((target("avx2"))) inline void store(void* at, __m256i value) { _mm256_storeu_si256(static_cast<__m256i*>(at), value); }
 
-/// Weights of 1/256 in lanes of 32 bits as pairs for madd: what is left of 256, and they.
-__attribute__((target("avx2"))) inline __m256i pairs(__m256i weights)
+/// Of weights of 1/256, each one byte of a lane of 32 bits, pairs for madd: what is left of 256, and they.
+template <int byte> __attribute__((target("avx2"))) inline __m256i pairs_of(__m256i lanes)
 {
-    return _mm256_add_epi32(_mm256_set1_epi32(256), _mm256_mullo_epi32(weights, _mm256_set1_epi32(65535)));
+    const __m256i twice = _mm256_setr_epi8(byte, -1, byte, -1, byte + 4, -1, byte + 4, -1, byte + 8, -1, byte + 8, -1, byte + 12, -1, byte + 12, -1,
+                                           byte, -1, byte, -1, byte + 4, -1, byte + 4, -1, byte + 8, -1, byte + 8, -1, byte + 12, -1, byte + 12, -1);
+    return _mm256_add_epi32(_mm256_xor_si256(_mm256_shuffle_epi8(lanes, twice), _mm256_set1_epi32(255)), _mm256_set1_epi32(1));
 }
 
 /// Of each of eight lanes of 32 bits one byte, the lowest being 0.

@@ -31,14 +31,6 @@ private:
     __m256i count_, shift_, last_;
 };
 
-/// The weights of such steps in pairs for madd: what is left of 256, and they.
-__attribute__((target("avx2"))) inline __m256i pairs_of(__m256i steps)
-{
-    const __m256i twice = _mm256_setr_epi8(1, -1, 1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13, -1, 1, -1, 1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13, -1);
-    const __m256i weights = _mm256_xor_si256(_mm256_shuffle_epi8(steps, twice), _mm256_set1_epi32(255));
-    return _mm256_add_epi32(weights, _mm256_set1_epi32(1));
-}
-
 __attribute__((target("avx2"))) inline __m256i eight(const std::uint16_t* at)
 {
     return _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)));
@@ -66,8 +58,9 @@ template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) i
 {
     static const std::int32_t channel_of[2][10] = {{0, 1, 2, 0, 1, 2, 0, 1, 2, 0}, {0, 2, 4, 0, 2, 4, 0, 2, 4, 0}};
     const Steps view_steps(row.view_count, blend_views), x_steps(row.width, blend_pixels), y_steps(row.height, blend_pixels);
-    const std::uint8_t *const lines = row.lines + (row.first_line == row.last_line ? row.first_line % lines_kept * row.line_step : 0), *const next_lines = lines + row.view_step;
     const bool several = row.first_line != row.last_line;
+    const std::uint8_t* const lines = row.lines + (several ? 0 : row.first_line % lines_kept * row.line_step);
+    const std::uint8_t* const next_lines = lines + row.view_step;
     const std::uint16_t *const of_across = row.across, *const of_x = row.x, *const of_y = row.y;
     std::uint8_t* const samples = row.samples;
     const int count = row.count;
@@ -85,7 +78,7 @@ template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) i
         const EightPlaces at(place);
         __m128i result;
         if (blend_pixels) {
-            const __m256i x_weights = pairs_of(x), y_weights = pairs_of(y), left = of_four(at, lines, x_weights, y_weights);
+            const __m256i x_weights = pairs_of<1>(x), y_weights = pairs_of<1>(y), left = of_four(at, lines, x_weights, y_weights);
             if (blend_views) { // with a half for rounding, and the 128 that they are less
                 const __m256i right = of_four(at, next_lines, x_weights, y_weights);
                 const __m256i weight = _mm256_and_si256(_mm256_srli_epi32(view, 8), _mm256_set1_epi32(255));
@@ -98,7 +91,7 @@ template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) i
             result = at.bytes(lines);
             if (blend_views) {
                 const __m256i both = _mm256_cvtepu8_epi16(_mm_unpacklo_epi8(result, at.bytes(next_lines)));
-                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs_of(view)), _mm256_set1_epi32(128)));
+                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs_of<1>(view)), _mm256_set1_epi32(128)));
             }
         }
         const __m128i empty = _mm_cmpeq_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(of_across + i)), _mm_set1_epi16(-1));
@@ -123,25 +116,24 @@ __attribute__((target("avx2"))) std::size_t fast_line(std::uint8_t* to, const st
 
 } // namespace
 
-bool has_ray_loop(std::uint32_t view_count, std::uint32_t width, std::uint32_t height, std::size_t view_step)
+bool has_ray_loop([[maybe_unused]] std::uint32_t view_count, [[maybe_unused]] std::uint32_t width, [[maybe_unused]] std::uint32_t height,
+                  [[maybe_unused]] std::size_t view_step)
 {
 #ifdef INTEGRAL_HAS_AVX2
     // Indices and the step from view to view are of 15 bits, parts times a count and places of 31.
     return has_avx2() && std::max({view_count, width, height}) < 32768 && view_step < 32768 && (view_count + 1) * view_step * lines_kept < 0x7fffff00;
 #else
-    static_cast<void>(view_count), static_cast<void>(width), static_cast<void>(height), static_cast<void>(view_step);
     return false;
 #endif
 }
 
-int interlace_ray_row(const RayRow& row, bool blend_views, bool blend_pixels)
+int interlace_ray_row([[maybe_unused]] const RayRow& row, [[maybe_unused]] bool blend_views, [[maybe_unused]] bool blend_pixels)
 {
 #ifdef INTEGRAL_HAS_AVX2
     if (blend_views)
         return blend_pixels ? fast_rays<true, true>(row) : fast_rays<true, false>(row);
     return blend_pixels ? fast_rays<false, true>(row) : fast_rays<false, false>(row);
 #else
-    static_cast<void>(row), static_cast<void>(blend_views), static_cast<void>(blend_pixels);
     return 0;
 #endif
 }

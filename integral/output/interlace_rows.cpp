@@ -12,7 +12,7 @@ template <bool blend_views, bool blend_pixels, class Sample> void plain_samples(
         const std::uint32_t phase = row.phases[i] + row.phase;
         const Step view = blend_views ? linear_step(phase, row.view_count) : nearest_step(phase, row.view_count);
         const Sample* left = row.views + std::size_t(view.index) * row.view_step + row.places[i];
-        const std::uint32_t weight = blend_pixels ? row.weights[i] : 0;
+        const std::uint32_t weight = blend_pixels ? row.weights[i] >> 16 : 0;
         const auto across = [&](const Sample* at) { return at[0] * (256 - weight) + at[3] * weight; }; // 256 times the value
         if (!blend_views && !blend_pixels)
             row.samples[i] = left[0];
@@ -21,7 +21,7 @@ template <bool blend_views, bool blend_pixels, class Sample> void plain_samples(
         else if (!blend_pixels)
             row.samples[i] = Sample((left[0] * (256 - view.weight) + left[row.view_step] * view.weight + 128) >> 8);
         else
-            row.samples[i] = Sample(((across(left) >> 1) * (256 - view.weight) + (across(left + row.view_step) >> 1) * view.weight + 16384) >> 15);
+            row.samples[i] = Sample((across(left) * std::uint64_t(256 - view.weight) + across(left + row.view_step) * std::uint64_t(view.weight) + 32768) >> 16);
     }
 }
 
@@ -41,53 +41,55 @@ template <class Sample> void plain_blend(Sample* to, const Sample* a, const Samp
 
 #ifdef INTEGRAL_HAS_AVX2
 
-/// Of four bytes the first and the last, weighed.
+/// Of four bytes the first and the last, weighed: 256 times the value.
 __attribute__((target("avx2"))) inline __m256i ends_of(__m256i four, __m256i weights)
 {
-    const __m256i first = _mm256_and_si256(four, _mm256_set1_epi32(255)), last = _mm256_slli_epi32(_mm256_srli_epi32(four, 24), 16);
-    return _mm256_madd_epi16(_mm256_or_si256(first, last), weights);
+    const __m256i ends = _mm256_setr_epi8(0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15, -1, 0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15, -1);
+    return _mm256_madd_epi16(_mm256_shuffle_epi8(four, ends), weights);
 }
 
 /// Eight samples at a time; returns how many are done.
 template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) int fast_samples(const InterlacedRow<std::uint8_t>& row)
 {
-    const __m256i row_phase = _mm256_set1_epi32(int(row.phase)), count = _mm256_set1_epi32(int(row.view_count));
-    const __m256i step = _mm256_set1_epi32(int(row.view_step)), byte = _mm256_set1_epi32(255), whole = _mm256_set1_epi32(256);
-    const __m256i shift = _mm256_set1_epi64x(0x80800000), last = _mm256_set1_epi32(int(row.view_count << 8)), high = _mm256_set1_epi32(int(0xffff0000));
-    const std::uint8_t* next_views = row.views + row.view_step;
+    const std::uint32_t *const phases = row.phases, *const places = row.places, *const weights = row.weights;
+    const std::uint8_t *const views = row.views, *const next_views = views + row.view_step;
+    std::uint8_t* const samples = row.samples;
+    const int samples_count = row.count;
+    const __m256i row_phase = _mm256_set1_epi32(int(row.phase)), count = _mm256_set1_epi32(int(row.view_count)), view_step = _mm256_set1_epi32(int(row.view_step));
+    const __m256i shift = _mm256_set1_epi64x(0x80800000), whole = _mm256_set1_epi32(256), last = _mm256_set1_epi32(int(row.view_count << 8));
     int i = 0;
-    for (; i + 8 <= row.count; i += 8) {
-        const __m256i phase = _mm256_add_epi32(vector(row.phases + i), row_phase);
+    for (; i + 8 <= samples_count; i += 8) {
+        const __m256i phase = _mm256_add_epi32(vector(phases + i), row_phase);
         const __m256i even = _mm256_mul_epu32(phase, count), odd = _mm256_mul_epu32(_mm256_srli_epi64(phase, 32), count);
-        __m256i view, view_weight;
+        __m256i view, step;
         if (blend_views) {
             // 256 times the next view, and its weight; none beyond the outermost.
-            const __m256i next = _mm256_blend_epi32(_mm256_srli_epi64(_mm256_add_epi64(even, shift), 24), _mm256_slli_epi64(_mm256_add_epi64(odd, shift), 8), 0xaa);
-            const __m256i both = _mm256_sub_epi32(_mm256_min_epu32(_mm256_max_epu32(next, whole), last), whole);
-            view_weight = _mm256_and_si256(both, byte);
-            view = _mm256_srli_epi32(both, 8);
+            step = _mm256_blend_epi32(_mm256_srli_epi64(_mm256_add_epi64(even, shift), 24), _mm256_slli_epi64(_mm256_add_epi64(odd, shift), 8), 0xaa);
+            step = _mm256_sub_epi32(_mm256_min_epu32(_mm256_max_epu32(step, whole), last), whole);
+            view = _mm256_srli_epi32(step, 8);
         } else {
             view = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa);
         }
-        const EightPlaces at(_mm256_add_epi32(_mm256_mullo_epi32(view, step), vector(row.places + i)));
+        const EightPlaces at(_mm256_add_epi32(_mm256_mullo_epi32(view, view_step), vector(places + i)));
         __m128i result;
         if (blend_pixels) {
-            const __m256i weights = pairs(vector(row.weights + i)), left = ends_of(at.fours(row.views), weights);
+            const __m256i pixel_weights = vector(weights + i), left = ends_of(at.fours(views), pixel_weights);
             if (blend_views) {
-                const __m256i right = ends_of(at.fours(next_views), weights);
-                const __m256i both = _mm256_or_si256(_mm256_srli_epi32(left, 1), _mm256_and_si256(_mm256_slli_epi32(right, 15), high));
-                result = bytes_of<2>(_mm256_slli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, pairs(view_weight)), _mm256_set1_epi32(16384)), 1));
+                // Both by 16 bits with a sign: less 128 times 256.
+                const __m256i right = ends_of(at.fours(next_views), pixel_weights), both = _mm256_blend_epi16(left, _mm256_slli_epi32(right, 16), 0xaa);
+                const __m256i sum = _mm256_madd_epi16(_mm256_xor_si256(both, _mm256_set1_epi16(short(0x8000))), pairs_of<0>(step));
+                result = bytes_of<2>(_mm256_add_epi32(sum, _mm256_set1_epi32(0x808000)));
             } else {
                 result = bytes_of<1>(_mm256_add_epi32(left, _mm256_set1_epi32(128)));
             }
         } else {
-            result = at.bytes(row.views);
+            result = at.bytes(views);
             if (blend_views) {
                 const __m256i both = _mm256_cvtepu8_epi16(_mm_unpacklo_epi8(result, at.bytes(next_views)));
-                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs(view_weight)), _mm256_set1_epi32(128)));
+                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs_of<0>(step)), _mm256_set1_epi32(128)));
             }
         }
-        _mm_storel_epi64(reinterpret_cast<__m128i*>(row.samples + i), result);
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(samples + i), result);
     }
     return i;
 }
