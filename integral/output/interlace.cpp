@@ -214,7 +214,8 @@ public:
         const int count = mapping_.width * channels;
         const std::size_t i = std::size_t(y) * count;
         return interlace_ray_row({samples, count, &mapping_.across[i], &mapping_.x[i], &mapping_.y[i], std::uint32_t(views_.grid.count()),
-                                  std::uint32_t(views_.width), std::uint32_t(views_.height), std::uint32_t(first), std::uint32_t(last), lines_.data(), view_bytes(), line_step_},
+                                  std::uint32_t(views_.width), std::uint32_t(views_.height), std::uint32_t(first), std::uint32_t(last),
+                                  lines_.data(), view_bytes(), line_step_},
                                  blend_.views == Neighbours::linear, blend_.pixels == Neighbours::linear);
     }
 
