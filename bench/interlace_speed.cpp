@@ -71,14 +71,12 @@ int main()
         for (const Neighbours of_views : {Neighbours::nearest, Neighbours::linear})
             for (const Neighbours of_pixels : {Neighbours::nearest, Neighbours::linear})
                 for (const bool portable : {false, true}) {
-                    if (of_rays && portable)
-                        continue;
                     const auto word = [](Neighbours n) { return n == Neighbours::linear ? "linear" : "nearest"; };
                     tasks.push_back({std::string(of_rays ? "optics: " : "published: ") + word(of_views) + " views, " + word(of_pixels) + " pixels"
                                          + (portable ? ", portable" : ""),
                                      [&, of_rays, of_views, of_pixels, portable] {
                                          if (of_rays)
-                                             interlace(panel, views, rays, {of_views, of_pixels});
+                                             interlace(panel, views, rays, {of_views, of_pixels}, 0, portable);
                                          else
                                              interlace(panel, views, published, {of_views, of_pixels}, 0, portable);
                                      }});

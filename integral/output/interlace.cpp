@@ -2,6 +2,7 @@
 #include "integral/output/interlace.h"
 
 #include "integral/lightfield/eye_place.h"
+#include "integral/output/interlace_rays.h"
 #include "integral/output/interlace_rows.h"
 
 #include <algorithm>
@@ -18,6 +19,10 @@ constexpr double whole_range = 4294967296.0; // 2^32
 constexpr int channels = 3;
 constexpr int rows_a_block = 32;
 
+/// Bytes from view to view where rows of all views lie close together: an odd number of the cache's lines, so that what all of them show at one place
+/// does not meet in a few of its sets.
+std::size_t spread(std::size_t bytes) { return ((bytes + 63) / 64 | 1) * 64; }
+
 /// A part of a range, modulo 1.
 std::uint32_t phase_of(double part)
 {
@@ -28,7 +33,7 @@ std::uint32_t phase_of(double part)
 std::uint32_t middle_phase(int pixel, int count, bool flip) { return phase_of((flip ? count - pixel - 0.5 : pixel + 0.5) / count); }
 
 /// The phase of the middle of one of RayMapping's parts.
-std::uint32_t phase_of_part(std::uint16_t part) { return part * 65537u + 32768u; }
+std::uint32_t phase_of_part(std::uint16_t part) { return part * 65536u + 32768u; }
 
 Step step_of(Neighbours neighbours, std::uint32_t phase, int count)
 {
@@ -85,10 +90,12 @@ std::optional<RayMapping> ray_mapping(const FrameMetadata& geometry, EyeGrid eye
     mapping.across.resize(count);
     mapping.x.resize(count);
     mapping.y.resize(count);
+    mapping.y_of_rows.resize(film.height);
     if (mapping.round_lenses)
         mapping.up.resize(count);
-    const auto part = [](double at) { return std::uint16_t(std::clamp(std::floor(at * RayMapping::parts), 0.0, RayMapping::parts - 1.0)); };
+    const auto part = [](double at) { return std::uint16_t(std::clamp(std::floor(at * RayMapping::parts), 0.0, double(RayMapping::last))); };
     const auto row = [&](int y) {
+        std::uint16_t least = RayMapping::last, greatest = 0;
         for (int x = 0; x < film.width; ++x)
             for (int channel = 0; channel < channels; ++channel) {
                 const std::size_t i = (std::size_t(y) * film.width + x) * channels + channel;
@@ -99,9 +106,12 @@ std::optional<RayMapping> ray_mapping(const FrameMetadata& geometry, EyeGrid eye
                 const Vec2 at = pixel_from_film(film, seen->place);
                 mapping.x[i] = part(at.x / film.width);
                 mapping.y[i] = part(at.y / film.height);
+                least = std::min(least, mapping.y[i]);
+                greatest = std::max(greatest, mapping.y[i]);
                 if (mapping.round_lenses)
                     mapping.up[i] = part(seen->eye.y);
             }
+        mapping.y_of_rows[y] = {std::min(least, greatest), greatest};
     };
     if (!for_each_row(film.height, threads, row, progress))
         return std::nullopt;
@@ -148,17 +158,17 @@ template <class Sample>
 void interlace_as(Image& panel, const ViewPictures& views, const PublishedMapping& mapping, Blend blend, int threads, bool portable)
 {
     const int count = views.grid.count(), samples = panel.width * channels;
-    const std::size_t view_samples = std::size_t(views.width) * channels;
+    const std::size_t view_samples = std::size_t(views.width) * channels, view_step = spread(view_samples * sizeof(Sample)) / sizeof(Sample);
     std::vector<std::uint32_t> places(samples), weights(samples);
     for (int i = 0; i < samples; ++i) {
         const Step step = step_of(blend.pixels, middle_phase(i / channels, panel.width, mapping.flip_x), views.width);
         places[i] = step.index * channels + i % channels;
-        weights[i] = step.weight;
+        weights[i] = step.weight << 16 | (256 - step.weight);
     }
     std::vector<Sample>& image = std::get<std::vector<Sample>>(panel.samples);
     for_each_block(panel.height, threads, [&](int first, int end) {
         // A row of each view, one after the other: what a row of the panel is made of lies close together. Weights of 0 may read one view farther.
-        std::vector<Sample> rows((count + 1) * view_samples + 2 * channels);
+        std::vector<Sample> rows((count + 1) * view_step + 2 * channels);
         Step made{0, 0};
         bool any = false;
         for (int y = first; y < end; ++y) {
@@ -166,7 +176,7 @@ void interlace_as(Image& panel, const ViewPictures& views, const PublishedMappin
             if (!any || step.index != made.index || step.weight != made.weight)
                 for (int view = 0; view < count; ++view) {
                     const Sample* above = views.first<Sample>(view) + step.index * views.row_step;
-                    Sample* row = rows.data() + view * view_samples;
+                    Sample* row = rows.data() + view * view_step;
                     if (step.weight == 0)
                         std::memcpy(row, above, view_samples * sizeof(Sample));
                     else
@@ -176,13 +186,67 @@ void interlace_as(Image& panel, const ViewPictures& views, const PublishedMappin
             made = step;
             const InterlacedRow<Sample> row{image.data() + std::size_t(y) * samples, samples,
                                             mapping.of_columns[y % mapping.of_columns.size()].data(), mapping.of_rows[y],
-                                            rows.data(), std::uint32_t(view_samples), std::uint32_t(count), places.data(), weights.data()};
+                                            rows.data(), std::uint32_t(view_step), std::uint32_t(count), places.data(), weights.data()};
             (portable ? interlace_row_portably<Sample> : interlace_row<Sample>)(row, blend.views == Neighbours::linear, blend.pixels == Neighbours::linear);
         }
     });
 }
 
-template <class Sample> void interlace_as(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads)
+/// The rows of the views that rows of a panel show through lenticular lenses, close together.
+class RayLines {
+public:
+    RayLines(const ViewPictures& views, const RayMapping& mapping, Blend blend)
+        : views_(views), mapping_(mapping), blend_(blend), line_step_(std::size_t(views.grid.count()) * view_bytes()),
+          lines_(lines_kept * line_step_ + view_bytes() + 8)
+    {
+        made_.fill(-1);
+    }
+
+    /// The first samples of the panel's row y, as many as are returned.
+    int make(std::uint8_t* samples, int y)
+    {
+        const auto index = [&](std::uint16_t part) { return int(step_of(blend_.pixels, phase_of_part(part), views_.height).index); };
+        const int first = index(mapping_.y_of_rows[y][0]), last = index(mapping_.y_of_rows[y][1]);
+        if (last - first >= int(lines_kept))
+            return 0;
+        for (int k = first; k <= last; ++k)
+            keep(k);
+        const int count = mapping_.width * channels;
+        const std::size_t i = std::size_t(y) * count;
+        return interlace_ray_row({samples, count, &mapping_.across[i], &mapping_.x[i], &mapping_.y[i], std::uint32_t(views_.grid.count()),
+                                  std::uint32_t(views_.width), std::uint32_t(views_.height), std::uint32_t(first), std::uint32_t(last),
+                                  lines_.data(), view_bytes(), line_step_},
+                                 blend_.views == Neighbours::linear, blend_.pixels == Neighbours::linear);
+    }
+
+private:
+    std::size_t view_bytes() const { return spread(std::size_t(views_.width) * channels * (blend_.pixels == Neighbours::linear ? 2 : 1)); }
+
+    void keep(int k)
+    {
+        if (made_[k % lines_kept] == k)
+            return;
+        made_[k % lines_kept] = k;
+        const std::size_t below = k + 1 < views_.height ? views_.row_step : 0;
+        for (int view = 0; view < views_.grid.count(); ++view) {
+            const std::uint8_t* row = views_.first<std::uint8_t>(view) + k * views_.row_step;
+            std::uint8_t* to = lines_.data() + k % lines_kept * line_step_ + view * view_bytes();
+            if (blend_.pixels == Neighbours::linear)
+                make_ray_line(to, row, row + below, std::size_t(views_.width) * channels);
+            else
+                std::memcpy(to, row, std::size_t(views_.width) * channels);
+        }
+    }
+
+    const ViewPictures& views_;
+    const RayMapping& mapping_;
+    const Blend blend_;
+    const std::size_t line_step_;
+    std::vector<std::uint8_t> lines_;
+    std::array<int, lines_kept> made_;
+};
+
+template <class Sample> void interlace_as(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads, bool portable)
 {
     const ViewGrid grid = mapping.round_lenses ? views.grid : ViewGrid{views.grid.count(), 1};
     std::vector<const Sample*> begin;
@@ -190,8 +254,8 @@ template <class Sample> void interlace_as(Image& panel, const ViewPictures& view
         begin.push_back(views.first<Sample>(view));
     std::vector<Sample>& image = std::get<std::vector<Sample>>(panel.samples);
     const std::size_t samples = std::size_t(panel.width) * channels;
-    for_each_block(panel.height, threads, [&](int first, int end) {
-        for (std::size_t i = first * samples; i < end * samples; ++i) {
+    const auto make = [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
             if (mapping.across[i] == RayMapping::empty) {
                 image[i] = 0;
                 continue;
@@ -217,6 +281,16 @@ template <class Sample> void interlace_as(Image& panel, const ViewPictures& view
                 sum += line(up.index + 1) * up.weight;
             image[i] = Sample((sum + (std::uint64_t(1) << 31)) >> 32);
         }
+    };
+    for_each_block(panel.height, threads, [&](int first, int end) {
+        if constexpr (sizeof(Sample) == 1)
+            if (!portable && !mapping.round_lenses && has_ray_loop(grid.count(), views.width, views.height, spread(std::size_t(views.width) * channels * 2))) {
+                RayLines lines(views, mapping, blend);
+                for (int y = first; y < end; ++y)
+                    make(y * samples + lines.make(image.data() + y * samples, y), (y + 1) * samples);
+                return;
+            }
+        make(first * samples, end * samples);
     });
 }
 
@@ -229,11 +303,11 @@ void interlace(Image& panel, const ViewPictures& views, const PublishedMapping& 
                             : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads, portable);
 }
 
-void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads)
+void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend, int threads, bool portable)
 {
     check_panel(panel, views, mapping.width, mapping.height);
-    sample_bits(panel) == 8 ? interlace_as<std::uint8_t>(panel, views, mapping, blend, threads)
-                            : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads);
+    sample_bits(panel) == 8 ? interlace_as<std::uint8_t>(panel, views, mapping, blend, threads, portable)
+                            : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads, portable);
 }
 
 } // namespace integral

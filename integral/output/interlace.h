@@ -27,12 +27,13 @@ PublishedMapping published_mapping(const LookingGlassCalibration& calibration);
 
 /// The mapping of a panel through the optics of its lenses, a number of 16 bits for each subpixel, channel by channel within a pixel:
 /// `across` and `up` say from where in the eyes' zone it is seen, x and y (downwards) at which place of the picture: which of `parts` equal
-/// parts from side to side, the outermost for what is beyond. `across` is `empty` where no eye sees it: black.
+/// parts from side to side, the outermost for what is beyond, and the last but one for the last. `across` is `empty` where no eye sees it: black.
 struct RayMapping {
     int width = 0, height = 0;
     bool round_lenses = false;            ///< else `up` is empty: lenticular lenses show all views from left to right
     std::vector<std::uint16_t> across, up, x, y;
-    static constexpr int parts = 65535, empty = 65535;
+    std::vector<std::array<std::uint16_t, 2>> y_of_rows; ///< the least and the greatest y in each row of what is seen
+    static constexpr int parts = 65536, last = 65534, empty = 65535;
 };
 
 /// Of the panel that frames of that geometry are native to. `threads` and `progress` as in replay.
@@ -76,9 +77,9 @@ private:
 Image panel_image(const ViewPictures& views, int width, int height);
 
 /// Fills the panel's image; it is of panel_image's form. A quilt's views stand on one line, by number, but those for
-/// round lenses in the columns and rows of their grid. `portable`: by the plain loop alone, which the other must equal to the bit.
+/// round lenses in the columns and rows of their grid. `portable`: by the plain loops alone, which the others must equal to the bit.
 void interlace(Image& panel, const ViewPictures& views, const PublishedMapping& mapping, Blend blend = {}, int threads = 0, bool portable = false);
-void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend = {}, int threads = 0);
+void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend = {}, int threads = 0, bool portable = false);
 
 } // namespace integral
 

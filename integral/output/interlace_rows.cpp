@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/interlace_rows.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define INTEGRAL_HAS_AVX2
-#include <immintrin.h>
-#endif
+#include "integral/output/interlace_avx2.h"
 
 namespace integral {
 namespace {
@@ -15,7 +12,7 @@ template <bool blend_views, bool blend_pixels, class Sample> void plain_samples(
         const std::uint32_t phase = row.phases[i] + row.phase;
         const Step view = blend_views ? linear_step(phase, row.view_count) : nearest_step(phase, row.view_count);
         const Sample* left = row.views + std::size_t(view.index) * row.view_step + row.places[i];
-        const std::uint32_t weight = blend_pixels ? row.weights[i] : 0;
+        const std::uint32_t weight = blend_pixels ? row.weights[i] >> 16 : 0;
         const auto across = [&](const Sample* at) { return at[0] * (256 - weight) + at[3] * weight; }; // 256 times the value
         if (!blend_views && !blend_pixels)
             row.samples[i] = left[0];
@@ -24,7 +21,7 @@ template <bool blend_views, bool blend_pixels, class Sample> void plain_samples(
         else if (!blend_pixels)
             row.samples[i] = Sample((left[0] * (256 - view.weight) + left[row.view_step] * view.weight + 128) >> 8);
         else
-            row.samples[i] = Sample(((across(left) >> 1) * (256 - view.weight) + (across(left + row.view_step) >> 1) * view.weight + 16384) >> 15);
+            row.samples[i] = Sample((across(left) * std::uint64_t(256 - view.weight) + across(left + row.view_step) * std::uint64_t(view.weight) + 32768) >> 16);
     }
 }
 
@@ -44,61 +41,55 @@ template <class Sample> void plain_blend(Sample* to, const Sample* a, const Samp
 
 #ifdef INTEGRAL_HAS_AVX2
 
-__attribute__((target("avx2"))) inline __m256i vector(const void* at) { return _mm256_loadu_si256(static_cast<const __m256i*>(at)); }
-
-/// Of four bytes the first and the last, weighed.
+/// Of four bytes the first and the last, weighed: 256 times the value.
 __attribute__((target("avx2"))) inline __m256i ends_of(__m256i four, __m256i weights)
 {
-    const __m256i first = _mm256_and_si256(four, _mm256_set1_epi32(255)), last = _mm256_slli_epi32(_mm256_srli_epi32(four, 24), 16);
-    return _mm256_madd_epi16(_mm256_or_si256(first, last), weights);
+    const __m256i ends = _mm256_setr_epi8(0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15, -1, 0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15, -1);
+    return _mm256_madd_epi16(_mm256_shuffle_epi8(four, ends), weights);
 }
 
 /// Eight samples at a time; returns how many are done.
 template <bool blend_views, bool blend_pixels> __attribute__((target("avx2"))) int fast_samples(const InterlacedRow<std::uint8_t>& row)
 {
-    const __m256i row_phase = _mm256_set1_epi32(int(row.phase)), count = _mm256_set1_epi32(int(row.view_count));
-    const __m256i step = _mm256_set1_epi32(int(row.view_step)), byte = _mm256_set1_epi32(255), whole = _mm256_set1_epi32(256);
-    const __m256i shift = _mm256_set1_epi64x(0x80800000), one = _mm256_set1_epi32(1), high = _mm256_set1_epi32(int(0xffff0000));
-    const __m256i low_bytes = _mm256_setr_epi8(0, 4, 8, 12, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
-                                               -1, -1, -1, -1, 0, 4, 8, 12, -1, -1, -1, -1, -1, -1, -1, -1);
-    const int* views = reinterpret_cast<const int*>(row.views);
+    const std::uint32_t *const phases = row.phases, *const places = row.places, *const weights = row.weights;
+    const std::uint8_t *const views = row.views, *const next_views = views + row.view_step;
+    std::uint8_t* const samples = row.samples;
+    const int samples_count = row.count;
+    const __m256i row_phase = _mm256_set1_epi32(int(row.phase)), count = _mm256_set1_epi32(int(row.view_count)), view_step = _mm256_set1_epi32(int(row.view_step));
+    const __m256i shift = _mm256_set1_epi64x(0x80800000), whole = _mm256_set1_epi32(256), last = _mm256_set1_epi32(int(row.view_count << 8));
     int i = 0;
-    for (; i + 8 <= row.count; i += 8) {
-        const __m256i phase = _mm256_add_epi32(vector(row.phases + i), row_phase);
-        __m256i even = _mm256_mul_epu32(phase, count), odd = _mm256_mul_epu32(_mm256_srli_epi64(phase, 32), count);
+    for (; i + 8 <= samples_count; i += 8) {
+        const __m256i phase = _mm256_add_epi32(vector(phases + i), row_phase);
+        const __m256i even = _mm256_mul_epu32(phase, count), odd = _mm256_mul_epu32(_mm256_srli_epi64(phase, 32), count);
+        __m256i view, step;
         if (blend_views) {
-            even = _mm256_add_epi64(even, shift);
-            odd = _mm256_add_epi64(odd, shift);
+            // 256 times the next view, and its weight; none beyond the outermost.
+            step = _mm256_blend_epi32(_mm256_srli_epi64(_mm256_add_epi64(even, shift), 24), _mm256_slli_epi64(_mm256_add_epi64(odd, shift), 8), 0xaa);
+            step = _mm256_sub_epi32(_mm256_min_epu32(_mm256_max_epu32(step, whole), last), whole);
+            view = _mm256_srli_epi32(step, 8);
+        } else {
+            view = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa);
         }
-        __m256i view = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa), view_weight = view;
-        if (blend_views) {
-            const __m256i outside = _mm256_or_si256(_mm256_cmpeq_epi32(view, _mm256_setzero_si256()), _mm256_cmpeq_epi32(view, count));
-            const __m256i low = _mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xaa);
-            view_weight = _mm256_andnot_si256(outside, _mm256_srli_epi32(low, 24));
-            view_weight = _mm256_or_si256(_mm256_sub_epi32(whole, view_weight), _mm256_slli_epi32(view_weight, 16));
-            view = _mm256_sub_epi32(_mm256_max_epu32(view, one), one);
-        }
-        const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(view, step), vector(row.places + i));
-        __m256i result = _mm256_i32gather_epi32(views, at, 1);
+        const EightPlaces at(_mm256_add_epi32(_mm256_mullo_epi32(view, view_step), vector(places + i)));
+        __m128i result;
         if (blend_pixels) {
-            const __m256i weight = vector(row.weights + i);
-            const __m256i pixel_weights = _mm256_or_si256(_mm256_sub_epi32(whole, weight), _mm256_slli_epi32(weight, 16));
-            result = ends_of(result, pixel_weights);
+            const __m256i pixel_weights = vector(weights + i), left = ends_of(at.fours(views), pixel_weights);
             if (blend_views) {
-                const __m256i next = ends_of(_mm256_i32gather_epi32(views, _mm256_add_epi32(at, step), 1), pixel_weights);
-                const __m256i both = _mm256_or_si256(_mm256_srli_epi32(result, 1), _mm256_and_si256(_mm256_slli_epi32(next, 15), high));
-                result = _mm256_srli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, view_weight), _mm256_set1_epi32(16384)), 15);
+                // Both by 16 bits with a sign: less 128 times 256.
+                const __m256i right = ends_of(at.fours(next_views), pixel_weights), both = _mm256_blend_epi16(left, _mm256_slli_epi32(right, 16), 0xaa);
+                const __m256i sum = _mm256_madd_epi16(_mm256_xor_si256(both, _mm256_set1_epi16(short(0x8000))), pairs_of<0>(step));
+                result = bytes_of<2>(_mm256_add_epi32(sum, _mm256_set1_epi32(0x808000)));
             } else {
-                result = _mm256_srli_epi32(_mm256_add_epi32(result, _mm256_set1_epi32(128)), 8);
+                result = bytes_of<1>(_mm256_add_epi32(left, _mm256_set1_epi32(128)));
             }
-        } else if (blend_views) {
-            const __m256i next = _mm256_i32gather_epi32(views, _mm256_add_epi32(at, step), 1);
-            const __m256i both = _mm256_or_si256(_mm256_and_si256(result, byte), _mm256_slli_epi32(_mm256_and_si256(next, byte), 16));
-            result = _mm256_srli_epi32(_mm256_add_epi32(_mm256_madd_epi16(both, view_weight), _mm256_set1_epi32(128)), 8);
+        } else {
+            result = at.bytes(views);
+            if (blend_views) {
+                const __m256i both = _mm256_cvtepu8_epi16(_mm_unpacklo_epi8(result, at.bytes(next_views)));
+                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs_of<0>(step)), _mm256_set1_epi32(128)));
+            }
         }
-        const __m256i bytes = _mm256_shuffle_epi8(result, low_bytes);
-        _mm_storel_epi64(reinterpret_cast<__m128i*>(row.samples + i),
-                         _mm_or_si128(_mm256_castsi256_si128(bytes), _mm256_extracti128_si256(bytes, 1)));
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(samples + i), result);
     }
     return i;
 }
@@ -119,12 +110,6 @@ __attribute__((target("avx2"))) std::size_t fast_blend(std::uint8_t* to, const s
     return i;
 }
 
-bool has_avx2()
-{
-    static const bool has = __builtin_cpu_supports("avx2");
-    return has;
-}
-
 #endif
 
 } // namespace
@@ -143,8 +128,8 @@ template <> void interlace_row(const InterlacedRow<std::uint8_t>& row, bool blen
 {
     int done = 0;
 #ifdef INTEGRAL_HAS_AVX2
-    // Places are counted by 31 bits there.
-    if (has_avx2() && (std::uint64_t(row.view_count) + 1) * row.view_step < 0x7fffffff) {
+    // Places are counted by 31 bits there, views by 23.
+    if (has_avx2() && (std::uint64_t(row.view_count) + 1) * row.view_step < 0x7fffffff && row.view_count < (1u << 23)) {
         if (blend_views)
             done = blend_pixels ? fast_samples<true, true>(row) : fast_samples<true, false>(row);
         else

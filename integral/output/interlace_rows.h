@@ -40,7 +40,7 @@ template <class Sample> struct InterlacedRow {
     std::uint32_t view_step;         ///< samples from view to view
     std::uint32_t view_count;
     const std::uint32_t* places;     ///< in a view's row, one a sample,
-    const std::uint32_t* weights;    ///< and weight of the sample three farther on, in 1/256
+    const std::uint32_t* weights;    ///< and 65536 times the weight of the sample three farther on, in 1/256, with what is left of 256
 };
 
 /// Fills it, by a plain loop; and for 8 bits by whatever the machine has that is faster, to the same bits.

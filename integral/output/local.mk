@@ -10,6 +10,9 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/device_text.h \
   integral/output/interlace.cpp \
   integral/output/interlace.h \
+  integral/output/interlace_avx2.h \
+  integral/output/interlace_rays.cpp \
+  integral/output/interlace_rays.h \
   integral/output/interlace_rows.cpp \
   integral/output/interlace_rows.h \
   integral/output/known_panels.cpp \
