@@ -240,6 +240,9 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
             published_ = published_mapping(*panel_.calibration);
         interlace(image, pictures, *published_, blend, threads_);
     } else {
+        if (!eyes && !(std::isfinite(panel_.aperture.width) && std::isfinite(panel_.aperture.height)))
+            throw UsageError("--panel " + text_of(arguments_, "panel")
+                             + ": no zone, however wide, fills its lenses; give aperture in its description, or check thickness and pitch: they may be swapped");
         const double distance = panel_.aperture.distance;
         const EyeGrid wanted = eyes.value_or(EyeGrid{viewing_zone(geometry_, distance), distance});
         if (!rays_ || wanted.zone.x != rays_eyes_.zone.x || wanted.zone.y != rays_eyes_.zone.y || wanted.distance != rays_eyes_.distance) {
