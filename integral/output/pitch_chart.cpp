@@ -277,14 +277,17 @@ double line_coverage(double phase, double a, double b)
 
 std::string chart_advice(const PitchChart& chart)
 {
+    const std::vector<Block> blocks = directions_of(chart.sheet);
+    const std::string middle = "bar " + std::to_string(middle_bar(chart)), second = std::to_string(chart.scale.bars + middle_bar(chart));
     std::string text =
         chart.panel.empty()
             ? "Print unscaled. Lay the lenses on the bars, the numbers left free, and look with one eye from straight in front of the middle, "
               "from a measured distance, twice a bar's length or more. The even bar counts, or the two alike that are most even."
             : "Shown pixel for pixel. Look with one eye from straight in front of the middle, " + with_digits(chart.distances.at(0), 3) +
-                  " mm away: bar " + std::to_string(middle_bar(chart)) + " is to be even, or the most even; it has the calibrated pitch.";
+                  " mm away: " + middle + (blocks.size() > 1 ? ", and of the other direction " + second + "," : "") +
+                  " is to be even, or the most even; it has the calibrated pitch.";
     bool lying = false, upright = false;
-    for (const Block& block : directions_of(chart.sheet))
+    for (const Block& block : blocks)
         (block.upright ? upright : lying) = true;
     if (lying)
         text += " Bands of the lower halves to the right of the upper halves': this bar's pitch is too small.";
