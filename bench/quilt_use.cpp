@@ -22,7 +22,8 @@ constexpr Recommended recommended[] = {
     {"looking-glass-portrait", {8, 6}, 3360, 3360},     {"looking-glass-go", {11, 6}, 4092, 4092},
     {"looking-glass-16-landscape", {7, 7}, 5999, 5999}, {"looking-glass-16-portrait", {11, 6}, 5995, 6000},
     {"looking-glass-32-landscape", {7, 7}, 8190, 8190}, {"looking-glass-65", {8, 9}, 8192, 8192},
-    {"looking-glass-8-9", {5, 9}, 4096, 4096},          {"looking-glass-15-6", {5, 9}, 4096, 4096},
+    {"looking-glass-8-9", {5, 9}, 4096, 4096},          {"looking-glass-8-9", {5, 9}, 2048, 2048},
+    {"looking-glass-15-6", {5, 9}, 4096, 4096},
 };
 
 struct Unread {

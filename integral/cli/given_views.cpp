@@ -34,6 +34,11 @@ GivenViews read_quilt(const options::variables_map& arguments, const std::string
     else
         throw UsageError(input + ": its name does not end in _qsCxRaASPECT; --views CxR would tell");
     const ViewGrid grid = all.grid;
+    if (quilt.metadata) {
+        const ViewGrid held = quilt.metadata->quilt->grid;
+        if (held.columns != grid.columns || held.rows != grid.rows)
+            throw UsageError(input + ": it says that it holds " + std::to_string(held.columns) + "x" + std::to_string(held.rows) + " views; leave --views out");
+    }
     if (quilt.metadata && quilt.metadata->quilt->view && grid.count() > 1)
         throw UsageError(input + ": it is view " + std::to_string(*quilt.metadata->quilt->view) + " of " + std::to_string(grid.count())
                          + "; give the files of all of them");

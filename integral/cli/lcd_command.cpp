@@ -61,6 +61,11 @@ void check_outputs(const std::string& output, const std::vector<std::vector<std:
     const int count = int(groups.size());
     if (output == "-" && count > 1)
         throw UsageError("-o -: several images need a name or a folder");
+    if (!std::filesystem::is_directory(output)) {
+        if (!output.empty() && output.back() == '/')
+            throw OutputError(output + ": there is no such folder; make it first");
+        format_for(output);
+    }
     for (int k = 0; k < count; ++k) {
         const std::string path = path_of(output, groups[k], k, count);
         format_for(path);

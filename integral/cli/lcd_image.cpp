@@ -12,12 +12,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace integral {
 namespace {
 
 constexpr int largest_side = 32768, card_views = 8;
-constexpr double most_samples = 4e9;
+constexpr double most_samples = 1e9;
 
 Neighbours neighbours(const options::variables_map& arguments, const char* option)
 {
@@ -80,6 +81,19 @@ std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame
         && same(frame.film.height * frame.film.pixel_pitch.y, panel.height * panel.pixel_pitch.y))
         return eyes;
     return std::nullopt;
+}
+
+/// Says so where a frame of the panel's pixels and lenses is rendered for eyes elsewhere.
+void tell_other_zone(const std::string& name, const Aperture& frame, const Aperture& panel)
+{
+    constexpr double alike = 0.01;
+    const auto same = [&](double a, double b) { return a == b || std::fabs(a - b) <= alike * b; };
+    if (same(frame.distance, panel.distance) && same(frame.width, panel.width))
+        return;
+    std::fprintf(stderr,
+                 "integral lcd: %s: it is rendered for eyes %.0f mm away in a zone %.0f mm wide; the panel's are %.0f mm away in %.0f mm, and near the ends see "
+                 "neighbouring views; the scene's location and angle decide (guide, Panels)\n",
+                 name.c_str(), frame.distance, frame.width, panel.distance, panel.width);
 }
 
 /// The value of --view: one of `count`. Nothing if it was not given.
@@ -196,12 +210,13 @@ std::vector<std::vector<std::string>> PanelImages::groups(const std::vector<std:
     return each;
 }
 
-Frame PanelImages::finished(Image image) const
+Frame PanelImages::finished(Image image, std::optional<Aperture> zone) const
 {
     Frame frame{std::move(image), std::nullopt};
     if (panel_.mirrored_x || panel_.mirrored_y)
         return frame;
     FrameMetadata geometry = geometry_;
+    geometry.aperture = zone.value_or(panel_.aperture);
     geometry.encoding = frame.image.encoding;
     set_metadata(frame, geometry);
     return frame;
@@ -225,6 +240,9 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
             published_ = published_mapping(*panel_.calibration);
         interlace(image, pictures, *published_, blend, threads_);
     } else {
+        if (!eyes && !(std::isfinite(panel_.aperture.width) && std::isfinite(panel_.aperture.height)))
+            throw UsageError("--panel " + text_of(arguments_, "panel")
+                             + ": no zone, however wide, fills its lenses; give aperture in its description, or check thickness and pitch: they may be swapped");
         const double distance = panel_.aperture.distance;
         const EyeGrid wanted = eyes.value_or(EyeGrid{viewing_zone(geometry_, distance), distance});
         if (!rays_ || wanted.zone.x != rays_eyes_.zone.x || wanted.zone.y != rays_eyes_.zone.y || wanted.distance != rays_eyes_.distance) {
@@ -266,8 +284,9 @@ Frame PanelImages::image_of(const std::vector<std::string>& group)
         }
         if (is_native(*frame->metadata, geometry_)) {
             views_ = 0;
+            tell_other_zone(name, frame->metadata->aperture, panel_.aperture);
             const Image image = prepared(frame->image, false);
-            return finished(panel_.mirrored_x || panel_.mirrored_y ? mirrored(image, panel_.mirrored_x, panel_.mirrored_y) : image);
+            return finished(panel_.mirrored_x || panel_.mirrored_y ? mirrored(image, panel_.mirrored_x, panel_.mirrored_y) : image, frame->metadata->aperture);
         }
         const ViewGrid grid = given(arguments_, "views") ? parse_view_grid(arguments_) : natural_views(geometry_);
         const bool round = geometry_.sheet.arrangement != Arrangement::lenticular, frame_round = frame->metadata->sheet.arrangement != Arrangement::lenticular;

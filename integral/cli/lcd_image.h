@@ -40,7 +40,7 @@ public:
 
 private:
     Image interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes, Blend blend);
-    Frame finished(Image image) const;
+    Frame finished(Image image, std::optional<Aperture> zone = std::nullopt) const; ///< `zone`: where not the panel's
 
     const options::variables_map& arguments_;
     Panel panel_;

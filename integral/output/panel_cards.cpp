@@ -81,6 +81,7 @@ Image pitch_card(const Panel& panel)
     chart.sheet = panel.sheet;
     chart.film = panel.film;
     chart.distances = {panel.aperture.distance};
+    chart.panel = panel.name.empty() ? "unnamed panel" : panel.name;
     const double pitch = visual_pitch(panel.sheet.pitch, panel.sheet, panel.aperture.distance);
     const double length = std::min(panel.film.width * panel.film.pixel_pitch.x, panel.film.height * panel.film.pixel_pitch.y);
     constexpr double bands = 0.25;

@@ -64,18 +64,15 @@ std::string name_of_sheet(const LensSheet& sheet)
            (sheet.slant != 0 ? ", slant " + with_digits(sheet.slant, 6) + " degrees" : "");
 }
 
-std::string advice(const std::vector<Block>& blocks)
+/// What the middle bar of a panel's card is: it shows the calibrated pitch.
+int middle_bar(const PitchChart& chart) { return (chart.scale.bars + 1) / 2; }
+
+std::string title_of(const PitchChart& chart)
 {
-    std::string text = "Print unscaled. Lay the lenses on the bars, the numbers left free, and look with one eye from straight in front of the middle, "
-                       "from a measured distance, twice a bar's length or more. The even bar counts, or the two alike that are most even.";
-    bool lying = false, upright = false;
-    for (const Block& block : blocks)
-        (block.upright ? upright : lying) = true;
-    if (lying)
-        text += " Bands of the lower halves to the right of the upper halves': this bar's pitch is too small.";
-    if (upright)
-        text += " Bands of the right halves above the left halves': this bar's pitch is too small.";
-    return text;
+    if (!chart.panel.empty())
+        return "Pitch card: " + chart.panel;
+    const auto dpi = [](double pitch) { return with_decimals(mm_per_inch / pitch, 0); };
+    return "Pitch chart: " + name_of_sheet(chart.sheet) + ". " + dpi(chart.film.pixel_pitch.x) + " x " + dpi(chart.film.pixel_pitch.y) + " dpi";
 }
 
 /// What viewing distance does to the reading, for distances from `nearest` on.
@@ -109,19 +106,18 @@ void demand_room(double have, double need, const char* side, const std::string& 
 
 Layout layout_of(const PitchChart& chart)
 {
-    const Film& film = chart.film;
-    const double width = film.width * film.pixel_pitch.x, height = film.height * film.pixel_pitch.y, inner = width - 2 * margin;
+    const double width = chart.film.width * chart.film.pixel_pitch.x, height = chart.film.height * chart.film.pixel_pitch.y, inner = width - 2 * margin;
     demand_room(width, 2 * margin + 2 * label + 10, "narrow", "a chart");
     Layout layout;
     layout.blocks = directions_of(chart.sheet);
-    const auto dpi = [](double pitch) { return with_decimals(mm_per_inch / pitch, 0); };
-    layout.title = wrapped("Pitch chart: " + name_of_sheet(chart.sheet) + ". " + dpi(film.pixel_pitch.x) + " x " + dpi(film.pixel_pitch.y) + " dpi",
-                           inner, title);
-    layout.head = wrapped(advice(layout.blocks), inner, words);
+    layout.title = wrapped(title_of(chart), inner, title);
+    layout.head = wrapped(chart_advice(chart), inner, words);
     const double count = double(layout.blocks.size());
     const bool beside = width > height;
     const double longest = (beside ? (inner - block_gap * (count - 1)) / count : inner) - 2 * label;
-    layout.foot = wrapped(bias_line(chart, least_distance * longest), inner, words);
+    layout.foot = wrapped(chart.panel.empty() ? bias_line(chart, least_distance * longest)
+                                              : "Is another bar even, its mm are micro_image_pitch_mm of the panel's description, and its lpi the pitch of a calibration.",
+                          inner, words);
     for (const std::string& line : wrapped(chart.note, inner, words))
         layout.foot.push_back(line);
 
@@ -277,6 +273,27 @@ double line_coverage(double phase, double a, double b)
         mean = (second_integral(phase + a + b) - second_integral(phase + a - b) - second_integral(phase - a + b) + second_integral(phase - a - b)) /
                (4 * a * b);
     return std::clamp(0.5 + mean, 0.0, 1.0);
+}
+
+std::string chart_advice(const PitchChart& chart)
+{
+    const std::vector<Block> blocks = directions_of(chart.sheet);
+    const std::string middle = "bar " + std::to_string(middle_bar(chart)), second = std::to_string(chart.scale.bars + middle_bar(chart));
+    std::string text =
+        chart.panel.empty()
+            ? "Print unscaled. Lay the lenses on the bars, the numbers left free, and look with one eye from straight in front of the middle, "
+              "from a measured distance, twice a bar's length or more. The even bar counts, or the two alike that are most even."
+            : "Shown pixel for pixel. Look with one eye from straight in front of the middle, " + with_digits(chart.distances.at(0), 3) +
+                  " mm away: " + middle + (blocks.size() > 1 ? ", and of the other direction " + second + "," : "") +
+                  " is to be even, or the most even; it has the calibrated pitch.";
+    bool lying = false, upright = false;
+    for (const Block& block : blocks)
+        (block.upright ? upright : lying) = true;
+    if (lying)
+        text += " Bands of the lower halves to the right of the upper halves': this bar's pitch is too small.";
+    if (upright)
+        text += " Bands of the right halves above the left halves': this bar's pitch is too small.";
+    return text;
 }
 
 std::vector<ChartBar> chart_bars(const PitchChart& chart)

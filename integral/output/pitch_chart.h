@@ -17,6 +17,7 @@ struct PitchChart {
     PitchScale scale;
     std::vector<double> distances = {250, 400, 600, 1000, 2000}; ///< mm: the page says which bar is even from those that are at least twice a bar's length
     std::string note;   ///< a last line, such as the command that takes the readings
+    std::string panel;  ///< of a card that a panel shows under its own lenses: the panel's name; else empty, and the page is for paper
 };
 
 /// One bar: a rectangle of the page in pixels, of lines as light as dark. Its lines are perpendicular to `wave`, a unit vector of
@@ -34,6 +35,9 @@ struct ChartBar {
 /// Where the bars are: one direction's for lenticular sheets, two for the others. Throws std::invalid_argument, naming what would
 /// help, where a page is too small for its bars or pixels are too coarse for the lines (less than 2 a period).
 std::vector<ChartBar> chart_bars(const PitchChart& chart);
+
+/// What the page says at its head: how it is looked at, and on paper how it is printed and laid under the lenses.
+std::string chart_advice(const PitchChart& chart);
 
 /// The page, 8 bits a channel, sRGB, film.width x film.height: each pixel of a bar holds how much of its area light lines
 /// cover, exactly, in linear light, so that no pitch is rounded to pixels. Throws as chart_bars does.

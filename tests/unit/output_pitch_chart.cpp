@@ -162,6 +162,16 @@ BOOST_AUTO_TEST_CASE(lines_of_a_second_direction_are_those_of_the_lattice)
         }
 }
 
+BOOST_AUTO_TEST_CASE(a_panel_s_card_does_not_say_that_it_is_printed)
+{
+    PitchChart chart = chart_of(Arrangement::lenticular, 1.27, -9, {300, 300}, {152, 102}, {1.252, 0.002, 11});
+    const auto says = [&](const char* words) { return chart_advice(chart).find(words) != std::string::npos; };
+    BOOST_TEST((says("Print unscaled") && says("Lay the lenses on the bars")));
+    chart.panel = "mine";
+    chart.distances = {380};
+    BOOST_TEST((!says("Print") && !says("Lay the lenses") && says("380 mm away: bar 6 is to be even")));
+}
+
 BOOST_AUTO_TEST_CASE(charts_that_have_no_room_are_refused)
 {
     const PitchScale scale{1.252, 0.002, 25};
