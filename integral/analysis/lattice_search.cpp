@@ -206,12 +206,15 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     if (!follow(5))
         return std::nullopt;
 
-    const double fine_deviation = std::max(0.6, 0.02 * pixels), around = 1.6 * fine_deviation;
+    // Where the borders are known to the pixel, the fit may look closely. Borders from the optics alone lie beside the print's pixels:
+    // close by, the pixels would be found instead.
+    const bool to_the_pixel = search.frame.has_value();
+    const double fine_deviation = to_the_pixel ? std::max(0.6, 0.02 * pixels) : std::max(0.7, 0.025 * pixels);
     const Plane wide = blurred(edges, std::max(1.0, pixels / 7), threads), middling = blurred(edges, std::max(0.9, pixels / 12), threads);
     const Plane fine = blurred(edges, fine_deviation, threads);
     // Beside a border there is often more edge on one side, of what the picture shows there: a slope, that moves a maximum. Less
     // what is around it, only a ridge is left.
-    const Plane ridges = difference(fine, blurred(edges, around, threads));
+    const Plane ridges = to_the_pixel ? difference(fine, blurred(edges, 1.6 * fine_deviation, threads)) : fine;
     const double first_radius = std::max(6 * search.sheet.pitch, 0.3 * spectrum.extent() / std::max(about.scale.x, about.scale.y));
     ScanMap best;
     double most = -1e30;
@@ -247,15 +250,18 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
         return std::nullopt;
     const std::vector<Vec2> shown = where_borders_show(fine, points, search.sheet, best);
     const FitErrors errors = errors_of_fit(ridges, shown, search.sheet, best);
+    // The pull may happen to be none one way: the greater counts for both.
     const MapChange pull = change_between(pulled, best);
-    const auto deviation = [&](int k) { return std::hypot(errors.deviation[k], pull[k]); };
+    const double scale_pull = std::max(std::fabs(pull[0]), std::fabs(pull[1])), middle_pull = std::max(std::fabs(pull[3]), std::fabs(pull[4]));
+    const auto with_pull = [](double x, double y, double pulled_by) { return Vec2{std::hypot(x, pulled_by), std::hypot(y, pulled_by)}; };
     if (!is_in_range(search, about, best))
         return result;
     result.map = in_larger_pixels(best, 1.0 / reduction);
-    result.scale_error = {deviation(0), deviation(1)};
-    result.rotation_error = deviation(2);
-    const double across = std::hypot(errors.across, std::hypot(pull[3], pull[4]));
-    result.offset_error = reduction * (search.sheet.arrangement == Arrangement::lenticular ? Vec2{across, across} : Vec2{deviation(3), deviation(4)});
+    result.scale_error = with_pull(errors.deviation[0], errors.deviation[1], scale_pull);
+    result.rotation_error = std::hypot(errors.deviation[2], pull[2]);
+    const bool lenticular = search.sheet.arrangement == Arrangement::lenticular;
+    result.offset_error = reduction * (lenticular ? with_pull(errors.across, errors.across, length(Vec2{pull[3], pull[4]}))
+                                                  : with_pull(errors.deviation[3], errors.deviation[4], middle_pull));
     result.contrast = fine.mean > 0 ? edge_on_borders(fine, shown, best) / fine.mean : 0;
     result.significance = significance;
     result.borders = errors.borders;
