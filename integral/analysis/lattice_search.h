@@ -28,7 +28,7 @@ struct LatticeSearch {
 
 struct FoundLattice {
     ScanMap map;
-    // Standard errors: from how the scan's parts agree (up to 64), and how far the picture's own edges pulled before what could be
+    // Standard errors: from how the scan's parts agree (up to 64), and, with a frame, how far the picture's own edges pulled before what could be
     // told of their pull was removed:
     Vec2 scale_error;          ///< relative, of map.scale; equal for lenticular sheets, whose scan is taken to have one scale
     double rotation_error = 0; ///< radians
