@@ -269,7 +269,6 @@ FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, con
     const Squares square(edges, points, map, side);
     std::vector<MapChange> gradients(square.count(), MapChange{});
     FitErrors errors;
-    double on = 0;
     for (const Vec2 point : points) {
         const auto edge = local(edges, scan_from_film(map, point));
         if (!edge)
@@ -278,10 +277,8 @@ FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, con
         MapChange& gradient = gradients[square(point)];
         for (std::size_t k = 0; k < n; ++k)
             gradient[k] += edge->x * motion[k].x + edge->y * motion[k].y;
-        on += edge->value;
         ++errors.borders;
     }
-    errors.contrast = errors.borders > 0 && edges.mean > 0 ? on / errors.borders / edges.mean - 1 : 0;
     Matrix downwards = slope_at(edges, points, map, free).curvature;
     for (auto& row : downwards)
         for (double& value : row)

@@ -34,7 +34,6 @@ std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>
 struct FitErrors {
     MapChange deviation{};   ///< standard errors; 0 for what is not free
     double across = 0;       ///< of the middle, pixels, across a lenticular sheet's lenses
-    double contrast = 0;     ///< how much more edge there is on the borders than on the mean of the plane, relative
     int borders = 0;         ///< points that lie in the scan
 };
 

@@ -131,4 +131,12 @@ Plane blurred(const Plane& plane, double deviation, int threads)
     return both;
 }
 
+Plane difference(Plane a, const Plane& b)
+{
+    for (std::size_t k = 0; k < a.values.size(); ++k)
+        a.values[k] -= b.values[k];
+    a.mean -= b.mean;
+    return a;
+}
+
 } // namespace integral

@@ -28,6 +28,9 @@ Plane edge_response(const Image& scan, int reduction, double reach, int threads)
 /// Blurred by a Gaussian of this standard deviation, pixels; beyond the edge, as at the edge. Sets the mean.
 Plane blurred(const Plane& plane, double deviation, int threads);
 
+/// a - b, of the same size. Sets the mean.
+Plane difference(Plane a, const Plane& b);
+
 } // namespace integral
 
 #endif

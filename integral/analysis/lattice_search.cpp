@@ -120,6 +120,12 @@ ScanMap best_middle(const Plane& edges, const std::vector<Vec2>& points, const L
     return best;
 }
 
+MapChange change_between(const ScanMap& from, const ScanMap& to)
+{
+    return {std::log(to.scale.x / from.scale.x), std::log(to.scale.y / from.scale.y), to.rotation - from.rotation, to.middle.x - from.middle.x,
+            to.middle.y - from.middle.y};
+}
+
 /// Whether a fit has stayed where it was sent to look. Little more than the range is left to it, and scales across and down that
 /// differ by no more than a scanner's.
 bool is_in_range(const LatticeSearch& search, const ScanMap& about, const ScanMap& map)
@@ -200,20 +206,26 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     if (!follow(5))
         return std::nullopt;
 
-    const double fine_deviation = std::max(0.7, 0.025 * pixels);
+    // Where the borders are known to the pixel, the fit may look closely. Borders from the optics alone lie beside the print's pixels:
+    // close by, the pixels would be found instead.
+    const bool to_the_pixel = search.frame.has_value();
+    const double fine_deviation = to_the_pixel ? std::max(0.6, 0.02 * pixels) : std::max(0.7, 0.025 * pixels);
     const Plane wide = blurred(edges, std::max(1.0, pixels / 7), threads), middling = blurred(edges, std::max(0.9, pixels / 12), threads);
     const Plane fine = blurred(edges, fine_deviation, threads);
+    // Beside a border there is often more edge on one side, of what the picture shows there: a slope, that moves a maximum. Less
+    // what is around it, only a ridge is left.
+    const Plane ridges = to_the_pixel ? difference(fine, blurred(edges, 1.6 * fine_deviation, threads)) : fine;
     const double first_radius = std::max(6 * search.sheet.pitch, 0.3 * spectrum.extent() / std::max(about.scale.x, about.scale.y));
     ScanMap best;
     double most = -1e30;
     for (const Candidate& candidate : found) {
-        const std::vector<Vec2> central = those_within(points, first_radius, 60000);
+        const std::vector<Vec2> central = those_within(points, first_radius, 30000);
         if (central.empty())
             throw std::invalid_argument("the sheet's middle is too far outside of it");
         ScanMap map = best_middle(wide, central, search.sheet, candidate.map);
         map = fit_borders(wide, central, search.sheet, map);
         for (double radius = 1.6 * first_radius;; radius *= 1.6) {
-            map = fit_borders(middling, those_within(points, radius, 100000), search.sheet, map);
+            map = fit_borders(middling, those_within(points, radius, 40000), search.sheet, map);
             if (radius > farthest)
                 break;
         }
@@ -231,20 +243,26 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     points = those_within(points, farthest, most_borders);
     best = fit_borders(fine, points, search.sheet, best);
     const double significance = significance_of(fine, those_within(points, farthest, 20000), search, about, best);
+    const ScanMap pulled = best = fit_borders(fine, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
     for (int round = 0; round < 2; ++round)
-        best = fit_borders(fine, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
+        best = fit_borders(ridges, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
     if (!follow(9))
         return std::nullopt;
-    const FitErrors errors = errors_of_fit(fine, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
+    const std::vector<Vec2> shown = where_borders_show(fine, points, search.sheet, best);
+    const FitErrors errors = errors_of_fit(ridges, shown, search.sheet, best);
+    // The pull may happen to be none one way: the greater counts for both.
+    const MapChange pull = change_between(pulled, best);
+    const double scale_pull = std::max(std::fabs(pull[0]), std::fabs(pull[1])), middle_pull = std::max(std::fabs(pull[3]), std::fabs(pull[4]));
+    const auto with_pull = [](double x, double y, double pulled_by) { return Vec2{std::hypot(x, pulled_by), std::hypot(y, pulled_by)}; };
     if (!is_in_range(search, about, best))
         return result;
     result.map = in_larger_pixels(best, 1.0 / reduction);
-    result.scale_error = {errors.deviation[0], errors.deviation[1]};
-    result.rotation_error = errors.deviation[2];
-    result.offset_error = search.sheet.arrangement == Arrangement::lenticular
-                              ? Vec2{reduction * errors.across, reduction * errors.across}
-                              : Vec2{reduction * errors.deviation[3], reduction * errors.deviation[4]};
-    result.contrast = errors.contrast;
+    result.scale_error = with_pull(errors.deviation[0], errors.deviation[1], scale_pull);
+    result.rotation_error = std::hypot(errors.deviation[2], pull[2]);
+    const bool lenticular = search.sheet.arrangement == Arrangement::lenticular;
+    result.offset_error = reduction * (lenticular ? with_pull(errors.across, errors.across, length(Vec2{pull[3], pull[4]}))
+                                                  : with_pull(errors.deviation[3], errors.deviation[4], middle_pull));
+    result.contrast = fine.mean > 0 ? edge_on_borders(fine, shown, best) / fine.mean : 0;
     result.significance = significance;
     result.borders = errors.borders;
     follow(10);

@@ -104,7 +104,9 @@ std::vector<Vec2> lens_borders(const SheetOptics& optics, LensMapping mapping, V
 
 std::vector<Vec2> lens_borders_of_pixels(const SheetOptics& optics, LensMapping mapping, const Film& film, int most, int threads)
 {
-    const Crossing crossing(optics.sheet());
+    Crossing crossing(optics.sheet());
+    if (optics.sheet().slant != 0)
+        crossing.rows = crossing.columns = true; // the steps of the staircases, too
     const Vec2 pitch = film.pixel_pitch;
     const double spacing = line_spacing(optics.sheet(), {0.5 * film.width * pitch.x, 0.5 * film.height * pitch.y}, std::max(pitch.x, pitch.y), most);
     const Borders borders(optics, mapping);
