@@ -17,9 +17,9 @@ struct Local {
 std::optional<Local> local(const Plane& plane, Vec2 pixel)
 {
     const double x = pixel.x - 0.5, y = pixel.y - 0.5;
-    const int left = int(std::floor(x)), top = int(std::floor(y));
-    if (!(x >= 2 && y >= 2 && left + 3 < plane.width && top + 3 < plane.height))
+    if (!(x >= 2 && y >= 2 && std::floor(x) + 3 < plane.width && std::floor(y) + 3 < plane.height)) // a step may go anywhere
         return std::nullopt;
+    const int left = int(std::floor(x)), top = int(std::floor(y));
     const double u = x - left, v = y - top;
     double s[3][3]; // at whole pixels around the place
     for (int j = 0; j < 3; ++j)

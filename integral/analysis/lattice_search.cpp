@@ -246,6 +246,8 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     const ScanMap pulled = best = fit_borders(fine, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
     for (int round = 0; round < 2; ++round)
         best = fit_borders(ridges, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
+    if (!is_in_range(search, about, best))
+        best = pulled; // nothing held the closer look
     if (!follow(9))
         return std::nullopt;
     const std::vector<Vec2> shown = where_borders_show(fine, points, search.sheet, best);
