@@ -303,6 +303,7 @@ FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, con
         errors.deviation[i] = std::sqrt(std::max(0.0, correction * variance));
     }
     errors.across = std::sqrt(std::max(0.0, correction * covariance[n - 1][n - 1]));
+    errors.known = true;
     return errors;
 }
 

@@ -35,6 +35,7 @@ struct FitErrors {
     MapChange deviation{};   ///< standard errors; 0 for what is not free
     double across = 0;       ///< of the middle, pixels, across a lenticular sheet's lenses
     int borders = 0;         ///< points that lie in the scan
+    bool known = false;      ///< false: the fit is at no clear maximum, and the deviations say nothing
 };
 
 /// At the optimum, from how 8 x 8 parts of the film agree: the sandwich of the Hessian and the parts' gradients.

@@ -259,6 +259,7 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     if (!is_in_range(search, about, best))
         return result;
     result.map = in_larger_pixels(best, 1.0 / reduction);
+    result.errors_known = errors.known;
     result.scale_error = with_pull(errors.deviation[0], errors.deviation[1], scale_pull);
     result.rotation_error = std::hypot(errors.deviation[2], pull[2]);
     const bool lenticular = search.sheet.arrangement == Arrangement::lenticular;

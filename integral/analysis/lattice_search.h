@@ -30,6 +30,7 @@ struct FoundLattice {
     ScanMap map;
     // Standard errors: from how the scan's parts agree (up to 64), and, with a frame, how far the picture's own edges pulled before what could be
     // told of their pull was removed:
+    bool errors_known = false; ///< false: the fit is at no clear maximum
     Vec2 scale_error;          ///< relative, of map.scale; equal for lenticular sheets, whose scan is taken to have one scale
     double rotation_error = 0; ///< radians
     Vec2 offset_error;         ///< scan pixels, of map.middle; of lenticular sheets only across the lenses

@@ -176,10 +176,10 @@ nlohmann::ordered_json as_json(const FoundLattice& found, const LatticeSearch& s
             {"sheet_offset_mm", {search.sheet.offset.x, search.sheet.offset.y}},
             {"scan_dpi", {mm_per_inch * m.scale.x, mm_per_inch * m.scale.y}},
             {"scale", {m.scale.x / search.about.scale.x, m.scale.y / search.about.scale.y}},
-            {"standard_error",
-             {{"rotation_degrees", found.rotation_error / degree},
-              {"pitch_relative", {found.scale_error.x, found.scale_error.y}},
-              {"middle_px", {found.offset_error.x, found.offset_error.y}}}},
+            {"standard_error", found.errors_known ? nlohmann::ordered_json{{"rotation_degrees", found.rotation_error / degree},
+                                                                           {"pitch_relative", {found.scale_error.x, found.scale_error.y}},
+                                                                           {"middle_px", {found.offset_error.x, found.offset_error.y}}}
+                                                  : nlohmann::ordered_json(nullptr)},
             {"contrast", found.contrast},
             {"significance", found.significance},
             {"film", {{"width", film.width}, {"height", film.height}, {"pixel_pitch_mm", {film.pixel_pitch.x, film.pixel_pitch.y}}}},
@@ -204,7 +204,7 @@ std::string as_text(const FoundLattice& found, const LatticeSearch& search, cons
                   100 * (m.scale.y / search.about.scale.y - 1), m.middle.x, m.middle.y, found.offset_error.x, found.offset_error.y,
                   100 * found.contrast, found.significance, film.width, film.height, film.pixel_pitch.x, film.pixel_pitch.y,
                   corrections.text.empty() ? "left as it is" : corrections.text.c_str());
-    return text;
+    return text + std::string(found.errors_known ? "" : "the errors behind +- are not known: the edges have no clear maximum here\n");
 }
 
 FoundLattice find(const std::string& input, const Image& scan, const LatticeSearch& search, int threads)
