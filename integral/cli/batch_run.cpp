@@ -76,18 +76,19 @@ public:
         while (!pending_.empty() || !running_.empty()) {
             if (!progress(total_ - int(pending_.size() + running_.size()), total_))
                 stop_all();
-            bool ended = false;
             for (auto it = running_.begin(); it != running_.end();) {
-                const auto end = it->child.ended();
-                if (!end) {
-                    ++it;
-                    continue;
+                const auto next = std::next(it);
+                if (const auto end = it->child.ended()) {
+                    it->end = *end;
+                    it->ended = Clock::now();
+                    ended_.splice(ended_.end(), running_, it);
                 }
-                ended = true;
-                conclude(*it, *end);
-                it = running_.erase(it);
+                it = next;
             }
+            const bool ended = !ended_.empty();
             if (ended || Clock::now() >= next_look) {
+                start_some(); // while what has ended is hashed and published, the cores work
+                conclude_ended();
                 start_some();
                 next_look = Clock::now() + again_after;
             }
@@ -116,6 +117,8 @@ private:
         StepRecord record;
         Clock::time_point begun;
         double memory; ///< expected
+        ChildEnd end;  ///< once it has ended, and when
+        Clock::time_point ended;
     };
     enum class Start { begun, over, later };
 
@@ -228,7 +231,7 @@ private:
         const std::string log = folder_.work(step) + "/said.txt";
         ChildProcess child(command_line(folder_, step, frame, threads_for(i)), step.folder, log);
         pending_.remove(i);
-        running_.push_back({i, std::move(child), std::move(lock), record, Clock::now(), memory});
+        running_.push_back({i, std::move(child), std::move(lock), record, Clock::now(), memory, {}, {}});
     }
 
     void copy(int i, int twin, StepRecord record)
@@ -284,12 +287,21 @@ private:
         return false;
     }
 
-    void conclude(Running& one, const ChildEnd& end)
+    void conclude_ended()
     {
+        while (!ended_.empty()) {
+            conclude(ended_.front());
+            ended_.pop_front();
+        }
+    }
+
+    void conclude(Running& one)
+    {
+        const ChildEnd& end = one.end;
         const BatchStep& step = plan_.steps[std::size_t(one.step)];
         const std::string made = folder_.made(step), log = folder_.work(step) + "/said.txt";
         StepRecord& record = one.record;
-        record.seconds = std::chrono::duration<double>(Clock::now() - one.begun).count();
+        record.seconds = std::chrono::duration<double>(one.ended - one.begun).count();
         record.memory = end.memory;
         record.finished = time_now();
         record.host = host_name();
@@ -351,6 +363,7 @@ private:
 
     [[noreturn]] void stop_all()
     {
+        conclude_ended();
         for (Running& one : running_)
             one.child.stop();
         for (const auto until = Clock::now() + patience; !running_.empty() && Clock::now() < until; poll(nullptr, 0, poll_milliseconds))
@@ -373,7 +386,7 @@ private:
     std::vector<int> tries_;
     std::vector<std::string> said_;
     std::list<int> pending_;
-    std::list<Running> running_;
+    std::list<Running> running_, ended_; ///< ended: but not concluded
     std::map<int, std::string> outputs_;       ///< hashes of finished steps' outputs
     std::map<std::string, int> by_inputs_;     ///< the step that makes, or has made, what comes of these inputs
     std::map<std::pair<StepKind, int>, std::pair<double, double>> memory_; ///< most bytes, and pixels, of a kind and scene
