@@ -238,20 +238,26 @@ void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key, s
         outcome.lens = mapped.ray->lens;
 }
 
+std::optional<BeamRay> PixelSampler::one_ray(Vec2 centre, PixelOutcome& outcome) const
+{
+    const MappedPoint mapped = camera_.optics.map(film_from_pixel(camera_.film, centre), camera_.mapping);
+    outcome.film_points = 1;
+    outcome.outside_aperture = mapped.empty == Empty::outside_aperture;
+    outcome.total_reflection = mapped.empty == Empty::total_reflection;
+    if (!mapped.ray)
+        return std::nullopt;
+    outcome.imaged = 1;
+    outcome.lens = mapped.ray->lens;
+    outcome.searched = mapped.searched;
+    return pole_beam(*mapped.ray);
+}
+
 PixelOutcome PixelSampler::append_rays(Vec2 centre, std::vector<PixelRay>& rays) const
 {
     PixelOutcome outcome;
     if (one_ray_) {
-        const MappedPoint mapped = camera_.optics.map(film_from_pixel(camera_.film, centre), camera_.mapping);
-        if (mapped.ray)
-            rays.push_back({pole_beam(*mapped.ray)});
-        outcome.film_points = 1;
-        outcome.imaged = mapped.ray.has_value();
-        if (mapped.ray)
-            outcome.lens = mapped.ray->lens;
-        outcome.searched = mapped.ray && mapped.searched;
-        outcome.outside_aperture = mapped.empty == Empty::outside_aperture;
-        outcome.total_reflection = mapped.empty == Empty::total_reflection;
+        if (const auto ray = one_ray(centre, outcome))
+            rays.push_back({*ray});
         return outcome;
     }
     const std::uint64_t key = pixel_key(centre);

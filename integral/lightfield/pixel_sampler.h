@@ -61,6 +61,10 @@ public:
     /// No rays where the centre images nothing.
     PixelOutcome append_rays(Vec2 centre, std::vector<PixelRay>& rays) const;
 
+    /// Whether append_rays appends at most one ray a pixel, its pole's: what `one_ray` gives, with what became of it in `outcome`.
+    bool gives_one_ray() const { return one_ray_; }
+    std::optional<BeamRay> one_ray(Vec2 centre, PixelOutcome& outcome) const;
+
     /// The ray of the pixel's centre through its lens's pole, by the lens model. Nothing where there is none.
     std::optional<BeamRay> pole_ray(Vec2 centre) const;
 

@@ -109,9 +109,16 @@ std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens)
     return complete(*c);
 }
 
-/// Into a MappedPoint as it is made.
-inline void SheetOptics::map_closest(Vec2 film_point, MappedPoint& mapped) const
+MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
 {
+    if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <= farthest_film * lattice_.pitch())) // not a number, too
+        return {std::nullopt, Empty::outside_aperture, mapping != LensMapping::closest};
+    if (mapping == LensMapping::accurate)
+        return map_accurate(film_point);
+    if (mapping == LensMapping::exhaustive)
+        return map_exhaustive(film_point);
+
+    MappedPoint mapped;
     Candidate c;
     if (!find_candidate(film_point, lattice_.nearest(film_point), c))
         mapped.empty = Empty::total_reflection;
@@ -119,28 +126,7 @@ inline void SheetOptics::map_closest(Vec2 film_point, MappedPoint& mapped) const
         mapped.empty = Empty::outside_aperture;
     else
         mapped.ray.emplace(complete(c));
-}
-
-MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
-{
-    if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <= farthest_film * lattice_.pitch())) // not a number, too
-        return {std::nullopt, Empty::outside_aperture, mapping != LensMapping::closest};
-    switch (mapping) {
-    case LensMapping::automatic:
-        break;
-    case LensMapping::closest: {
-        MappedPoint mapped;
-        map_closest(film_point, mapped);
-        return mapped;
-    }
-    case LensMapping::accurate:
-        return map_accurate(film_point);
-    case LensMapping::exhaustive:
-        return map_exhaustive(film_point);
-    }
-    MappedPoint mapped;
-    map_closest(film_point, mapped);
-    if (mapped.ray)
+    if (mapped.ray || mapping == LensMapping::closest)
         return mapped;
     const MappedPoint searched = map_accurate(film_point);
     mapped.searched = true;

@@ -86,7 +86,6 @@ private:
     LensRay complete(const Candidate&) const;
     std::optional<Candidate> best_within(Vec2 film_point, Vec2 centre, double radius) const;
     Empty why_empty(Vec2 film_point) const;
-    void map_closest(Vec2 film_point, MappedPoint& mapped) const;
     MappedPoint map_accurate(Vec2 film_point) const;
     MappedPoint map_exhaustive(Vec2 film_point) const;
     Vec2 pole_seeing_centre(Vec2 film_point, double& error) const;

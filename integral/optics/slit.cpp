@@ -68,50 +68,65 @@ std::optional<double> end_of(const Equation& equation, double root_e, double lim
     return std::nullopt;
 }
 
+/// A root of solve_slit at the plane of the poles, and S there.
+struct PoleRoot { double tau, s; };
+
 /// solve_slit at the plane of the poles, where with p = g tau + h e.b
 ///     H(tau) = alpha + g tau + n D p/S,   H' = g + n D (g E + m h (e.b) tau)/S^3.
-/// Newton's steps alone, from the root to third order in tau: nearly every ray of a picture needs two. Nothing where they do
+/// Newton's steps alone, from the root to third order in tau: nearly every ray of a picture needs two. False where they do
 /// not settle at once.
-std::optional<double> settle_at_pole(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta)
+inline bool settle_at_pole(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta, PoleRoot& root)
 {
     const double clear = clearance(medium, {h, 0});
     if (!(clear > 0))
-        return std::nullopt;
+        return false;
     const double alpha = dot(slit.normal, foot) - eta, g = dot(slit.normal, slit.axis), nd = medium.n * slit.distance;
     const double lateral = h * dot(slit.normal, slit.across), root_e = std::sqrt(clear), end = root_e / medium.root_m;
     if (!(std::fabs(lateral) < g * end))
-        return std::nullopt;
-    double tau = -(alpha * root_e + nd * lateral) / (g * (root_e + nd));
-    tau -= nd * (g * tau + lateral) / (g * (root_e + nd)) * (0.5 * medium.m * tau * tau / clear);
+        return false;
+    const double paraxial = 1 / (g * (root_e + nd));
+    double tau = -(alpha * root_e + nd * lateral) * paraxial;
+    tau -= nd * (g * tau + lateral) * paraxial * (0.5 * medium.m * tau * tau / clear);
     constexpr int most_steps = 5;
     for (int step = 0; step < most_steps && std::fabs(tau) < end; ++step) {
         const double s2 = medium.m * ((end - tau) * (end + tau)), s = std::sqrt(s2);
         const double change = ((alpha + g * tau) * s + nd * (g * tau + lateral)) * s2
                             / (g * s * s2 + nd * (g * clear + medium.m * lateral * tau));
         tau -= change;
-        if (change * change <= settled * std::fabs(tau) * (end - std::fabs(tau)))
-            return tau;
+        if (change * change <= settled * std::fabs(tau) * (end - std::fabs(tau))) {
+            root = {tau, std::sqrt(medium.m * ((end - tau) * (end + tau)))};
+            return root.s > 0;
+        }
     }
-    return std::nullopt;
+    return false;
 }
 
-} // namespace
-
-bool reaches_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta, const TangentPlane& plane)
+/// Where the light reaches the slit, from where and in which direction it leaves. `line`: a point of the line that it leaves from.
+inline SlitRay through_slit(const Slit& slit, double n, Vec2 foot, Vec2 line, double tau, double h, double eta, double distance, Vec3 refracted)
 {
-    const auto equation = equation_of(slit, medium, foot, h, eta, plane);
-    if (!equation)
-        return false;
-    const double root_e = std::sqrt(equation->e);
-    return medium.m == 0 || end_of(*equation, root_e, root_e / medium.root_m);
+    SlitRay ray;
+    ray.offset = h * slit.across + tau * slit.axis;
+    ray.refracted = refracted;
+    ray.point = foot + tau * slit.axis;
+    const double stretch = distance / -refracted.z;
+    const Vec2 to_aperture = stretch * Vec2{refracted.x, refracted.y};
+    if (n * stretch < 1) {
+        // Here foot + tau a cancels; the point's component across the slit is known without.
+        const double across_slit = eta - dot(slit.normal, to_aperture);
+        const double along_axis = (across_slit - dot(slit.normal, line)) / dot(slit.normal, slit.axis);
+        ray.point = line + along_axis * slit.axis;
+    }
+    ray.aperture_point = ray.point + to_aperture;
+    if (slit.normal.x == 0)
+        ray.aperture_point.y = slit.normal.y * eta;
+    else
+        ray.aperture_point.x = slit.normal.x * eta;
+    return ray;
 }
 
-std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta,
-                                 const TangentPlane& plane)
+/// solve_slit where Newton's steps alone do not do, or the plane is not that of the poles.
+std::optional<double> solve_in_bracket(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta, const TangentPlane& plane)
 {
-    if (plane.sine == 0 && medium.m > 0)
-        if (const auto tau = settle_at_pole(slit, medium, foot, h, eta))
-            return tau;
     const auto found = equation_of(slit, medium, foot, h, eta, plane);
     if (!found)
         return std::nullopt;
@@ -156,12 +171,37 @@ std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 fo
     return std::clamp(tau, -end, end);
 }
 
+} // namespace
+
+bool reaches_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta, const TangentPlane& plane)
+{
+    const auto equation = equation_of(slit, medium, foot, h, eta, plane);
+    if (!equation)
+        return false;
+    const double root_e = std::sqrt(equation->e);
+    return medium.m == 0 || end_of(*equation, root_e, root_e / medium.root_m);
+}
+
+std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta,
+                                 const TangentPlane& plane)
+{
+    PoleRoot root;
+    if (plane.sine == 0 && medium.m > 0 && settle_at_pole(slit, medium, foot, h, eta, root))
+        return root.tau;
+    return solve_in_bracket(slit, medium, foot, h, eta, plane);
+}
+
 std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 film_point, Vec2 on_axis, double eta,
                                 const TangentPlane& plane)
 {
     const double h = dot(slit.across, on_axis - film_point) + plane.v;
     const Vec2 foot = film_point + h * slit.across;
-    const auto tau = solve_slit(slit, medium, foot, h, eta, plane);
+    PoleRoot root;
+    if (plane.sine == 0 && medium.m > 0 && settle_at_pole(slit, medium, foot, h, eta, root)) {
+        const Vec2 lateral = medium.n * (h * slit.across + root.tau * slit.axis);
+        return through_slit(slit, medium.n, foot, on_axis, root.tau, h, eta, slit.distance, {lateral.x, lateral.y, -root.s});
+    }
+    const auto tau = solve_in_bracket(slit, medium, foot, h, eta, plane);
     if (!tau)
         return std::nullopt;
     const Incidence way = incidence(medium, plane, h);
@@ -171,26 +211,8 @@ std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 fil
     const Vec3 out = refracted(medium, plane, way, *tau, std::sqrt(clear));
     if (!(out.z < 0))
         return std::nullopt;
-
-    SlitRay ray;
-    ray.offset = h * slit.across + *tau * slit.axis;
-    ray.refracted = {out.x * slit.across.x + out.y * slit.axis.x, out.x * slit.across.y + out.y * slit.axis.y, out.z};
-    ray.point = foot + *tau * slit.axis;
-    const double stretch = (slit.distance + plane.height) / -out.z;
-    const Vec2 to_aperture = stretch * Vec2{ray.refracted.x, ray.refracted.y};
-    if (medium.n * stretch < 1) {
-        // Here foot + tau a cancels; the point's component across the slit is known without.
-        const Vec2 on_line = on_axis + plane.v * slit.across;
-        const double across_slit = eta - dot(slit.normal, to_aperture);
-        const double along_axis = (across_slit - dot(slit.normal, on_line)) / dot(slit.normal, slit.axis);
-        ray.point = on_line + along_axis * slit.axis;
-    }
-    ray.aperture_point = ray.point + to_aperture;
-    if (slit.normal.x == 0)
-        ray.aperture_point.y = slit.normal.y * eta;
-    else
-        ray.aperture_point.x = slit.normal.x * eta;
-    return ray;
+    const Vec3 direction{out.x * slit.across.x + out.y * slit.axis.x, out.x * slit.across.y + out.y * slit.axis.y, out.z};
+    return through_slit(slit, medium.n, foot, on_axis + plane.v * slit.across, *tau, h, eta, slit.distance + plane.height, direction);
 }
 
 } // namespace integral

@@ -26,6 +26,7 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
         return;
     containers.Choose(*block->optics, scene, thread);
     counts_error = block->error.wanted && !block->audit;
+    one_ray = block->sampler->gives_one_ray();
     std::lock_guard<std::mutex> lock(block->counts->mutex);
     tally = &block->counts->tallies.emplace_back();
     block->counts->containers = containers.Number();
@@ -35,6 +36,17 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
         surfaces.reset(new IntegralSurfaces(*block->patches, *tally, thread));
 }
 
+void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const
+{
+    tally->film_points.Add(outcome.film_points);
+    tally->imaged.Add(outcome.imaged);
+    tally->searched.Add(outcome.searched);
+    tally->outside_aperture.Add(outcome.outside_aperture);
+    tally->total_reflection.Add(outcome.total_reflection);
+    tally->rays.Add(traced);
+    tally->container_searches.Add(containers.None() ? 0 : traced);
+}
+
 /// Film point -> lens -> rays through its lens, into `rays`. False where the pixel images nothing.
 bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 {
@@ -42,7 +54,7 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
     const integral::Vec2 centre{x + 0.5, y + 0.5};
     rays.clear();
     if (mode == audit)
-        return sampler.append_random_ray(centre, audit_index, rays);
+        return imaged = sampler.append_random_ray(centre, audit_index, rays);
 
     integral::PixelOutcome outcome;
     if (mode == refinement)
@@ -51,16 +63,22 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
         outcome = sampler.append_rays(centre, rays);
     lens = outcome.lens;
     if (counted)
-    {
-        tally->film_points.Add(outcome.film_points);
-        tally->imaged.Add(outcome.imaged);
-        tally->searched.Add(outcome.searched);
-        tally->outside_aperture.Add(outcome.outside_aperture);
-        tally->total_reflection.Add(outcome.total_reflection);
-        tally->rays.Add(rays.size());
-        tally->container_searches.Add(containers.None() ? 0 : rays.size());
-    }
-    return !rays.empty();
+        Count(outcome, rays.size());
+    return imaged = !rays.empty();
+}
+
+/// The same where a pixel has one ray, which it makes, too.
+bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length)
+{
+    integral::PixelOutcome outcome;
+    const auto seen = block->sampler->one_ray({x + 0.5, y + 0.5}, outcome);
+    imaged = seen.has_value();
+    lens = outcome.lens;
+    if (counted)
+        Count(outcome, imaged);
+    if (imaged)
+        Make_Ray(ray, *seen, pretrace, length);
+    return imaged;
 }
 
 void IntegralTracer::Refine(int x, int y, bool alike)

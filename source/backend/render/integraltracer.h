@@ -51,7 +51,7 @@ class IntegralTracer
         void End_Refinement() { mode = camera_rays; }
 
         /// Whether the last pixel, or sample, imaged anything; and the lens that did.
-        bool Imaged() const { return !rays.empty(); }
+        bool Imaged() const { return imaged; }
         integral::LensIndex Lens() const { return lens; }
 
         /// The colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)` traces one ray as far as the
@@ -73,6 +73,8 @@ class IntegralTracer
         };
 
         bool Choose_Rays(DBL x, DBL y, bool counted);
+        bool Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
+        void Count(const integral::PixelOutcome& outcome, std::size_t traced) const;
         void Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const;
         void Count_Error(const Light& light);
 
@@ -83,24 +85,35 @@ class IntegralTracer
         IntegralTally *tally = nullptr; ///< in the block's counts, if it keeps any
         std::vector<integral::PixelRay> rays; ///< of the pixel, or sample, that is being traced
         integral::LensIndex lens;             ///< whose rays they are
+        bool imaged = false;                  ///< whether there are any
         Mode mode = camera_rays;
         std::uint64_t audit_index = 0;
         integral::PixelBeam beam;             ///< of the pixel that is being refined
         Light refined;                        ///< of its samples
         std::uint32_t sample_index = 0;
         bool active = false, counts_error = false;
+        bool one_ray = false;                 ///< at most, each pixel has
 };
 
 template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace)
 {
     const bool counted = !pretrace && mode != audit && tally;
     colour.clear();
+    DBL length;
+    if (mode == camera_rays && one_ray)
+    {
+        Ray ray;
+        if (Choose_One_Ray(x, y, counted, pretrace, ray, length))
+            trace(ray, length, colour);
+        else
+            colour.transm() = 1.0;
+        return;
+    }
     if (!Choose_Rays(x, y, counted))
     {
         colour.transm() = 1.0;
         return;
     }
-    DBL length;
     if (mode != refinement && rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
     {
         Ray ray;
