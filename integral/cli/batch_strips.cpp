@@ -6,6 +6,7 @@
 #include "integral/cli/batch_steps.h"
 #include "integral/cli/renderer.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/first_samples.h"
 
 #include <nlohmann/json.hpp>
 
