@@ -14,18 +14,6 @@
 
 namespace integral {
 
-int rows_looked_at(const LensSheet& sheet, const Film& film)
-{
-    const Lattice lattice(sheet);
-    const Vec2 pole = lattice.pole({0, 0});
-    double furthest = 0;
-    lattice.for_each_within(pole, 1.001 * sheet.pitch, [&](LensIndex lens) {
-        if (lattice.arrangement() == Arrangement::lenticular || length(lattice.pole(lens) - pole) < 1.001 * sheet.pitch)
-            furthest = std::max(furthest, std::fabs(lattice.pole(lens).y - pole.y));
-    });
-    return std::max(1, int(std::lround(furthest / film.pixel_pitch.y)));
-}
-
 std::vector<RowStrip> row_strips(int height, int strips, int block_side, int reach)
 {
     const int blocks = (height + block_side - 1) / block_side, number = std::clamp(strips, 1, blocks);
@@ -51,6 +39,8 @@ std::vector<std::string> options_of(const RowStrip& strip, int height)
         options.push_back("Start_Row=" + std::to_string(first + 1));
     if (end < height)
         options.push_back("End_Row=" + std::to_string(end));
+    if (strip.above + strip.below > 0)
+        options.push_back("Integral_Rows=" + std::to_string(strip.first + 1) + "," + std::to_string(strip.first + strip.rows));
     return options;
 }
 
@@ -93,25 +83,23 @@ void copy_rows(const Image& from, int first, int rows, Image& to, int to_first)
 struct StripFile {
     DecodedImage picture; ///< its document is the whole frame's
     int first, height;    ///< the first of its rows in the frame, and the frame's height
-    int rendered;         ///< rows rendered, those besides included
     bool exr;
 };
 
 StripFile read_strip(const std::string& path)
 {
     const std::string bytes = read_file(path);
-    StripFile strip{picture_of(path, bytes), 0, 0, 0, is_exr(bytes)};
+    StripFile strip{picture_of(path, bytes), 0, 0, is_exr(bytes)};
     try {
         const Json record = Json::parse(strip.picture.document);
         strip.first = record.at("first_row").get<int>();
         strip.height = record.at("of_rows").get<int>();
-        strip.rendered = record.at("rendered_rows").get<int>();
         strip.picture.document = record.at("frame").get<std::string>();
     } catch (const Json::exception&) {
         throw InputError(path + ": it does not say which rows of a frame it holds; delete it, so that it is rendered anew");
     }
     const int rows = strip.picture.image.height;
-    if (strip.first < 0 || strip.height < rows || strip.first > strip.height - rows || strip.rendered < rows)
+    if (strip.first < 0 || strip.height < rows || strip.first > strip.height - rows)
         throw InputError(path + ": the rows that it says it holds cannot be; delete it, so that it is rendered anew");
     return strip;
 }
@@ -143,11 +131,8 @@ public:
             throw InputError(path + ": it is a strip of another frame; delete it, so that it is rendered anew");
         if (metadata.render) {
             seconds_ += metadata.render->seconds;
-            if (metadata.render->error) {
+            if (metadata.render->error)
                 errors_.push_back(*metadata.render->error);
-                // rows that two strips have rendered are not counted twice
-                lit_.push_back(double(metadata.render->error->lit_pixels) * strip.picture.image.height / strip.rendered);
-            }
         }
         if (!whole_)
             whole_ = metadata;
@@ -161,7 +146,7 @@ public:
             whole_->render->seconds = seconds_;
             whole_->render->error.reset();
             if (!errors_.empty())
-                whole_->render->error = combined(errors_, lit_);
+                whole_->render->error = combined(errors_);
         }
         return to_json(*whole_);
     }
@@ -170,7 +155,6 @@ private:
     std::optional<FrameMetadata> whole_;
     double seconds_ = 0;
     std::vector<ErrorEstimate> errors_;
-    std::vector<double> lit_;
 };
 
 } // namespace
@@ -187,7 +171,6 @@ void cut_strip(const std::string& rendered, const RowStrip& strip, const std::st
     picture.image = std::move(rows);
     picture.document = Json{{"first_row", strip.first},
                             {"of_rows", height},
-                            {"rendered_rows", strip.above + strip.rows + strip.below},
                             {"frame", picture.document}}
                            .dump();
     write_as(is_exr(bytes), picture, output);
@@ -206,7 +189,7 @@ void merge_strips(const std::vector<std::string>& strips, const std::string& out
         StripFile strip = read_strip(path);
         const Image& image = strip.picture.image;
         if (next == 0) {
-            whole = {strip.picture, 0, strip.height, 0, strip.exr};
+            whole = {strip.picture, 0, strip.height, strip.exr};
             whole.picture.image = blank_like(image, image.width, strip.height);
         }
         const Image& frame = whole.picture.image;
@@ -227,20 +210,20 @@ void merge_strips(const std::vector<std::string>& strips, const std::string& out
     write_as(whole.exr, whole.picture, output);
 }
 
-ErrorEstimate combined(const std::vector<ErrorEstimate>& strips, const std::vector<double>& shares)
+ErrorEstimate combined(const std::vector<ErrorEstimate>& strips)
 {
     constexpr double bias = 0.1; // part of the mean square: what estimate() allows for
-    double total = 0, mean = 0, down = 0, up = 0;
-    for (const double share : shares)
-        total += share;
+    double mean = 0, down = 0, up = 0;
+    long long total = 0;
+    for (const ErrorEstimate& strip : strips)
+        total += strip.lit_pixels;
     ErrorEstimate result = strips.at(0);
     if (strips.size() == 1 || total <= 0)
         return result;
     result.pixels = 0;
     result.seconds = 0;
-    for (std::size_t k = 0; k < strips.size(); ++k) {
-        const ErrorEstimate& strip = strips[k];
-        const double share = shares[k] / total, square = strip.rms * strip.rms;
+    for (const ErrorEstimate& strip : strips) {
+        const double share = double(strip.lit_pixels) / double(total), square = strip.rms * strip.rms;
         mean += share * square;
         down = std::hypot(down, share * (square - strip.low * strip.low));
         up = std::hypot(up, share * (strip.high * strip.high - square));
@@ -250,7 +233,7 @@ ErrorEstimate combined(const std::vector<ErrorEstimate>& strips, const std::vect
     result.rms = std::sqrt(mean);
     result.low = std::sqrt(std::max(0.0, mean - std::max(down, bias * mean)));
     result.high = std::sqrt(mean + std::max(up, bias * mean));
-    result.lit_pixels = std::llround(total);
+    result.lit_pixels = total;
     return result;
 }
 

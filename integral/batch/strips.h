@@ -17,17 +17,13 @@ struct RowStrip {
     int above = 0, below = 0; ///< rows rendered besides
 };
 
-/// How many rows up or down anti-aliasing looks from a pixel: to the next ones behind its lens and to the pixels of its
-/// direction behind the next lenses.
-int rows_looked_at(const LensSheet& sheet, const Film& film);
-
 /// A frame's `height` rows in at most `strips` (at least 1) strips of whole blocks, as even as they can be; a frame of fewer blocks has fewer.
 /// Anti-aliasing refines block by block, and the renderer's blocks (`block_side` pixels, 32 unless Render_Block_Size says otherwise)
 /// are counted from the first row that is rendered: strips begin, and their rows above do, where a block of the whole frame begins. `reach` is
 /// rows_looked_at, or 0 without anti-aliasing.
 std::vector<RowStrip> row_strips(int height, int strips, int block_side, int reach);
 
-/// The renderer's options for a strip of a frame of `height` rows: Start_Row and End_Row.
+/// The renderer's options for a strip of a frame of `height` rows: Start_Row, End_Row and, with rows besides its own, Integral_Rows.
 std::vector<std::string> options_of(const RowStrip& strip, int height);
 
 /// Writes to `output` the rows of a strip alone, of `rendered`, the picture (PNG or OpenEXR) that the renderer wrote with options_of(strip):
@@ -39,9 +35,9 @@ void cut_strip(const std::string& rendered, const RowStrip& strip, const std::st
 /// be read, is out of its place or of another frame; OutputError.
 void merge_strips(const std::vector<std::string>& strips, const std::string& output);
 
-/// The error of a frame from those of its strips, and the part of its lit pixels that each strip holds. Strips are audited apart from each
+/// The error of a frame from those of its strips, weighted by their lit pixels, which add up. Strips are audited apart from each
 /// other: the mean squares' intervals add up as independent ones do, but never below the bias that is common to all of them.
-ErrorEstimate combined(const std::vector<ErrorEstimate>& strips, const std::vector<double>& shares);
+ErrorEstimate combined(const std::vector<ErrorEstimate>& strips);
 
 /// Words of a scene's files (.pov, .inc; others are passed by) after which strips cannot be promised to equal the whole frame, nor two
 /// runs each other: `radiosity`, `photons`, `media`, `jitter`, `crand`, `subsurface`. Comments and strings do not count. Throws InputError.

@@ -6,6 +6,7 @@
 #include "integral/cli/batch_steps.h"
 #include "integral/cli/renderer.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/first_samples.h"
 
 #include <nlohmann/json.hpp>
 
@@ -94,6 +95,8 @@ StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int numb
 {
     if (!value_in(frame.words, "integral_error_image", "").empty())
         throw InputError(frame.name + ": Integral_Error_Image= is of whole frames; leave it out, or --strips");
+    if (!value_in(frame.words, "integral_rows", "").empty())
+        throw InputError(frame.name + ": Integral_Rows= is the strips' own; leave it out, or --strips");
     const ScratchFolder scratch;
     const std::string picture = scratch.path("rows.png");
     Names words = frame.words;

@@ -22,6 +22,18 @@ double colour_distance(const ComparedColour& a, const ComparedColour& b)
     return sum;
 }
 
+int rows_looked_at(const LensSheet& sheet, const Film& film)
+{
+    const Lattice lattice(sheet);
+    const Vec2 pole = lattice.pole({0, 0});
+    double furthest = 0;
+    lattice.for_each_within(pole, 1.001 * sheet.pitch, [&](LensIndex lens) {
+        if (lattice.arrangement() == Arrangement::lenticular || length(lattice.pole(lens) - pole) < 1.001 * sheet.pitch)
+            furthest = std::max(furthest, std::fabs(lattice.pole(lens).y - pole.y));
+    });
+    return std::max(1, int(std::lround(furthest / film.pixel_pitch.y)));
+}
+
 FirstSamples::FirstSamples(const IntegralCamera& camera)
     : width_(camera.film.width), height_(camera.film.height), entries_(std::size_t(width_) * height_)
 {

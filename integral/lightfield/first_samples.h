@@ -19,6 +19,9 @@ using ComparedColour = std::array<double, 4>;
 /// The sum of the four differences: POV-Ray's measure, in which black and white are 3 apart.
 double colour_distance(const ComparedColour& a, const ComparedColour& b);
 
+/// How many rows up or down a pixel's neighbours are, at most.
+int rows_looked_at(const LensSheet& sheet, const Film& film);
+
 /// First samples of a frame, 14 bytes a pixel. Different pixels may be set from different threads.
 class FirstSamples {
 public:

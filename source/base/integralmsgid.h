@@ -12,6 +12,7 @@ enum
     kIntegralAttrib_DepthPicture    = 'IgDp', ///< option Integral_Depth_Image=: file
     kIntegralAttrib_Antialiasing    = 'IgAa', ///< option Integral_Antialiasing=: light_field or pixels
     kIntegralAttrib_Sharing         = 'IgSh', ///< option Integral_Sharing=: auto, on, off or a number of patches
+    kIntegralAttrib_Rows            = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
     // statistics
     kIntegralAttrib_FilmPoints      = 'IgFp', ///< film points asked for
     kIntegralAttrib_Imaged          = 'IgIm', ///< of these, imaged
@@ -43,6 +44,7 @@ enum
     { "Integral_Depth_Image", kIntegralAttrib_DepthPicture, kPOVMSType_UCS2String }, \
     { "Integral_Error_Image", kIntegralAttrib_ErrorPicture, kPOVMSType_UCS2String }, \
     { "Integral_Antialiasing", kIntegralAttrib_Antialiasing, kPOVMSType_UCS2String }, \
-    { "Integral_Sharing",     kIntegralAttrib_Sharing,      kPOVMSType_UCS2String },
+    { "Integral_Sharing",     kIntegralAttrib_Sharing,      kPOVMSType_UCS2String }, \
+    { "Integral_Rows",        kIntegralAttrib_Rows,         kPOVMSType_UCS2String },
 
 #endif

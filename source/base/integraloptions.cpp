@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
@@ -110,6 +111,20 @@ void Check_Depth_Picture(const std::string& file)
         throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written there");
 }
 
+/// `height`: of the frame; 0: not known.
+void Read_Rows(const std::string& text, int height, IntegralRows& rows)
+{
+    if (text.empty())
+        return;
+    int first = 0, last = 0, end = 0;
+    const bool two = std::sscanf(text.c_str(), "%9d ,%9d %n", &first, &last, &end) == 2 && end == int(text.size());
+    if (!two || first < 1 || last < first)
+        throw std::invalid_argument("Integral_Rows=" + text + " is not the first and the last row that count, as in 33,64: the top one is 1");
+    if (height > 0 && last > height)
+        throw std::invalid_argument("Integral_Rows=" + text + " ends below the frame, which has " + std::to_string(height) + " rows");
+    rows = {first - 1, last - 1};
+}
+
 void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 {
     if (text.empty())
@@ -145,7 +160,9 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
     result.depth_picture = text(kIntegralAttrib_DepthPicture);
     if (!result.depth_picture.empty())
         Check_Depth_Picture(result.depth_picture);
+    Read_Rows(text(kIntegralAttrib_Rows), options.TryGetInt(kPOVAttrib_Height, 0), result.rows);
     result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
+    result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize, result.block_side)); // POV-Ray takes no less
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
     result.output.working = Encoding_Of(options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),

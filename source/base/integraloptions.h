@@ -4,6 +4,7 @@
 #define POVRAY_BASE_INTEGRALOPTIONS_H
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "integral/lightfield/error_estimate.h"
@@ -16,6 +17,15 @@ namespace pov_base
 /// Whether rays share their shading. automatic: where there is anti-aliasing and shading is dear.
 enum class IntegralSharing { automatic, on, off };
 
+/// The rows of a frame, 0 at the top, that are the picture. Others that are rendered are there for anti-aliasing to look at from
+/// these: they are neither refined nor audited nor counted among the lit pixels.
+struct IntegralRows
+{
+    int first = 0, last = std::numeric_limits<int>::max();
+    bool Have(int y) const { return Meet(y, y); }
+    bool Meet(int top, int bottom) const { return top <= last && bottom >= first; }
+};
+
 struct IntegralRenderOptions
 {
     bool audit = true;              ///< Integral_Audit=off: no error estimate at all
@@ -26,8 +36,10 @@ struct IntegralRenderOptions
     double edge_samples = 1;        ///< that anti-aliasing gives to a pixel with an edge, about
     std::string error_picture;      ///< Integral_Error_Image=; empty: none
     std::string depth_picture;      ///< Integral_Depth_Image=; empty: none
+    IntegralRows rows;              ///< Integral_Rows=
     bool antialias = false;         ///< +A, by a method other than 0
     bool light_field = true;        ///< Integral_Antialiasing=: not by pixels, as POV-Ray's own does
+    int block_side = 32;            ///< pixels, of the blocks that are refined
     integral::OutputCurve output;   ///< from the renderer's values to those of the picture file
 };
 

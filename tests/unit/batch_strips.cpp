@@ -138,8 +138,9 @@ BOOST_AUTO_TEST_CASE(strips_hold_every_row_once)
 
 BOOST_AUTO_TEST_CASE(options_name_rows_from_one)
 {
-    BOOST_TEST(options_of({0, 64, 0, 15}, 100) == (std::vector<std::string>{"End_Row=79"}), boost::test_tools::per_element());
-    BOOST_TEST(options_of({64, 36, 32, 0}, 100) == (std::vector<std::string>{"Start_Row=33"}), boost::test_tools::per_element());
+    BOOST_TEST(options_of({0, 64, 0, 15}, 100) == (std::vector<std::string>{"End_Row=79", "Integral_Rows=1,64"}), boost::test_tools::per_element());
+    BOOST_TEST(options_of({64, 36, 32, 0}, 100) == (std::vector<std::string>{"Start_Row=33", "Integral_Rows=65,100"}), boost::test_tools::per_element());
+    BOOST_TEST(options_of({32, 32, 0, 0}, 100) == (std::vector<std::string>{"Start_Row=33", "End_Row=64"}), boost::test_tools::per_element());
     BOOST_TEST(options_of({0, 100, 0, 0}, 100).empty());
 }
 
@@ -215,14 +216,14 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
     bad.rms = 0.02;
     bad.low = 0.018;
     bad.high = 0.023;
-    const ErrorEstimate both = combined({good, bad}, {100, 100});
+    const ErrorEstimate both = combined({good, bad});
     BOOST_TEST(both.rms == 0.02 / std::sqrt(2), boost::test_tools::tolerance(1e-12));
     BOOST_TEST(both.pixels == 200);
     BOOST_TEST(both.lit_pixels == 200);
     BOOST_TEST(both.low == 0.018 / std::sqrt(2), boost::test_tools::tolerance(1e-12));
     BOOST_TEST(both.high == 0.023 / std::sqrt(2), boost::test_tools::tolerance(1e-12));
     // Many alike: surer than each, but not of the bias.
-    const ErrorEstimate many = combined(std::vector<ErrorEstimate>(400, bad), std::vector<double>(400, 1));
+    const ErrorEstimate many = combined(std::vector<ErrorEstimate>(400, bad));
     BOOST_TEST(many.rms == bad.rms, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(many.low > bad.low);
     BOOST_TEST(many.high < bad.high);
@@ -231,17 +232,16 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
     std::mt19937 random(1);
     ErrorSums all;
     std::vector<ErrorEstimate> strips;
-    std::vector<double> shares;
     for (int k = 0; k < 8; ++k) {
         ErrorSums sums;
         for (int i = 0; i < 500; ++i)
             sums.add((random() % 1000) * 1e-6 * (k + 1));
         all.add(sums);
         strips.push_back(*estimate(sums, ErrorMethod::audit));
-        shares.push_back(500);
+        strips.back().lit_pixels = sums.pixels;
     }
     const auto whole = *estimate(all, ErrorMethod::audit);
-    const auto merged = combined(strips, shares);
+    const auto merged = combined(strips);
     BOOST_TEST(merged.rms == whole.rms, boost::test_tools::tolerance(1e-9));
     BOOST_TEST(merged.low == whole.low, boost::test_tools::tolerance(0.02));
     BOOST_TEST(merged.high == whole.high, boost::test_tools::tolerance(0.02));

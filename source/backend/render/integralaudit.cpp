@@ -29,7 +29,8 @@ std::uint64_t Key(int x, int y) { return (std::uint64_t(std::uint32_t(y)) << 32)
 }
 
 IntegralAudit::IntegralAudit(const IntegralBlock& block, std::uint64_t seed)
-    : optics(block.optics), output(block.error.output), share(block.error.share), picture(block.error.picture), seed(seed)
+    : optics(block.optics), output(block.error.output), share(block.error.share), picture(block.error.picture), rows(block.rows),
+      seed(seed)
 {
     if (share == 0 && !picture.empty())
         share = picture_share;
@@ -53,6 +54,8 @@ void IntegralAudit::Note(const std::vector<Vector2d>& positions, const std::vect
 
 void IntegralAudit::Note_One(int x, int y, const Colour& colour)
 {
+    if (!rows.Have(y))
+        return;
     seen++;
     const std::uint64_t hash = integral::random_bits(seed, Key(x, y));
     if (hash > threshold)

@@ -15,6 +15,7 @@
 #include "backend/frame.h"
 #include "backend/render/integraltask.h"
 #include "base/image/image.h"
+#include "base/integraloptions.h"
 #include "integral/lightfield/error_estimate.h"
 
 namespace pov
@@ -40,7 +41,7 @@ class IntegralAudit
             double squared_error = 0;
         };
 
-        /// Notes rendered pixels, of which the last to come is the final one.
+        /// Notes rendered pixels, of the rows that count; the last to come of each is the final one.
         void Note(const POVRect& rect, const std::vector<Colour>& pixels);
         void Note(const std::vector<Vector2d>& positions, const std::vector<Colour>& colours);
 
@@ -69,6 +70,7 @@ class IntegralAudit
         integral::OutputCurve output;
         double share;
         std::string picture;
+        pov_base::IntegralRows rows;
         std::uint64_t seed;
 
         std::mutex mutex;

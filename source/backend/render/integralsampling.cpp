@@ -35,9 +35,24 @@ IntegralSampling *Sampling_Of(const Camera& camera)
 
 }
 
-IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera)
-    : first(camera), width(camera.film.width), colours(std::size_t(width) * camera.film.height)
+IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows, int side)
+    : first(camera),
+      rows(rows),
+      width(camera.film.width),
+      side(side),
+      reach(integral::rows_looked_at(camera.optics.sheet(), camera.film)),
+      colours(std::size_t(width) * camera.film.height)
 {
+}
+
+POVRect IntegralSampling::Needed(const POVRect& rendered) const
+{
+    const int top = rendered.top, bottom = rendered.bottom;
+    const auto block = [&](int y) { return (std::min(std::max(y, top), bottom) - top) / side; };
+    POVRect needed = rendered;
+    needed.top = std::max(top, top + block(rows.first) * side - reach);
+    needed.bottom = std::min(bottom, top + (block(rows.last) + 1) * side - 1 + reach);
+    return needed;
 }
 
 bool IntegralSampling::Next_Block(const POVRect& area, POVRect& block)
@@ -65,7 +80,7 @@ void IntegralFirstPassTask::Run()
 {
     ViewData& view = *GetViewData();
     IntegralSampling& sampling = *view.GetCamera().Integral->sampling;
-    const POVRect area = view.GetRenderArea();
+    const POVRect area = sampling.Needed(view.GetRenderArea());
     POVRect block;
     std::vector<Colour> pixels;
     while (sampling.Next_Block(area, block))
@@ -105,8 +120,8 @@ class BlockRefinement
         {
         }
 
-        /// The block's pixels, row by row, to `pixels`.
-        void Run(const POVRect& of, std::vector<Colour>& pixels)
+        /// The block's pixels, row by row, to `pixels`; those that do not count as they are.
+        void Run(const POVRect& of, bool counts, std::vector<Colour>& pixels)
         {
             block = of;
             pixels.clear();
@@ -116,7 +131,7 @@ class BlockRefinement
                 for (int x = block.left; x <= int(block.right); x++)
                 {
                     pixels.push_back(sampling.At(x, y));
-                    if (sampling.first.contrast(x, y) >= options.rule.threshold)
+                    if (counts && sampling.first.contrast(x, y) >= options.rule.threshold)
                         Want(x, y);
                 }
             for (std::size_t next = 0; next < waiting.size(); next++)
@@ -187,6 +202,8 @@ bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& tr
     if (!sampling)
         return false;
 
+    const pov_base::IntegralRows& rows = view.GetCamera().Integral->rows;
+    const POVRect sampled = sampling->Needed(view.GetRenderArea());
     BlockRefinement refinement(view, thread, trace, cooperate, options, *sampling);
     POVRect block;
     unsigned int serial;
@@ -194,10 +211,14 @@ bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& tr
     while (view.GetNextRectangle(block, serial))
     {
         radiosity.BeforeTile(options.reproducible ? serial : 0);
-        refinement.Run(block, pixels);
+        // A block is refined as a whole, for its pixels set each other off. One that does not count is never final: +C may go on with others.
+        const bool counts = rows.Meet(block.top, block.bottom);
+        refinement.Run(block, counts, pixels);
         radiosity.AfterTile();
         thread.AfterTile();
-        view.CompletedRectangle(block, serial, pixels, 1, options.final, pass_share);
+        const int before = int(std::min(block.bottom, sampled.bottom)) - int(std::max(block.top, sampled.top)) + 1; // rows
+        const float share = 1 - pass_share * std::max(0, before) / block.GetHeight();
+        view.CompletedRectangle(block, serial, pixels, 1, options.final && counts, share);
         cooperate();
     }
     return true;

@@ -11,6 +11,7 @@
 #include "backend/frame.h"
 #include "backend/render/integraltask.h"
 #include "base/image/colourspace.h"
+#include "base/integraloptions.h"
 #include "integral/lightfield/refinement.h"
 
 namespace pov
@@ -22,7 +23,12 @@ class Camera;
 class IntegralSampling
 {
     public:
-        explicit IntegralSampling(const integral::IntegralCamera& camera);
+        /// `rows` count; `side`: of the blocks that are refined, pixels.
+        IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows, int side);
+
+        /// The part of what is rendered that needs first samples: whole blocks, where they have rows that count, and what is looked at
+        /// from there.
+        POVRect Needed(const POVRect& rendered) const;
 
         /// The next block of the first pass; false once all of `area` has been given out.
         bool Next_Block(const POVRect& area, POVRect& block);
@@ -32,7 +38,8 @@ class IntegralSampling
         integral::FirstSamples first;
 
     private:
-        int width;
+        pov_base::IntegralRows rows;
+        int width, side, reach; ///< reach: rows looked at, up or down
         std::vector<Colour> colours;
         std::atomic<unsigned int> next{0};
 };

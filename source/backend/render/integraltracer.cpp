@@ -134,9 +134,9 @@ Colour IntegralTracer::Light::Mean(int half) const
     return mean;
 }
 
-void IntegralTracer::Count_Error(const Light& light)
+void IntegralTracer::Count_Error(DBL y, const Light& light)
 {
-    if (light.rays[0] == 0 || light.rays[1] == 0)
+    if (!block->rows.Have(int(y)) || light.rays[0] == 0 || light.rays[1] == 0)
         return;
     const Colour first = light.Mean(0), second = light.Mean(1);
     tally->errors.add(integral::halves_error(block->error.output, {first.red(), first.green(), first.blue()},

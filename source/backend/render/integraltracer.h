@@ -76,7 +76,7 @@ class IntegralTracer
         bool Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
         void Count(const integral::PixelOutcome& outcome, std::size_t traced) const;
         void Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const;
-        void Count_Error(const Light& light);
+        void Count_Error(DBL y, const Light& light);
 
         std::shared_ptr<const IntegralBlock> block;
         IntegralContainers containers;
@@ -134,7 +134,7 @@ template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretr
     }
     colour = light.Mean(2);
     if (counted && counts_error)
-        Count_Error(light);
+        Count_Error(y, light);
 }
 
 }

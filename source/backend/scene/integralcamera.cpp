@@ -57,6 +57,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         block->optics = Make_Integral_Optics(camera, width, height);
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options);
         block->sampler = std::make_shared<integral::PixelSampler>(*block->optics, given.seed);
+        block->rows = given.rows;
         block->error = {given.audit, given.audit_share, given.output, given.error_picture};
         block->patches.reset();
         block->shares_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
@@ -64,7 +65,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
             block->patches = std::make_shared<IntegralPatches>(*block->optics, Patches_In_Beam(*block->optics, given));
         block->sampling.reset();
         if (given.antialias && given.light_field)
-            block->sampling = std::make_shared<IntegralSampling>(*block->optics);
+            block->sampling = std::make_shared<IntegralSampling>(*block->optics, given.rows, given.block_side);
         block->depth.reset();
         if (!given.depth_picture.empty())
             block->depth = std::make_shared<IntegralDepth>(*block, given.depth_picture);

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "base/integraloptions.h"
 #include "integral/lightfield/error_estimate.h"
 #include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/camera.h"
@@ -85,6 +86,7 @@ struct IntegralBlock
     std::shared_ptr<IntegralAudit> audit;  ///< nothing: no error is estimated by an audit
     std::shared_ptr<IntegralDepth> depth;       ///< nothing: no depth frame
     IntegralErrorOptions error;
+    pov_base::IntegralRows rows;                ///< that count
 };
 
 /// The block's optics for a frame of width x height pixels, from the vectors of `camera`.
