@@ -15,6 +15,7 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -98,6 +99,12 @@ Imf::Slice slice(Image& image, int channel, const Imath::Box2i& window)
 int width_of(const Imath::Box2i& window) { return window.max.x - window.min.x + 1; }
 int height_of(const Imath::Box2i& window) { return window.max.y - window.min.y + 1; }
 
+/// As many rows as OpenEXR keeps of a picture of `height` rows: those of the picture, and of its first row of tiles.
+double rows_kept(const Imf::Header& header, int height)
+{
+    return header.hasTileDescription() ? std::max(double(height), double(header.tileDescription().ySize)) : height;
+}
+
 std::string document_of(const Imf::Header& header)
 {
     const auto* text = header.findTypedAttribute<Imf::StringAttribute>(attribute);
@@ -114,8 +121,7 @@ DecodedImage decode_picture(const std::string& bytes)
     const Imath::Box2i window = header.dataWindow();
     const int width = width_of(window), height = height_of(window);
     const int channels = int(names.size());
-    check_plausible_size(double(width) * height * channels * 2, double(bytes.size()),
-                         greatest_ratio);
+    check_plausible_size(double(width) * rows_kept(header, height) * channels * 2, double(bytes.size()), greatest_ratio);
 
     DecodedImage picture;
     picture.image =
@@ -154,7 +160,7 @@ DecodedDepths decode_z(const std::string& bytes)
     const Imath::Box2i window = header.dataWindow();
     DecodedDepths depths{width_of(window), height_of(window), {}, {}, document_of(header)};
     const double pixels = double(depths.width) * depths.height;
-    check_plausible_size(pixels * 2 * sizeof(float), double(bytes.size()), greatest_ratio);
+    check_plausible_size(double(depths.width) * rows_kept(header, depths.height) * 2 * sizeof(float), double(bytes.size()), greatest_ratio);
     Imf::FrameBuffer target;
     const std::size_t step = sizeof(float), row = step * std::size_t(depths.width);
     for (auto* channel : {&depths.depth, &depths.imaged}) {

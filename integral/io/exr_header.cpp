@@ -69,6 +69,15 @@ bool is_whole(const std::string& type, Reader value)
     return true;
 }
 
+/// OpenEXR makes room for a tile, whatever the picture's size.
+void check_tiles(Reader description)
+{
+    constexpr std::uint64_t most_pixels = 1 << 24;
+    const std::uint64_t width = description.number(), height = description.number();
+    if (width * height > most_pixels)
+        fail("its tiles have more pixels than 4096 x 4096");
+}
+
 } // namespace
 
 void check_exr_header(const std::string& bytes)
@@ -87,6 +96,8 @@ void check_exr_header(const std::string& bytes)
             header.skip(size);
             if (!is_whole(type, {bytes, begin, begin + size}))
                 fail("an attribute of its header is not as long as its type");
+            if (type == "tiledesc")
+                check_tiles({bytes, begin, begin + size});
         }
         if (!has_parts || attributes == 0)
             return;

@@ -189,4 +189,9 @@ std::string Problem_Of_Integral_Options(POVMS_Object& options)
     }
 }
 
+unsigned int Integral_Bounding(POVMS_Object& options, unsigned int method)
+{
+    return method == 1 && !options.Exist(kPOVAttrib_BoundingMethod) ? integral_bounding_open : method;
+}
+
 }

@@ -49,6 +49,11 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options);
 /// The sentence with which Read_Integral_Options would refuse the options; empty: it would not.
 std::string Problem_Of_Integral_Options(POVMS_Object& options);
 
+/// The way of bounding that the options ask for, `method` by POV-Ray's default; integral_bounding_open if they leave it open, to be chosen
+/// once the scene is parsed.
+unsigned int Integral_Bounding(POVMS_Object& options, unsigned int method);
+constexpr unsigned int integral_bounding_open = 3;
+
 }
 
 #endif

@@ -326,6 +326,8 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
     // A list of channels is read up to its own end; behind it lies what would pass for an attribute.
     for (const std::string& bad : {"a\0chlist\0\2\0\0\0\0x"s, "a\0box2i\0\x11\0\0\0"s + std::string(17, 'x'), "a\0preview\0\x9\0\0\0\1\0\0\0\1\0\0\0x"s})
         BOOST_TEST(refusal_of(decode_exr, with_attribute(bad)).find("not as long as its type") != std::string::npos);
+    // A tile of 2 x 134152194 pixels of a picture of 5 x 4, for which OpenEXR makes room.
+    BOOST_TEST(refusal_of(decode_exr, with_attribute("tiles\0tiledesc\0\x9\0\0\0\2\0\0\0\2\0\xff\7\0"s)).find("4096 x 4096") != std::string::npos);
     // The header of a file's second part.
     std::string parts = with_attribute("a\0b\0\1\0\0\0x\0a\0b\0\0\0\0\x70x"s);
     parts[5] = 0x10;

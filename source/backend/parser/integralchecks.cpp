@@ -7,8 +7,12 @@
 #include "backend/parser/parse.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
+#include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
 #include "base/integralframe.h"
+#include "base/integraloptions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -129,11 +133,31 @@ void IntegralGrammar::Finish(Camera& camera)
     const bool integral = camera.Integral && camera.Integral->integral && camera.Integral->optics;
     pov_base::IntegralFrame::Set_Scene(UCS2toASCIIString(parser.sceneData->inputFile));
     pov_base::IntegralFrame::Expect(integral ? camera.Integral->optics.get() : NULL);
+    Choose_Bounding(integral ? camera.Integral.get() : NULL);
     if (!integral)
         return;
     if (!parser.sceneData->integralProblem.empty())
         parser.Error("%s.", parser.sceneData->integralProblem.c_str());
     Warn(camera);
+}
+
+/// A tree of the scene's space (+BM2) is left sooner than boxes in boxes by rays that start apart and go apart, as an integral camera's
+/// do; but it takes longer to build, and that has to pay.
+void IntegralGrammar::Choose_Bounding(const IntegralBlock *block)
+{
+    constexpr double least_objects = 200, rays_an_object = 60;
+    unsigned int& method = parser.sceneData->boundingMethod;
+    if (method != pov_base::integral_bounding_open)
+        return;
+    method = 1;
+    if (!block)
+        return;
+    const integral::IntegralCamera& optics = *block->optics;
+    const std::vector<ObjectPtr>& objects = parser.sceneData->objects;
+    const double finite = std::count_if(objects.begin(), objects.end(), [](const ObjectPtr object) { return !Test_Flag(object, INFINITE_FLAG); });
+    const double rays = double(optics.film.width) * optics.film.height * optics.pixel_samples * optics.beam_samples;
+    if (finite >= least_objects && rays >= rays_an_object * finite)
+        method = 2;
 }
 
 void IntegralGrammar::Warn(const Camera& camera)

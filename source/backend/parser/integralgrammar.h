@@ -44,7 +44,8 @@ class IntegralGrammar
         void Check(Camera& camera);
 
         /// To be called once the scene is parsed, with the camera that is to be rendered: applies
-        /// Integral_Camera= to a scene without a camera, and says what the user should know.
+        /// Integral_Camera= to a scene without a camera, chooses how objects are bounded where the options leave it open,
+        /// and says what the user should know.
         void Finish(Camera& camera);
 
     private:
@@ -65,6 +66,7 @@ class IntegralGrammar
         int Parse_Count(const char* word);
         void Apply_Option(IntegralBlock& block);
         bool Frame_Size(int& width, int& height);
+        void Choose_Bounding(const IntegralBlock *block);
         void Warn(const Camera& camera);
 
         Parser& parser;
