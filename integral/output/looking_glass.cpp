@@ -135,7 +135,7 @@ LookingGlassCalibration looking_glass_from_json(const std::string& text)
     std::vector<Json> found;
     collect(parse_json(text), 0, found);
     if (found.empty())
-        throw std::invalid_argument("holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+        throw NoCalibration();
     if (found.size() > 1)
         throw std::invalid_argument("holds the calibrations of " + std::to_string(found.size()) + " displays; leave one");
     return calibration_from({found.front(), ""});
