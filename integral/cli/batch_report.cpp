@@ -99,7 +99,7 @@ std::string batch_page(const Json& summary, const BatchFolder& folder)
 {
     const auto count = [&](const char* field) { return std::to_string(summary.at(field).get<int>()); };
     const std::string title = text_at(summary, "manifest");
-    std::string page = "<h1>" + markup_text(title) + "</h1>\n<p>" + count("jobs_done") + " jobs done, " + count("jobs_failed") + " failed, "
+    std::string page = "<h1>" + markup_text(title) + "</h1>\n<p>" + counted(summary.at("jobs_done").get<int>(), "job") + " done, " + count("jobs_failed") + " failed, "
           + count("jobs_missing") + " not yet made</p>\n<div class=\"jobs\">\n";
     for (const Json& job : summary.at("jobs")) {
         const std::string name = markup_text(text_at(job, "name")), state = text_at(job, "state");
