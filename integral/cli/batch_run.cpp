@@ -124,6 +124,8 @@ private:
 
     std::string frame_hash(const BatchStep& step) const { return step.frame < 0 ? "" : outputs_.at(step.frame); }
 
+    std::string frame_of(const BatchStep& step) const { return step.frame < 0 ? "" : folder_.output(plan_.steps[std::size_t(step.frame)]); }
+
     void finish(int i, StepFate fate, const StepRecord& record)
     {
         by_inputs_.emplace(record.inputs, i);
@@ -153,8 +155,7 @@ private:
         results_[std::size_t(i)] = {StepFate::failed, reason};
         pending_.remove(i);
         const bool log = exists(folder_.log(step));
-        std::fprintf(stderr, "%sintegral batch: %s: %s%s\n", line_start(), step.name.c_str(), reason.c_str(),
-                     log ? ("; see " + folder_.log(step)).c_str() : "");
+        say(i, reason + (log ? "; see " + folder_.log(step) : ""));
         for (const int other : std::vector<int>(pending_.begin(), pending_.end()))
             if (plan_.steps[std::size_t(other)].frame == i) {
                 results_[std::size_t(other)] = {StepFate::blocked, "its frame failed"};
@@ -167,11 +168,20 @@ private:
         if (said_[std::size_t(i)] == what)
             return;
         said_[std::size_t(i)] = what;
-        std::fprintf(stderr, "%sintegral batch: %s: %s\n", line_start(), plan_.steps[std::size_t(i)].name.c_str(), what.c_str());
+        say(i, what);
     }
 
-    /// On a terminal a bar may stand in the line.
-    static const char* line_start() { return isatty(2) ? "\r\033[K" : ""; }
+    void say(int i, const std::string& what) const
+    {
+        const char* const line_start = isatty(2) ? "\r\033[K" : ""; // on a terminal a bar may stand in the line
+        std::fprintf(stderr, "%sintegral batch: %s: %s\n", line_start, plan_.steps[std::size_t(i)].name.c_str(), what.c_str());
+    }
+
+    void say_remark(int i, const StepRecord& record) const
+    {
+        if (!record.remark.empty())
+            say(i, record.remark);
+    }
 
     void start_some()
     {
@@ -195,7 +205,7 @@ private:
     void start(int i)
     {
         const BatchStep& step = plan_.steps[std::size_t(i)];
-        const std::string frame = step.frame < 0 ? "" : folder_.output(plan_.steps[std::size_t(step.frame)]);
+        const std::string frame = frame_of(step);
         const std::string hash = inputs_.hash(step, frame_hash(step));
         StepRecord record = read_record(folder_.record(step));
         if (is_done(folder_, step, record, hash))
@@ -221,6 +231,7 @@ private:
         record.inputs = hash;
         record.pixels = pixels;
         record.error.reset();
+        record.remark.clear();
         if (copies)
             return copy(i, twin->second, record);
         by_inputs_[hash] = i;
@@ -246,10 +257,12 @@ private:
         record.memory = theirs.memory;
         record.render_seconds = theirs.render_seconds;
         record.error = theirs.error;
+        record.remark = theirs.remark;
         record.finished = time_now();
         record.host = host_name();
         publish(folder_, step, record);
         clean(step);
+        say_remark(i, record);
         finish(i, StepFate::copied, read_record(folder_.record(step)));
     }
 
@@ -312,6 +325,8 @@ private:
             else {
                 if (step.kind == StepKind::frame)
                     read_figures(made, record);
+                else
+                    record.remark = remark_of(step, log, frame_of(step));
                 if (step.rows)
                     cut_strip(made, *step.rows, made);
                 publish(folder_, step, record);
@@ -327,6 +342,7 @@ private:
             known = std::max(known, {record.memory, record.pixels});
             std::filesystem::remove(folder_.log(step), ignored);
             clean(step);
+            say_remark(one.step, record);
             return finish(one.step, StepFate::made, read_record(folder_.record(step)));
         }
         if (interrupted()) // that is why: nothing to keep
@@ -342,7 +358,7 @@ private:
         } catch (const OutputError&) { // the reason has been said, and the old record tells that it is not done
         }
         if (++tries_[std::size_t(one.step)] <= options_.retries && !interrupted()) {
-            std::fprintf(stderr, "%sintegral batch: %s: %s; it is tried again\n", line_start(), step.name.c_str(), reason.c_str());
+            say(one.step, reason + "; it is tried again");
             pending_.push_front(one.step);
             return;
         }

@@ -186,6 +186,17 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
     return (reason.empty() ? "its program ended with status " + std::to_string(end.status) : reason) + full;
 }
 
+std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
+{
+    const std::string mark = "integral " + step.words[0] + ": " + frame + ": ";
+    std::ifstream said(log);
+    std::string line, remark;
+    while (remark.empty() && std::getline(said, line))
+        if (line.rfind(mark, 0) == 0)
+            remark = tidy(line.substr(mark.size()));
+    return remark;
+}
+
 void read_figures(const std::string& frame, StepRecord& record)
 {
     FrameMetadata metadata;

@@ -129,6 +129,7 @@ BOOST_AUTO_TEST_CASE(records_come_back)
     record.seconds = 0.1;
     record.error = 1.0 / 3;
     record.reason = "a \"reason\"\xff";
+    record.remark = "a remark";
     write_record(path, record);
     const StepRecord back = read_record(path);
     BOOST_TEST(int(back.state) == int(StepState::done));
@@ -137,6 +138,13 @@ BOOST_AUTO_TEST_CASE(records_come_back)
     BOOST_TEST(back.seconds == 0.1);
     BOOST_TEST(*back.error == 1.0 / 3);
     BOOST_TEST(back.reason.substr(0, 10) == "a \"reason\"");
+    BOOST_TEST(back.remark == "a remark");
+    const std::string earlier = read_file(path); // as records were before they had remarks
+    const auto comma = earlier.find(",\n \"remark\"");
+    BOOST_REQUIRE(comma != std::string::npos);
+    write_file(path, earlier.substr(0, comma) + "\n}\n");
+    BOOST_TEST(read_record(path).starts == 3);
+    BOOST_TEST(read_record(path).remark == "");
     for (const char* broken : {"", "{", "[]", "{\"state\": 3}", "null"}) {
         write_file(path, broken);
         BOOST_TEST(int(read_record(path).state) == int(StepState::none), broken);
