@@ -179,6 +179,47 @@ BOOST_AUTO_TEST_CASE(published_between_record_and_place)
     BOOST_TEST(!is_done(batch, step, record, "i"));
 }
 
+BOOST_AUTO_TEST_CASE(published_while_another_looks)
+{
+    // A process that waits for a step puts its output in place itself, where it finds the record first: neither is to fail.
+    const Folder folder;
+    BatchStep step;
+    step.name = "frame.a";
+    step.output = "frames/a.png";
+    BatchPlan plan;
+    plan.steps.push_back(step);
+    const BatchFolder batch = make_batch_folder(folder.path + "/out", plan);
+    int failures = 0;
+    for (int round = 0; round < 100; ++round) {
+        const std::string inputs = std::to_string(round);
+        const pid_t child = fork();
+        if (child == 0) {
+            alarm(60);
+            try {
+                while (!is_done(batch, step, read_record(batch.record(step)), inputs))
+                    ;
+                _exit(0);
+            } catch (const OutputError&) {
+                _exit(1);
+            }
+        }
+        StepRecord record;
+        record.inputs = inputs;
+        try {
+            std::filesystem::create_directories(batch.work(step));
+            write_file(batch.made(step), inputs);
+            publish(batch, step, record);
+        } catch (const OutputError&) {
+            ++failures;
+        }
+        int status = 1;
+        waitpid(child, &status, 0);
+        failures += status != 0;
+        BOOST_TEST(read_file(batch.output(step)) == inputs);
+    }
+    BOOST_TEST(failures == 0);
+}
+
 BOOST_AUTO_TEST_CASE(only_whole_pictures)
 {
     const Folder folder;
