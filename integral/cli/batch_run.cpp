@@ -134,10 +134,11 @@ private:
         pending_.remove(i);
     }
 
-    /// Takes away what killed batches have left of steps that are done.
+    /// Takes away what killed batches have left: of steps that are done, and of files that they were writing.
     void tidy_up()
     {
-        sweep_locks(folder_.lock(""));
+        for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps", "/.integral-batch/strips", "/.integral-batch/slurm"})
+            sweep_unfinished(folder_.path + own);
         for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
             const BatchStep& step = plan_.steps[i];
             LockFile lock;

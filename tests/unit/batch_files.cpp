@@ -10,8 +10,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -258,13 +260,55 @@ BOOST_AUTO_TEST_CASE(one_holder_of_a_lock)
     BOOST_REQUIRE(status == 0);
     BOOST_TEST(std::filesystem::exists(path));
     BOOST_TEST(first.take(path, holder));
-    // What one that was killed while it took a lock has left.
-    folder.write("lock." + host_name() + "." + std::to_string(child), "");
-    folder.write("lock." + host_name() + ".x", "");
-    sweep_locks(folder.path + "/");
-    BOOST_TEST(!std::filesystem::exists(path + "." + host_name() + "." + std::to_string(child)));
-    BOOST_TEST(std::filesystem::exists(path + "." + host_name() + ".x"));
-    BOOST_TEST(std::filesystem::exists(path));
+}
+
+BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
+{
+    const Folder folder;
+    const auto unfinished = [&] {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path))
+            if (entry.path().filename().string().rfind(".integral-", 0) == 0)
+                names.push_back(entry.path().filename());
+        return names;
+    };
+    // One that is killed in the midst of a file: by a limit on how long files may be.
+    const pid_t child = fork();
+    if (child == 0) {
+        const rlimit no_core{0, 0}, no_more{100, 100};
+        std::signal(SIGXFSZ, SIG_DFL);
+        setrlimit(RLIMIT_CORE, &no_core);
+        setrlimit(RLIMIT_FSIZE, &no_more);
+        write_file(folder.path + "/record", std::string(1000, 'x'));
+        _exit(0);
+    }
+    BOOST_REQUIRE(child > 0);
+    const auto end = [](pid_t process) { // a zombie, as yet
+        siginfo_t information;
+        return waitid(P_PID, id_t(process), &information, WEXITED | WNOWAIT) == 0 && information.si_code != CLD_EXITED;
+    };
+    BOOST_REQUIRE(end(child));
+    BOOST_REQUIRE(unfinished().size() == 1);
+    BOOST_TEST(unfinished()[0].substr(16) == "." + host_name() + "." + std::to_string(child));
+    sweep_unfinished(folder.path);
+    BOOST_TEST(unfinished().size() == 1); // nobody says yet that it has ended
+    waitpid(child, nullptr, 0);
+    sweep_unfinished(folder.path);
+    BOOST_TEST(unfinished().empty());
+    BOOST_TEST(!std::filesystem::exists(folder.path + "/record"));
+    // What is another's, or may be.
+    const std::string dead = "." + host_name() + "." + std::to_string(child);
+    const std::vector<std::string> others = {unfinished_name("abcdef"), ".integral-abcdef." + host_name() + ".1", ".integral-abcdef.else" + host_name() + "." + std::to_string(child),
+                                             ".integral-abcdef", "notes" + dead, ".integral-abcdef" + dead + ".json", ".integral-abcdef" + dead + "x",
+                                             ".integral-abcdef." + host_name() + ".", ".integral-abcdef." + host_name() + ".0", ".integral-abcdef." + host_name() + ".4294967296"};
+    for (const std::string& name : others)
+        folder.write(name, "");
+    folder.write(".integral-lock" + dead, "");
+    sweep_unfinished(folder.path);
+    for (const std::string& name : others)
+        BOOST_TEST(std::filesystem::exists(folder.path + "/" + name), name);
+    BOOST_TEST(!std::filesystem::exists(folder.path + "/.integral-lock" + dead));
+    sweep_unfinished(folder.path + "/none");
 }
 
 BOOST_AUTO_TEST_CASE(many_processes_one_lock)
