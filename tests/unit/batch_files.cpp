@@ -349,6 +349,8 @@ BOOST_AUTO_TEST_CASE(json_knows_its_lines)
     BOOST_TEST(refusal("{\n\"a\": 1,\n}").rfind("m.json:3: this is no JSON: ", 0) == 0);
     BOOST_TEST(refusal("[]") == "m.json:1: an object {...} is expected, of the fields a, b");
     BOOST_TEST(refusal("").rfind("m.json:1: this is no JSON: ", 0) == 0);
+    BOOST_TEST(refusal("{\n\"a\": 1e999}") == "m.json:2: a number is out of range");
+    BOOST_TEST(refusal("\n" + std::string(100000, '[')) == "m.json:2: this is nested more than 100 deep");
     const Located root = Located::parse("m.json", "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
     BOOST_TEST(root.field("x/y").list()[1].line() == 3);
     BOOST_TEST(root.field("z").field("k").line() == 7);
