@@ -2,15 +2,13 @@
 #include "integral/cli/batch_run.h"
 
 #include "integral/batch/lock_file.h"
+#include "integral/cli/batch_schedule.h"
 #include "integral/cli/batch_steps.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/io/file_bytes.h"
-#include "integral/lightfield/number_text.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -26,13 +24,11 @@ constexpr int poll_milliseconds = 5;
 constexpr auto again_after = std::chrono::milliseconds(200);
 constexpr auto patience = std::chrono::seconds(5), refresh_after = std::chrono::seconds(10);
 
-std::string megabytes(double bytes) { return with_decimals(std::ceil(bytes / (1 << 20)), 0) + " MB"; }
-
 class Run {
 public:
     Run(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs, const RunOptions& options, const BatchFolder& folder)
-        : manifest_(manifest), plan_(plan), inputs_(inputs), options_(options), folder_(folder), results_(plan.steps.size()),
-          tries_(plan.steps.size()), said_(plan.steps.size())
+        : plan_(plan), inputs_(inputs), options_(options), folder_(folder), results_(plan.steps.size()), tries_(plan.steps.size()),
+          said_(plan.steps.size()), memory_(manifest, options.memory)
     {
         for (std::size_t i = 0; i < plan.steps.size(); ++i)
             if (options.jobs.empty() || options.jobs.count(plan.steps[i].job))
@@ -64,14 +60,7 @@ public:
         sigaction(SIGCHLD, &wake, nullptr);
         keep_done();
         tidy_up();
-        // The longest first: then the last ones to end do so at nearly the same time. What a frame's steps make of it comes at once.
-        std::map<int, double> cost;
-        for (const int i : pending_) {
-            const BatchStep& step = plan_.steps[std::size_t(i)];
-            const double seconds = read_record(folder_.record(step)).seconds;
-            cost[i] = step.frame >= 0 ? 1e300 : seconds > 0 ? seconds : pixels_of(step, "") * 1e-6;
-        }
-        pending_.sort([&](int a, int b) { return cost[a] != cost[b] ? cost[a] > cost[b] : a < b; });
+        sort_longest_first(pending_, plan_, folder_);
         auto next_look = Clock::now(), next_refresh = Clock::now() + refresh_after;
         while (!pending_.empty() || !running_.empty()) {
             if (!progress(total_ - int(pending_.size() + running_.size()), total_))
@@ -120,7 +109,6 @@ private:
         ChildEnd end;  ///< once it has ended, and when
         Clock::time_point ended;
     };
-    enum class Start { begun, over, later };
 
     std::string frame_hash(const BatchStep& step) const { return step.frame < 0 ? "" : outputs_.at(step.frame); }
 
@@ -214,7 +202,7 @@ private:
         const auto twin = by_inputs_.find(hash);
         if (twin != by_inputs_.end() && twin->second != i && results_[std::size_t(twin->second)].fate == StepFate::waiting)
             return; // it is running
-        const double pixels = pixels_of(step, frame), memory = expected_memory(step, pixels, record);
+        const double pixels = pixels_of(step, frame), memory = memory_.expected(step, pixels, record);
         const bool copies = twin != by_inputs_.end() && outputs_.count(twin->second);
         if (!copies && !has_memory(i, memory))
             return;
@@ -241,63 +229,41 @@ private:
         record.output.clear();
         write_record(folder_.record(step), record);
         const std::string log = folder_.work(step) + "/said.txt";
-        ChildProcess child(command_line(folder_, step, frame, threads_for(i)), step.folder, log);
+        ChildProcess child(command_line(folder_, step, frame, threads_beside(others_beside(i), options_.at_once)), step.folder, log);
         pending_.remove(i);
         running_.push_back({i, std::move(child), std::move(lock), record, Clock::now(), memory, {}, {}});
     }
 
     void copy(int i, int twin, StepRecord record)
     {
-        const BatchStep &step = plan_.steps[std::size_t(i)], &other = plan_.steps[std::size_t(twin)];
-        const StepRecord theirs = read_record(folder_.record(other));
-        std::error_code error;
-        std::filesystem::copy_file(folder_.output(other), folder_.made(step), error);
-        if (error)
-            throw OutputError(folder_.made(step) + ": cannot be written: " + error.message());
-        record.seconds = theirs.seconds;
-        record.memory = theirs.memory;
-        record.render_seconds = theirs.render_seconds;
-        record.error = theirs.error;
-        record.remark = theirs.remark;
-        record.finished = time_now();
-        record.host = host_name();
-        publish(folder_, step, record);
+        const BatchStep& step = plan_.steps[std::size_t(i)];
+        publish_copy(folder_, step, plan_.steps[std::size_t(twin)], record);
         clean(step);
         say_remark(i, record);
         finish(i, StepFate::copied, read_record(folder_.record(step)));
     }
 
-    /// One thread each while there is enough to do; the last frames have more, so that no core is idle while they end.
-    int threads_for(int i) const
+    /// How many other steps could begin as well.
+    int others_beside(int i) const
     {
-        int others = 0; // that could start as well
+        int others = 0;
         for (const int other : pending_)
             others += other != i && (plan_.steps[std::size_t(other)].frame < 0 || outputs_.count(plan_.steps[std::size_t(other)].frame));
-        return others + 1 >= options_.at_once ? 1 : (options_.at_once + others) / (others + 1);
+        return others;
     }
-
-    double expected_memory(const BatchStep& step, double pixels, const StepRecord& record) const
-    {
-        const auto known = memory_.find({step.kind, step.frame < 0 ? scene_of(step) : -1});
-        if (known != memory_.end())
-            return memory_for(step.kind, pixels, known->second.first, known->second.second);
-        return memory_for(step.kind, pixels, record.memory, record.pixels);
-    }
-
-    int scene_of(const BatchStep& step) const { return manifest_.jobs[std::size_t(step.job)].scene; }
 
     bool has_memory(int i, double needed)
     {
-        double available = options_.memory > 0 ? options_.memory : free_memory();
+        std::vector<MemoryUse> running;
         for (const Running& one : running_)
-            available -= options_.memory > 0 ? std::max(one.memory, one.child.memory_now()) : std::max(0.0, one.memory - one.child.memory_now());
-        if (needed <= available)
+            running.push_back({one.memory, one.child.memory_now()});
+        const std::string lack = memory_.lack(needed, running);
+        if (lack.empty())
             return true;
-        const std::string figures = "it needs about " + megabytes(needed) + " of memory, and " + megabytes(std::max(0.0, available)) + " are left";
         if (running_.empty())
-            fail(i, figures + "; --memory MB gives it more");
+            fail(i, lack + "; --memory MB gives it more");
         else
-            say_once(i, figures + ": it waits");
+            say_once(i, lack + ": it waits");
         return false;
     }
 
@@ -311,36 +277,14 @@ private:
 
     void conclude(Running& one)
     {
-        const ChildEnd& end = one.end;
         const BatchStep& step = plan_.steps[std::size_t(one.step)];
-        const std::string made = folder_.made(step), log = folder_.work(step) + "/said.txt";
+        const std::string log = folder_.work(step) + "/said.txt";
         StepRecord& record = one.record;
         record.seconds = std::chrono::duration<double>(one.ended - one.begun).count();
-        record.memory = end.memory;
-        record.finished = time_now();
-        record.host = host_name();
-        std::string reason;
-        try {
-            if (end.signal != 0 || end.status != 0 || !is_whole(made))
-                reason = failure_of(step, log, end);
-            else {
-                if (step.kind == StepKind::frame)
-                    read_figures(made, record);
-                else
-                    record.remark = remark_of(step, log, frame_of(step));
-                if (step.rows)
-                    cut_strip(made, *step.rows, made);
-                publish(folder_, step, record);
-            }
-        } catch (const InputError& error) {
-            reason = error.what();
-        } catch (const OutputError& error) {
-            reason = error.what();
-        }
+        const std::string reason = publish_made(folder_, step, frame_of(step), log, one.end, record);
         std::error_code ignored;
         if (reason.empty()) {
-            auto& known = memory_[{step.kind, step.frame < 0 ? scene_of(step) : -1}];
-            known = std::max(known, {record.memory, record.pixels});
+            memory_.learn(step, record);
             std::filesystem::remove(folder_.log(step), ignored);
             clean(step);
             say_remark(one.step, record);
@@ -394,7 +338,6 @@ private:
         throw Interrupted();
     }
 
-    const Manifest& manifest_;
     const BatchPlan& plan_;
     StepInputs& inputs_;
     const RunOptions& options_;
@@ -406,7 +349,7 @@ private:
     std::list<Running> running_, ended_; ///< ended: but not concluded
     std::map<int, std::string> outputs_;       ///< hashes of finished steps' outputs
     std::map<std::string, int> by_inputs_;     ///< the step that makes, or has made, what comes of these inputs
-    std::map<std::pair<StepKind, int>, std::pair<double, double>> memory_; ///< most bytes, and pixels, of a kind and scene
+    MemoryForecast memory_;
     int total_ = 0;
 };
 
