@@ -91,6 +91,18 @@ std::string thumbnail_size(const std::string& frame)
     return side(size.width) + "x" + side(size.height);
 }
 
+/// What a step's program said of its frame though it made its file, without the program's and the frame's name; empty if nothing.
+std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
+{
+    const std::string mark = "integral " + step.words[0] + ": " + frame + ": ";
+    std::ifstream said(log);
+    std::string line, remark;
+    while (remark.empty() && std::getline(said, line))
+        if (line.rfind(mark, 0) == 0)
+            remark = tidy(line.substr(mark.size()));
+    return remark;
+}
+
 } // namespace
 
 BatchPrograms batch_programs()
@@ -164,17 +176,6 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
     if (step.kind != StepKind::frame && reason.rfind(prefix, 0) == 0)
         reason.erase(0, prefix.size());
     return (reason.empty() ? "its program ended with status " + std::to_string(end.status) : reason) + full;
-}
-
-std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
-{
-    const std::string mark = "integral " + step.words[0] + ": " + frame + ": ";
-    std::ifstream said(log);
-    std::string line, remark;
-    while (remark.empty() && std::getline(said, line))
-        if (line.rfind(mark, 0) == 0)
-            remark = tidy(line.substr(mark.size()));
-    return remark;
 }
 
 void read_figures(const std::string& frame, StepRecord& record)

@@ -20,9 +20,6 @@ double pixels_of(const BatchStep& step, const std::string& frame);
 /// One line that says why a step's program failed, from its log and its end.
 std::string failure_of(const BatchStep& step, const std::string& log, const ChildEnd& end);
 
-/// What a step's program said of its frame though it made its file, without the program's and the frame's name; empty if nothing.
-std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame);
-
 /// What a finished frame says of itself: its estimated error and its size. Throws InputError where it is no whole integral frame.
 void read_figures(const std::string& frame, StepRecord& record);
 
