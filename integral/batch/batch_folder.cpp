@@ -54,11 +54,15 @@ void sync(const std::string& path)
         throw OutputError(path + ": cannot be written: " + std::strerror(error));
 }
 
-void put_in_place(const BatchFolder& folder, const BatchStep& step)
+/// Another process that reads the record may do the same at the same time.
+void put_in_place(const BatchFolder& folder, const BatchStep& step, const StepRecord& record)
 {
     const std::string output = folder.output(step);
-    if (std::rename(folder.made(step).c_str(), output.c_str()) != 0)
-        throw OutputError(output + ": cannot be written: " + std::strerror(errno));
+    if (std::rename(folder.made(step).c_str(), output.c_str()) != 0) {
+        const int error = errno;
+        if (error != ENOENT || !has_content(output, record))
+            throw OutputError(output + ": cannot be written: " + std::strerror(error));
+    }
     sync(output.substr(0, output.rfind('/')));
 }
 
@@ -91,7 +95,7 @@ bool is_done(const BatchFolder& folder, const BatchStep& step, const StepRecord&
         return true;
     if (!has_content(folder.made(step), record))
         return false;
-    put_in_place(folder, step);
+    put_in_place(folder, step, record);
     return true;
 }
 
@@ -104,7 +108,7 @@ void publish(const BatchFolder& folder, const BatchStep& step, StepRecord record
     record.bytes = size_of(made);
     record.reason.clear();
     write_record(folder.record(step), record);
-    put_in_place(folder, step);
+    put_in_place(folder, step, record);
 }
 
 bool is_whole(const std::string& path)

@@ -3,128 +3,9 @@
 
 #include "integral/io/file_bytes.h"
 
-#include <cmath>
-#include <istream>
-#include <set>
-#include <streambuf>
-
 namespace integral {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Hands a text out one character at a time and counts its lines: the parser's last token ends at the last character, handed
-/// out, that was no space.
-class LineCounter : public std::streambuf {
-public:
-    explicit LineCounter(const std::string& text) : text_(text) {}
-    int line() const { return token_line_; }
-
-protected:
-    int_type underflow() override { return at_ < text_.size() ? traits_type::to_int_type(text_[at_]) : traits_type::eof(); }
-    int_type uflow() override
-    {
-        if (at_ == text_.size())
-            return traits_type::eof();
-        const char c = text_[at_++];
-        if (c == '\n')
-            ++line_;
-        else if (c != ' ' && c != '\t' && c != '\r')
-            token_line_ = line_;
-        return traits_type::to_int_type(c);
-    }
-
-private:
-    const std::string& text_;
-    std::size_t at_ = 0;
-    int line_ = 1, token_line_ = 1;
-};
-
-std::string escaped(const std::string& key)
-{
-    std::string text;
-    for (const char c : key)
-        text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return text;
-}
-
-struct Duplicate {
-    std::string field;
-    int line;
-};
-
-/// Follows the parser and notes the line of each value.
-class LineNoter : public nlohmann::json_sax<Json> {
-public:
-    explicit LineNoter(const LineCounter& counter) : counter_(counter) {}
-    bool null() override { return note(); }
-    bool boolean(bool) override { return note(); }
-    bool number_integer(Json::number_integer_t) override { return note(); }
-    bool number_unsigned(Json::number_unsigned_t) override { return note(); }
-    bool number_float(Json::number_float_t, const Json::string_t&) override { return note(); }
-    bool string(Json::string_t&) override { return note(); }
-    bool binary(Json::binary_t&) override { return note(); }
-    bool start_object(std::size_t) override { return open(false); }
-    bool start_array(std::size_t) override { return open(true); }
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
-    bool key(Json::string_t& name) override
-    {
-        if (!open_.back().keys.insert(name).second)
-            throw Duplicate{name, counter_.line()};
-        open_.back().next = escaped(name);
-        return true;
-    }
-    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override
-    {
-        // [json.exception.parse_error.101] parse error at line 7, column 5: syntax error while ... - unexpected ...
-        const std::string said = error.what();
-        const auto reason = said.rfind(" - ");
-        const auto colon = said.find(": ");
-        trouble = error.id == 406 ? "a number is out of range" : reason != std::string::npos ? said.substr(reason + 3) : colon != std::string::npos ? said.substr(colon + 2) : said;
-        return false;
-    }
-
-    std::map<std::string, int> lines;
-    std::string trouble;
-
-private:
-    struct Open {
-        std::string pointer, next;
-        bool is_list;
-        int count;
-        std::set<std::string> keys;
-    };
-    std::string place()
-    {
-        if (open_.empty())
-            return "";
-        Open& in = open_.back();
-        return in.pointer + "/" + (in.is_list ? std::to_string(in.count++) : in.next);
-    }
-    bool note()
-    {
-        lines[place()] = counter_.line();
-        return true;
-    }
-    bool open(bool is_list)
-    {
-        const std::string pointer = place();
-        lines[pointer] = counter_.line();
-        open_.push_back({pointer, "", is_list, 0, {}});
-        return true;
-    }
-    bool close()
-    {
-        open_.pop_back();
-        return true;
-    }
-
-    const LineCounter& counter_;
-    std::vector<Open> open_;
-};
-
-} // namespace
 
 Located::Located(std::shared_ptr<const Document> document, const Json* value, std::string pointer, std::string name)
     : document_(std::move(document)), value_(value), pointer_(std::move(pointer)), name_(std::move(name))
@@ -133,29 +14,15 @@ Located::Located(std::shared_ptr<const Document> document, const Json* value, st
 
 Located Located::parse(const std::string& path, const std::string& text)
 {
-    LineCounter counter(text);
-    std::istream stream(&counter);
-    LineNoter noter(counter);
-    const auto refuse = [&](int line, const std::string& what) { throw InputError(path + ":" + std::to_string(line) + ": " + what); };
     try {
-        if (!Json::sax_parse(stream, &noter))
-            refuse(counter.line(), "this is no JSON: " + noter.trouble);
-    } catch (const Duplicate& twice) {
-        refuse(twice.line, "the field " + twice.field + " stands twice in one object");
+        const auto document = std::make_shared<const Document>(Document{path, parse_lined_json(text)});
+        return Located(document, &document->lined.json, "", "");
+    } catch (const LinedJsonError& error) {
+        throw InputError(path + ":" + std::to_string(error.line) + ": " + error.what());
     }
-    auto document = std::make_shared<Document>();
-    document->path = path;
-    document->lines = std::move(noter.lines);
-    document->json = Json::parse(text);
-    const Json* root = &document->json;
-    return Located(document, root, "", "");
 }
 
-int Located::line() const
-{
-    const auto found = document_->lines.find(pointer_);
-    return found == document_->lines.end() ? 1 : found->second;
-}
+int Located::line() const { return document_->lined.line_of(pointer_); }
 
 std::string Located::place() const { return document_->path + ":" + std::to_string(line()) + (name_.empty() ? "" : ": " + name_); }
 
@@ -163,7 +30,7 @@ void Located::refuse(const std::string& what) const { throw InputError(place() +
 
 Located Located::at(const std::string& key, const Json& value, const std::string& name) const
 {
-    return Located(document_, &value, pointer_ + "/" + escaped(key), name);
+    return Located(document_, &value, pointer_ + pointer_part(key), name);
 }
 
 bool Located::has(const char* field) const { return value_->is_object() && value_->contains(field); }

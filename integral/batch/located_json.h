@@ -3,9 +3,8 @@
 #ifndef INTEGRAL_BATCH_LOCATED_JSON_H
 #define INTEGRAL_BATCH_LOCATED_JSON_H
 
-#include <nlohmann/json.hpp>
+#include "integral/io/lined_json.h"
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,8 +41,7 @@ public:
 private:
     struct Document {
         std::string path;
-        nlohmann::ordered_json json;
-        std::map<std::string, int> lines; ///< by JSON pointer
+        LinedJson lined;
     };
     Located(std::shared_ptr<const Document> document, const nlohmann::ordered_json* value, std::string pointer, std::string name);
     Located at(const std::string& key, const nlohmann::ordered_json& value, const std::string& name) const;

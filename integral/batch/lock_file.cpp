@@ -6,10 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <sys/file.h>
@@ -99,13 +97,6 @@ private:
 
 } // namespace
 
-std::string host_name()
-{
-    char name[256] = "";
-    gethostname(name, sizeof name - 1);
-    return name;
-}
-
 LockFile& LockFile::operator=(LockFile&& other) noexcept
 {
     if (this != &other) {
@@ -123,7 +114,7 @@ bool LockFile::take(const std::string& path, std::string& holder)
     const Guard guard(path.substr(0, slash + 1) + "guard");
     const Holder me = myself();
     // Made whole under a name of its own, then linked to the lock's: that succeeds for one process alone.
-    const std::string own = path + "." + me.host + "." + std::to_string(me.process);
+    const std::string own = path.substr(0, slash + 1) + unfinished_name(path.substr(slash + 1));
     write_file(own, nlohmann::ordered_json{{"host", me.host}, {"process", me.process}, {"begun", me.begun}, {"boot", me.boot}}.dump() + "\n");
     struct stat status = {};
     stat(own.c_str(), &status);
@@ -146,20 +137,6 @@ bool LockFile::take(const std::string& path, std::string& holder)
     }
     unlink(own.c_str());
     return held();
-}
-
-void sweep_locks(const std::string& folder)
-{
-    const std::string mark = "." + host_name() + ".";
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string();
-        const auto at = name.rfind(mark);
-        const std::string process = at == std::string::npos ? "" : name.substr(at + mark.size());
-        const bool candidate = !process.empty() && process.find_first_not_of("0123456789") == std::string::npos;
-        if (candidate && begin_of_process(std::atol(process.c_str())).empty())
-            unlink(entry.path().c_str());
-    }
 }
 
 void LockFile::refresh() const

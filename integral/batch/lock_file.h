@@ -30,12 +30,6 @@ private:
     std::string path_;
 };
 
-/// Takes away what processes of this machine have left in a folder of locks when they were killed while they took one.
-void sweep_locks(const std::string& folder);
-
-/// This machine's name.
-std::string host_name();
-
 } // namespace integral
 
 #endif

@@ -40,6 +40,7 @@ StepRecord read_record(const std::string& path)
         record.finished = json.at("finished");
         record.host = json.at("host");
         record.reason = json.at("reason");
+        record.remark = json.value("remark", ""); // earlier records have none
     } catch (const InputError&) {
         return {};
     } catch (const nlohmann::json::exception&) {
@@ -62,7 +63,8 @@ void write_record(const std::string& path, const StepRecord& record)
                                          {"error_rms", record.error ? nlohmann::ordered_json(*record.error) : nlohmann::ordered_json(nullptr)},
                                          {"finished", record.finished},
                                          {"host", record.host},
-                                         {"reason", record.reason}};
+                                         {"reason", record.reason},
+                                         {"remark", record.remark}};
     write_file(path, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 

@@ -3,6 +3,7 @@
 
 #include "integral/io/codecs.h"
 #include "integral/io/file_bytes.h"
+#include "integral/lightfield/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -165,7 +166,7 @@ void cut_strip(const std::string& rendered, const RowStrip& strip, const std::st
     DecodedImage picture = picture_of(rendered, bytes);
     const int height = picture.image.height;
     if (strip.first < 0 || strip.rows < 1 || strip.first + strip.rows + strip.below > height)
-        throw InputError(rendered + ": it has " + std::to_string(height) + " rows, too few for the strip that it was rendered for");
+        throw InputError(rendered + ": it has " + counted(height, "row") + ", too few for the strip that it was rendered for");
     Image rows = blank_like(picture.image, picture.image.width, strip.rows);
     copy_rows(picture.image, strip.first, strip.rows, rows, 0);
     picture.image = std::move(rows);

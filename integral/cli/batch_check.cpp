@@ -6,6 +6,8 @@
 #include "integral/cli/print_options.h"
 #include "integral/io/file_bytes.h"
 
+#include <cstdio>
+
 namespace integral {
 namespace {
 
@@ -44,7 +46,12 @@ void check_panel(const BatchTarget& target, const std::string& panel)
                 throw UsageError(std::string("--") + option + " makes no image");
         check_panel_options(arguments);
     });
-    check_at(target.place, lcd_command, [&] { panel_of(arguments); });
+    check_at(target.place, lcd_command, [&] {
+        const Panel described = panel_of(arguments);
+        if (described.calibration)
+            for (const std::string& what : described.calibration->assumed)
+                std::fprintf(stderr, "integral batch: %s: %s\n", target.place.c_str(), what.c_str());
+    });
 }
 
 } // namespace

@@ -7,7 +7,8 @@
 
 namespace integral {
 
-/// Before anything is rendered: that the commands know the papers, the panels and the options' names. Throws InputError with line and field.
+/// Before anything is rendered: that the commands know the papers, the panels and the options' names. Throws InputError with line and field. Says on
+/// standard error what a panel's calibration lacks.
 void check_targets(const Manifest& manifest);
 
 } // namespace integral

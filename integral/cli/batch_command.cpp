@@ -9,6 +9,7 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/file_bytes.h"
+#include "integral/lightfield/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -75,7 +76,7 @@ std::string plan_text(const nlohmann::ordered_json& summary)
             (is_kept ? kept : to_do) += 1;
             text += std::string(is_kept ? "kept   " : "to do  ") + job.at("name").get<std::string>() + ": " + step.at("file").get<std::string>() + "\n";
         }
-    return text + std::to_string(summary.at("jobs").size()) + " jobs: " + std::to_string(to_do) + " steps to do, " + std::to_string(kept) + " kept\n";
+    return text + counted(int(summary.at("jobs").size()), "job") + ": " + counted(to_do, "step") + " to do, " + std::to_string(kept) + " kept\n";
 }
 
 /// Writes summary.json and index.html.
@@ -137,9 +138,9 @@ int run(const options::variables_map& arguments)
     else if (dry)
         print_result(arguments, plan_text(summary));
     else
-        print_result(arguments, std::to_string(summary.at("jobs_done").get<int>()) + " jobs done, " + std::to_string(failed) + " failed"
+        print_result(arguments, counted(summary.at("jobs_done").get<int>(), "job") + " done, " + std::to_string(failed) + " failed"
                                     + (only_summary ? ", " + std::to_string(summary.at("jobs_missing").get<int>()) + " not yet made" : "") + "; "
-                                    + std::to_string(summary.at("steps_made").get<int>()) + " steps made, " + std::to_string(summary.at("steps_kept").get<int>())
+                                    + counted(summary.at("steps_made").get<int>(), "step") + " made, " + std::to_string(summary.at("steps_kept").get<int>())
                                     + " kept\n");
     if (after == AfterSlurm::summary)
         return say_what_is_left(summary) ? exit_check_failed : exit_done;

@@ -84,7 +84,8 @@ Json batch_summary(const Manifest& manifest, const BatchPlan& plan, const std::v
                                 {"file", step.output},
                                 {"seconds", state == "done" ? Json(record.seconds) : Json(nullptr)},
                                 {"memory_bytes", state == "done" ? Json(std::llround(record.memory)) : Json(nullptr)},
-                                {"reason", reason.empty() ? Json(nullptr) : Json(reason)}});
+                                {"reason", reason.empty() ? Json(nullptr) : Json(reason)},
+                                {"remark", state == "done" && !record.remark.empty() ? Json(record.remark) : Json(nullptr)}});
     }
     for (const Json& job : jobs) {
         done += job["state"] == "done";
@@ -99,16 +100,18 @@ std::string batch_page(const Json& summary, const BatchFolder& folder)
 {
     const auto count = [&](const char* field) { return std::to_string(summary.at(field).get<int>()); };
     const std::string title = text_at(summary, "manifest");
-    std::string page = "<h1>" + markup_text(title) + "</h1>\n<p>" + count("jobs_done") + " jobs done, " + count("jobs_failed") + " failed, "
+    std::string page = "<h1>" + markup_text(title) + "</h1>\n<p>" + counted(summary.at("jobs_done").get<int>(), "job") + " done, " + count("jobs_failed") + " failed, "
           + count("jobs_missing") + " not yet made</p>\n<div class=\"jobs\">\n";
     for (const Json& job : summary.at("jobs")) {
         const std::string name = markup_text(text_at(job, "name")), state = text_at(job, "state");
-        std::string picture = state == "failed" ? "failed" : state == "done" ? "no picture" : "not yet made", links;
+        std::string picture = state == "failed" ? "failed" : state == "done" ? "no picture" : "not yet made", links, remarks;
         for (const Json& step : job.at("steps")) {
             if (step.at("state") != "done")
                 continue;
             const std::string file = text_at(step, "file"), kind = text_at(step, "kind");
             if (kind != "thumbnail") {
+                if (step.at("remark").is_string())
+                    remarks += "<p>" + kind + " " + markup_text(text_at(step, "target")) + ": " + markup_text(text_at(step, "remark")) + "</p>\n";
                 links += "<a href=\"" + link_to(file) + "\">" + kind + (kind == "frame" ? "" : " " + markup_text(text_at(step, "target"))) + "</a>\n";
                 continue;
             }
@@ -120,7 +123,7 @@ std::string batch_page(const Json& summary, const BatchFolder& folder)
         page += "<article class=\"" + state + "\"><div class=\"picture\">" + picture + "</div>\n<h2>" + name + "</h2>\n";
         if (job.at("render_seconds").is_number())
             page += "<p>" + figure(job.at("render_seconds"), 3) + " s, estimated error " + figure(job.at("error_rms"), 3) + "</p>\n";
-        page += "<p>" + links + "</p>\n";
+        page += "<p>" + links + "</p>\n" + remarks;
         if (job.at("reason").is_string())
             page += "<p class=\"reason\">" + markup_text(text_at(job, "reason")) + "</p>\n";
         page += "</article>\n";

@@ -2,15 +2,13 @@
 #include "integral/cli/batch_run.h"
 
 #include "integral/batch/lock_file.h"
+#include "integral/cli/batch_schedule.h"
 #include "integral/cli/batch_steps.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/io/file_bytes.h"
-#include "integral/lightfield/number_text.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -26,13 +24,11 @@ constexpr int poll_milliseconds = 5;
 constexpr auto again_after = std::chrono::milliseconds(200);
 constexpr auto patience = std::chrono::seconds(5), refresh_after = std::chrono::seconds(10);
 
-std::string megabytes(double bytes) { return with_decimals(std::ceil(bytes / (1 << 20)), 0) + " MB"; }
-
 class Run {
 public:
     Run(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs, const RunOptions& options, const BatchFolder& folder)
-        : manifest_(manifest), plan_(plan), inputs_(inputs), options_(options), folder_(folder), results_(plan.steps.size()),
-          tries_(plan.steps.size()), said_(plan.steps.size())
+        : plan_(plan), inputs_(inputs), options_(options), folder_(folder), results_(plan.steps.size()), tries_(plan.steps.size()),
+          said_(plan.steps.size()), memory_(manifest, options.memory)
     {
         for (std::size_t i = 0; i < plan.steps.size(); ++i)
             if (options.jobs.empty() || options.jobs.count(plan.steps[i].job))
@@ -64,14 +60,7 @@ public:
         sigaction(SIGCHLD, &wake, nullptr);
         keep_done();
         tidy_up();
-        // The longest first: then the last ones to end do so at nearly the same time. What a frame's steps make of it comes at once.
-        std::map<int, double> cost;
-        for (const int i : pending_) {
-            const BatchStep& step = plan_.steps[std::size_t(i)];
-            const double seconds = read_record(folder_.record(step)).seconds;
-            cost[i] = step.frame >= 0 ? 1e300 : seconds > 0 ? seconds : pixels_of(step, "") * 1e-6;
-        }
-        pending_.sort([&](int a, int b) { return cost[a] != cost[b] ? cost[a] > cost[b] : a < b; });
+        sort_longest_first(pending_, plan_, folder_);
         auto next_look = Clock::now(), next_refresh = Clock::now() + refresh_after;
         while (!pending_.empty() || !running_.empty()) {
             if (!progress(total_ - int(pending_.size() + running_.size()), total_))
@@ -120,9 +109,10 @@ private:
         ChildEnd end;  ///< once it has ended, and when
         Clock::time_point ended;
     };
-    enum class Start { begun, over, later };
 
     std::string frame_hash(const BatchStep& step) const { return step.frame < 0 ? "" : outputs_.at(step.frame); }
+
+    std::string frame_of(const BatchStep& step) const { return step.frame < 0 ? "" : folder_.output(plan_.steps[std::size_t(step.frame)]); }
 
     void finish(int i, StepFate fate, const StepRecord& record)
     {
@@ -132,10 +122,11 @@ private:
         pending_.remove(i);
     }
 
-    /// Takes away what killed batches have left of steps that are done.
+    /// Takes away what killed batches have left: of steps that are done, and of files that they were writing.
     void tidy_up()
     {
-        sweep_locks(folder_.lock(""));
+        for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps", "/.integral-batch/strips", "/.integral-batch/slurm"})
+            sweep_unfinished(folder_.path + own);
         for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
             const BatchStep& step = plan_.steps[i];
             LockFile lock;
@@ -153,8 +144,7 @@ private:
         results_[std::size_t(i)] = {StepFate::failed, reason};
         pending_.remove(i);
         const bool log = exists(folder_.log(step));
-        std::fprintf(stderr, "%sintegral batch: %s: %s%s\n", line_start(), step.name.c_str(), reason.c_str(),
-                     log ? ("; see " + folder_.log(step)).c_str() : "");
+        say(i, reason + (log ? "; see " + folder_.log(step) : ""));
         for (const int other : std::vector<int>(pending_.begin(), pending_.end()))
             if (plan_.steps[std::size_t(other)].frame == i) {
                 results_[std::size_t(other)] = {StepFate::blocked, "its frame failed"};
@@ -167,11 +157,20 @@ private:
         if (said_[std::size_t(i)] == what)
             return;
         said_[std::size_t(i)] = what;
-        std::fprintf(stderr, "%sintegral batch: %s: %s\n", line_start(), plan_.steps[std::size_t(i)].name.c_str(), what.c_str());
+        say(i, what);
     }
 
-    /// On a terminal a bar may stand in the line.
-    static const char* line_start() { return isatty(2) ? "\r\033[K" : ""; }
+    void say(int i, const std::string& what) const
+    {
+        const char* const line_start = isatty(2) ? "\r\033[K" : ""; // on a terminal a bar may stand in the line
+        std::fprintf(stderr, "%sintegral batch: %s: %s\n", line_start, plan_.steps[std::size_t(i)].name.c_str(), what.c_str());
+    }
+
+    void say_remark(int i, const StepRecord& record) const
+    {
+        if (!record.remark.empty())
+            say(i, record.remark);
+    }
 
     void start_some()
     {
@@ -195,7 +194,7 @@ private:
     void start(int i)
     {
         const BatchStep& step = plan_.steps[std::size_t(i)];
-        const std::string frame = step.frame < 0 ? "" : folder_.output(plan_.steps[std::size_t(step.frame)]);
+        const std::string frame = frame_of(step);
         const std::string hash = inputs_.hash(step, frame_hash(step));
         StepRecord record = read_record(folder_.record(step));
         if (is_done(folder_, step, record, hash))
@@ -203,7 +202,7 @@ private:
         const auto twin = by_inputs_.find(hash);
         if (twin != by_inputs_.end() && twin->second != i && results_[std::size_t(twin->second)].fate == StepFate::waiting)
             return; // it is running
-        const double pixels = pixels_of(step, frame), memory = expected_memory(step, pixels, record);
+        const double pixels = pixels_of(step, frame), memory = memory_.expected(step, pixels, record);
         const bool copies = twin != by_inputs_.end() && outputs_.count(twin->second);
         if (!copies && !has_memory(i, memory))
             return;
@@ -221,6 +220,7 @@ private:
         record.inputs = hash;
         record.pixels = pixels;
         record.error.reset();
+        record.remark.clear();
         if (copies)
             return copy(i, twin->second, record);
         by_inputs_[hash] = i;
@@ -229,61 +229,41 @@ private:
         record.output.clear();
         write_record(folder_.record(step), record);
         const std::string log = folder_.work(step) + "/said.txt";
-        ChildProcess child(command_line(folder_, step, frame, threads_for(i)), step.folder, log);
+        ChildProcess child(command_line(folder_, step, frame, threads_beside(others_beside(i), options_.at_once)), step.folder, log);
         pending_.remove(i);
         running_.push_back({i, std::move(child), std::move(lock), record, Clock::now(), memory, {}, {}});
     }
 
     void copy(int i, int twin, StepRecord record)
     {
-        const BatchStep &step = plan_.steps[std::size_t(i)], &other = plan_.steps[std::size_t(twin)];
-        const StepRecord theirs = read_record(folder_.record(other));
-        std::error_code error;
-        std::filesystem::copy_file(folder_.output(other), folder_.made(step), error);
-        if (error)
-            throw OutputError(folder_.made(step) + ": cannot be written: " + error.message());
-        record.seconds = theirs.seconds;
-        record.memory = theirs.memory;
-        record.render_seconds = theirs.render_seconds;
-        record.error = theirs.error;
-        record.finished = time_now();
-        record.host = host_name();
-        publish(folder_, step, record);
+        const BatchStep& step = plan_.steps[std::size_t(i)];
+        publish_copy(folder_, step, plan_.steps[std::size_t(twin)], record);
         clean(step);
+        say_remark(i, record);
         finish(i, StepFate::copied, read_record(folder_.record(step)));
     }
 
-    /// One thread each while there is enough to do; the last frames have more, so that no core is idle while they end.
-    int threads_for(int i) const
+    /// How many other steps could begin as well.
+    int others_beside(int i) const
     {
-        int others = 0; // that could start as well
+        int others = 0;
         for (const int other : pending_)
             others += other != i && (plan_.steps[std::size_t(other)].frame < 0 || outputs_.count(plan_.steps[std::size_t(other)].frame));
-        return others + 1 >= options_.at_once ? 1 : (options_.at_once + others) / (others + 1);
+        return others;
     }
-
-    double expected_memory(const BatchStep& step, double pixels, const StepRecord& record) const
-    {
-        const auto known = memory_.find({step.kind, step.frame < 0 ? scene_of(step) : -1});
-        if (known != memory_.end())
-            return memory_for(step.kind, pixels, known->second.first, known->second.second);
-        return memory_for(step.kind, pixels, record.memory, record.pixels);
-    }
-
-    int scene_of(const BatchStep& step) const { return manifest_.jobs[std::size_t(step.job)].scene; }
 
     bool has_memory(int i, double needed)
     {
-        double available = options_.memory > 0 ? options_.memory : free_memory();
+        std::vector<MemoryUse> running;
         for (const Running& one : running_)
-            available -= options_.memory > 0 ? std::max(one.memory, one.child.memory_now()) : std::max(0.0, one.memory - one.child.memory_now());
-        if (needed <= available)
+            running.push_back({one.memory, one.child.memory_now()});
+        const std::string lack = memory_.lack(needed, running);
+        if (lack.empty())
             return true;
-        const std::string figures = "it needs about " + megabytes(needed) + " of memory, and " + megabytes(std::max(0.0, available)) + " are left";
         if (running_.empty())
-            fail(i, figures + "; --memory MB gives it more");
+            fail(i, lack + "; --memory MB gives it more");
         else
-            say_once(i, figures + ": it waits");
+            say_once(i, lack + ": it waits");
         return false;
     }
 
@@ -297,36 +277,17 @@ private:
 
     void conclude(Running& one)
     {
-        const ChildEnd& end = one.end;
         const BatchStep& step = plan_.steps[std::size_t(one.step)];
-        const std::string made = folder_.made(step), log = folder_.work(step) + "/said.txt";
+        const std::string log = folder_.work(step) + "/said.txt";
         StepRecord& record = one.record;
         record.seconds = std::chrono::duration<double>(one.ended - one.begun).count();
-        record.memory = end.memory;
-        record.finished = time_now();
-        record.host = host_name();
-        std::string reason;
-        try {
-            if (end.signal != 0 || end.status != 0 || !is_whole(made))
-                reason = failure_of(step, log, end);
-            else {
-                if (step.kind == StepKind::frame)
-                    read_figures(made, record);
-                if (step.rows)
-                    cut_strip(made, *step.rows, made);
-                publish(folder_, step, record);
-            }
-        } catch (const InputError& error) {
-            reason = error.what();
-        } catch (const OutputError& error) {
-            reason = error.what();
-        }
+        const std::string reason = publish_made(folder_, step, frame_of(step), log, one.end, record);
         std::error_code ignored;
         if (reason.empty()) {
-            auto& known = memory_[{step.kind, step.frame < 0 ? scene_of(step) : -1}];
-            known = std::max(known, {record.memory, record.pixels});
+            memory_.learn(step, record);
             std::filesystem::remove(folder_.log(step), ignored);
             clean(step);
+            say_remark(one.step, record);
             return finish(one.step, StepFate::made, read_record(folder_.record(step)));
         }
         if (interrupted()) // that is why: nothing to keep
@@ -342,7 +303,7 @@ private:
         } catch (const OutputError&) { // the reason has been said, and the old record tells that it is not done
         }
         if (++tries_[std::size_t(one.step)] <= options_.retries && !interrupted()) {
-            std::fprintf(stderr, "%sintegral batch: %s: %s; it is tried again\n", line_start(), step.name.c_str(), reason.c_str());
+            say(one.step, reason + "; it is tried again");
             pending_.push_front(one.step);
             return;
         }
@@ -377,7 +338,6 @@ private:
         throw Interrupted();
     }
 
-    const Manifest& manifest_;
     const BatchPlan& plan_;
     StepInputs& inputs_;
     const RunOptions& options_;
@@ -389,7 +349,7 @@ private:
     std::list<Running> running_, ended_; ///< ended: but not concluded
     std::map<int, std::string> outputs_;       ///< hashes of finished steps' outputs
     std::map<std::string, int> by_inputs_;     ///< the step that makes, or has made, what comes of these inputs
-    std::map<std::pair<StepKind, int>, std::pair<double, double>> memory_; ///< most bytes, and pixels, of a kind and scene
+    MemoryForecast memory_;
     int total_ = 0;
 };
 

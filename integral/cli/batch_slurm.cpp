@@ -5,6 +5,7 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/slurm.h"
 #include "integral/io/file_bytes.h"
+#include "integral/lightfield/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -139,7 +140,7 @@ private:
         } catch (const InputError& error) {
             std::error_code ignored;
             std::filesystem::remove(list, ignored);
-            throw InputError(error.what() + std::string(tasks > 0 ? "; " + std::to_string(tasks) + " tasks were submitted before: --follow or --cancel them" : ""));
+            throw InputError(error.what() + std::string(tasks > 0 ? "; " + counted(tasks, "task") + " submitted before: --follow or --cancel" : ""));
         }
         write_file(std::filesystem::path(list).replace_extension(".json"), Json{{"job", job}, {"tasks", some}}.dump() + "\n");
         tasks += int(some.size());
@@ -259,7 +260,7 @@ bool submit_batch(const options::variables_map& arguments, const PlannedBatch& b
         all.erase(std::remove_if(all.begin(), all.end(), [&](const std::string& id) { return queued.count("--summary") && queued.at("--summary").id == id; }), all.end());
         submitter.submit({"--summary"}, all);
     }
-    std::cout << tasks << " tasks submitted, " << in_queue << " in the queue before\n" << std::flush;
+    std::cout << counted(tasks, "task") << " submitted, " << in_queue << " in the queue before\n" << std::flush;
     return good;
 }
 
@@ -294,7 +295,7 @@ void cancel(const PlannedBatch& batch)
     for (const auto& [task, one] : queued)
         jobs.insert(one.slurm.job);
     slurm_cancel({jobs.begin(), jobs.end()});
-    std::cout << queued.size() << " tasks cancelled\n" << std::flush;
+    std::cout << counted(int(queued.size()), "task") << " cancelled\n" << std::flush;
 }
 
 } // namespace
@@ -365,7 +366,7 @@ std::optional<bool> do_task(const options::variables_map& arguments, const Plann
     const auto plan = read_strip_plan(folder, frame, inputs);
     const std::size_t k = std::stoul(number);
     if (!plan || k < 1 || k > plan->strips.size())
-        throw InputError(frame.name + ": " + (plan ? "it has " + std::to_string(plan->strips.size()) + " strips"
+        throw InputError(frame.name + ": " + (plan ? "it has " + counted(int(plan->strips.size()), "strip")
                                                    : "it is not cut in strips, or its scene has changed since; --slurm --strips N does it"));
     BatchPlan one;
     one.steps = {strip_steps(frame, *plan).steps[k - 1]};

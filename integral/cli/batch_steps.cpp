@@ -19,7 +19,6 @@
 namespace integral {
 namespace {
 
-constexpr double mebibyte = 1 << 20;
 constexpr double default_pixels = 800.0 * 600; // the renderer's own settings'
 constexpr int thumbnail_side = 240;            // pixels
 
@@ -92,6 +91,18 @@ std::string thumbnail_size(const std::string& frame)
     return side(size.width) + "x" + side(size.height);
 }
 
+/// What a step's program said of its frame though it made its file, without the program's and the frame's name; empty if nothing.
+std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
+{
+    const std::string mark = "integral " + step.words[0] + ": " + frame + ": ";
+    std::ifstream said(log);
+    std::string line, remark;
+    while (remark.empty() && std::getline(said, line))
+        if (line.rfind(mark, 0) == 0)
+            remark = tidy(line.substr(mark.size()));
+    return remark;
+}
+
 } // namespace
 
 BatchPrograms batch_programs()
@@ -145,25 +156,6 @@ double pixels_of(const BatchStep& step, const std::string& frame)
     return default_pixels;
 }
 
-double memory_for(StepKind kind, double pixels, double known, double known_pixels)
-{
-    // The renderer keeps 20 bytes a pixel, in files beyond 128 MB; a tool holds the frame, its copy and what it makes.
-    const auto guess = [&](double count) { return kind == StepKind::frame ? 32 * mebibyte + std::min(20 * count, 128 * mebibyte) : 32 * mebibyte + 24 * count; };
-    if (known <= 0)
-        return guess(pixels);
-    return std::max(32 * mebibyte, known + guess(pixels) - guess(known_pixels));
-}
-
-double free_memory()
-{
-    std::ifstream file("/proc/meminfo");
-    std::string line;
-    while (std::getline(file, line))
-        if (line.rfind("MemAvailable:", 0) == 0)
-            return std::atof(line.c_str() + 13) * 1024;
-    return 1e300; // a kernel that does not say
-}
-
 std::string failure_of(const BatchStep& step, const std::string& log, const ChildEnd& end)
 {
     if (end.signal == SIGKILL)
@@ -207,6 +199,47 @@ void read_figures(const std::string& frame, StepRecord& record)
         record.render_seconds = metadata.render->seconds;
     if (metadata.render && metadata.render->error)
         record.error = metadata.render->error->rms;
+}
+
+std::string publish_made(const BatchFolder& folder, const BatchStep& step, const std::string& frame, const std::string& log, const ChildEnd& end, StepRecord& record)
+{
+    const std::string made = folder.made(step);
+    record.memory = end.memory;
+    record.finished = time_now();
+    record.host = host_name();
+    try {
+        if (end.signal != 0 || end.status != 0 || !is_whole(made))
+            return failure_of(step, log, end);
+        if (step.kind == StepKind::frame)
+            read_figures(made, record);
+        else
+            record.remark = remark_of(step, log, frame);
+        if (step.rows)
+            cut_strip(made, *step.rows, made);
+        publish(folder, step, record);
+    } catch (const InputError& error) {
+        return error.what();
+    } catch (const OutputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void publish_copy(const BatchFolder& folder, const BatchStep& step, const BatchStep& other, StepRecord& record)
+{
+    const StepRecord theirs = read_record(folder.record(other));
+    std::error_code error;
+    std::filesystem::copy_file(folder.output(other), folder.made(step), error);
+    if (error)
+        throw OutputError(folder.made(step) + ": cannot be written: " + error.message());
+    record.seconds = theirs.seconds;
+    record.memory = theirs.memory;
+    record.render_seconds = theirs.render_seconds;
+    record.error = theirs.error;
+    record.remark = theirs.remark;
+    record.finished = time_now();
+    record.host = host_name();
+    publish(folder, step, record);
 }
 
 std::string time_now()

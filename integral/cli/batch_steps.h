@@ -17,17 +17,18 @@ std::vector<std::string> command_line(const BatchFolder& folder, const BatchStep
 /// Pixels of the frame that a step makes or takes, as far as the plan or the file says; else those of the renderer's own default.
 double pixels_of(const BatchStep& step, const std::string& frame);
 
-/// Bytes of memory that a step will need: by its pixels, and by what earlier steps of its kind needed, `known` bytes at `known_pixels`.
-double memory_for(StepKind kind, double pixels, double known, double known_pixels);
-
-/// Bytes of memory that programs can still have, by the kernel's account.
-double free_memory();
-
 /// One line that says why a step's program failed, from its log and its end.
 std::string failure_of(const BatchStep& step, const std::string& log, const ChildEnd& end);
 
 /// What a finished frame says of itself: its estimated error and its size. Throws InputError where it is no whole integral frame.
 void read_figures(const std::string& frame, StepRecord& record);
+
+/// Publishes what a step's program has made, with the record filled in, once it has ended; returns "", or one line that says why not. `frame` is
+/// what it took, `log` what it said.
+std::string publish_made(const BatchFolder& folder, const BatchStep& step, const std::string& frame, const std::string& log, const ChildEnd& end, StepRecord& record);
+
+/// Publishes as a step's output a copy of what another made of the same inputs, with what is known of that filled into the record. Throws OutputError.
+void publish_copy(const BatchFolder& folder, const BatchStep& step, const BatchStep& other, StepRecord& record);
 
 /// Now, as 2026-01-31T12:00:00Z.
 std::string time_now();

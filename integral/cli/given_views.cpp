@@ -14,7 +14,7 @@ namespace integral {
 
 ViewGrid parse_view_grid(const options::variables_map& arguments)
 {
-    const PixelSize size = parse_size("views", text_of(arguments, "views"), most_views_a_side);
+    const PixelSize size = parse_size("views", text_of(arguments, "views"), most_views_a_side, "CxR");
     return {size.width, size.height};
 }
 

@@ -5,6 +5,7 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/number_text.h"
 #include "integral/output/panel_cards.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
@@ -34,14 +35,36 @@ Blend blend_of(const options::variables_map& arguments) { return {neighbours(arg
 
 bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::max({1.0, std::fabs(a), std::fabs(b)}); }
 
-/// Whether a frame's pixels are the panel's, under the same lenses.
-bool is_native(const FrameMetadata& frame, const FrameMetadata& panel)
+/// What a frame has in common with those that are rendered for a panel.
+struct Likeness {
+    bool lenses, size, pixel_pitch, colours;
+    bool all() const { return lenses && size && pixel_pitch && colours; } ///< its pixels are the panel's, under the same lenses
+    /// It seems to have been meant for the panel: before one of the two was changed.
+    bool nearly() const { return pixel_pitch && (lenses || (size && colours)); }
+};
+
+Likeness likeness(const FrameMetadata& frame, const FrameMetadata& panel)
 {
     const LensSheet &a = frame.sheet, &b = panel.sheet;
-    return a.arrangement == b.arrangement && close(a.pitch, b.pitch) && close(a.thickness, b.thickness) && close(a.ior, b.ior) && close(a.slant, b.slant)
-        && close(a.offset.x, b.offset.x) && close(a.offset.y, b.offset.y) && frame.film.width == panel.film.width && frame.film.height == panel.film.height
-        && close(frame.film.pixel_pitch.x, panel.film.pixel_pitch.x) && close(frame.film.pixel_pitch.y, panel.film.pixel_pitch.y)
-        && same_layout(frame.film.subpixels, panel.film.subpixels);
+    const Film &ours = frame.film, &theirs = panel.film;
+    return {a.arrangement == b.arrangement && close(a.pitch, b.pitch) && close(a.thickness, b.thickness) && close(a.ior, b.ior) && close(a.slant, b.slant)
+                && close(a.offset.x, b.offset.x) && close(a.offset.y, b.offset.y),
+            ours.width == theirs.width && ours.height == theirs.height,
+            close(ours.pixel_pitch.x, theirs.pixel_pitch.x) && close(ours.pixel_pitch.y, theirs.pixel_pitch.y), same_layout(ours.subpixels, theirs.subpixels)};
+}
+
+/// Says so where a frame that seems to have been meant for the panel does not pass through.
+void tell_near_miss(const std::string& name, const FrameMetadata& frame, const FrameMetadata& panel, int views)
+{
+    const Likeness like = likeness(frame, panel);
+    if (!like.nearly())
+        return;
+    const std::string what = !like.size ? "it has " + size_text(frame.film.width, frame.film.height) + " pixels and the panel "
+                                              + size_text(panel.film.width, panel.film.height)
+                             : !like.lenses ? std::string("its lenses are not the panel's")
+                                            : "its pixels' colours lie otherwise";
+    std::fprintf(stderr, "integral lcd: %s: it is nearly a frame of this panel's own, but %s: the image is made of %s of it; --camera says what to render for the panel\n",
+                 name.c_str(), what.c_str(), counted(views, "view").c_str());
 }
 
 /// Three channels of 8 or 16 bits over black; `linear`: 16 bits of linear light, to be blended.
@@ -282,7 +305,7 @@ Frame PanelImages::image_of(const std::vector<std::string>& group)
                 eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
             return finished(interlaced(std::move(views.views), views.grid, eyes, blend_of(arguments_)));
         }
-        if (is_native(*frame->metadata, geometry_)) {
+        if (likeness(*frame->metadata, geometry_).all()) {
             views_ = 0;
             tell_other_zone(name, frame->metadata->aperture, panel_.aperture);
             const Image image = prepared(frame->image, false);
@@ -293,6 +316,7 @@ Frame PanelImages::image_of(const std::vector<std::string>& group)
         if (grid.rows > 1 && !(round && frame_round))
             throw UsageError("--views " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows)
                              + ": lenticular lenses show nothing new from above: one row is expected");
+        tell_near_miss(name, *frame->metadata, geometry_, grid.count());
         PixelSize size{};
         if (given(arguments_, "size")) {
             size = parse_size("size", text_of(arguments_, "size"), largest_side);

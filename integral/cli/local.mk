@@ -9,6 +9,8 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_report.h \
   integral/cli/batch_run.cpp \
   integral/cli/batch_run.h \
+  integral/cli/batch_schedule.cpp \
+  integral/cli/batch_schedule.h \
   integral/cli/batch_slurm.cpp \
   integral/cli/batch_slurm.h \
   integral/cli/batch_steps.cpp \

@@ -157,7 +157,7 @@ public:
         if (given(arguments, "grid")) {
             if (pair_)
                 throw UsageError("--grid and --stereo do not go together");
-            grid_ = parse_size("grid", text_of(arguments, "grid"), largest_grid);
+            grid_ = parse_size("grid", text_of(arguments, "grid"), largest_grid, "CxR");
         }
     }
 

@@ -140,7 +140,7 @@ std::string suite_summary(const Suite& suite)
     std::string text = std::to_string(counts.compared) + " compared, " + std::to_string(counts.failed) + " failed, " +
                        std::to_string(counts.missing) + " missing";
     if (!suite.unused.empty())
-        text += ", " + std::to_string(suite.unused.size()) + (suite.unused.size() == 1 ? " tolerance" : " tolerances") + " for no file";
+        text += ", " + counted(int(suite.unused.size()), "tolerance") + " for no file";
     return text;
 }
 

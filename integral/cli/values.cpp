@@ -57,7 +57,7 @@ Vec2 parse_one_or_two(const char* option, const std::string& text, const char* f
     return {numbers.front(), numbers.back()};
 }
 
-PixelSize parse_size(const char* option, const std::string& text, int most)
+PixelSize parse_size(const char* option, const std::string& text, int most, const char* form)
 {
     PixelSize size;
     const char *begin = text.data(), *end = begin + text.size();
@@ -68,7 +68,7 @@ PixelSize parse_size(const char* option, const std::string& text, int most)
         good = height.ec == std::errc() && height.ptr == end;
     }
     if (!good || size.width < 1 || size.height < 1 || size.width > most || size.height > most)
-        refuse(option, text, "WxH, each from 1 to " + std::to_string(most) + ",");
+        refuse(option, text, std::string(form) + ", each from 1 to " + std::to_string(most) + ",");
     return size;
 }
 

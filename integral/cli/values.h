@@ -25,8 +25,8 @@ struct PixelSize {
     int width = 0, height = 0;
 };
 
-/// WxH, each from 1 to `most`.
-PixelSize parse_size(const char* option, const std::string& text, int most);
+/// WxH, each from 1 to `most`; `form` is what a complaint calls it.
+PixelSize parse_size(const char* option, const std::string& text, int most, const char* form = "WxH");
 
 } // namespace integral
 

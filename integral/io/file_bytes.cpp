@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/file_bytes.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -90,6 +93,16 @@ mode_t mode_for(const std::string& target)
     return 0666 & ~mask;
 }
 
+constexpr char unfinished_prefix[] = ".integral-";
+
+/// How the names end of the files that a process of this machine is making.
+std::string mark_of(long process)
+{
+    std::string host = host_name();
+    std::replace(host.begin(), host.end(), '/', '-');
+    return "." + host + "." + std::to_string(process);
+}
+
 void write_straight(const std::string& path, const std::string& bytes)
 {
     Descriptor file(path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY));
@@ -153,8 +166,9 @@ void write_file(const std::string& path, const std::string& bytes)
     if (path == "-" || is_special(path))
         return write_straight(path, bytes);
     const std::string target = target_of(path);
-    std::string beside = folder_of(target) + "/.integral-XXXXXX";
-    Descriptor file(mkstemp(&beside[0]));
+    const std::string random = "XXXXXX", name = unfinished_name(random);
+    std::string beside = folder_of(target) + "/" + name;
+    Descriptor file(mkstemps(&beside[0], int(name.size() - name.find(random) - random.size())));
     if (file.get() < 0)
         fail_to_write(path, errno);
 
@@ -175,6 +189,33 @@ void write_file(const std::string& path, const std::string& bytes)
     const Descriptor folder(open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY));
     if (folder.get() >= 0 && fsync(folder.get()) != 0)
         errno = 0;
+}
+
+std::string host_name()
+{
+    char name[256] = "";
+    gethostname(name, sizeof name - 1);
+    return name;
+}
+
+std::string unfinished_name(const std::string& name)
+{
+    return unfinished_prefix + name + mark_of(getpid());
+}
+
+void sweep_unfinished(const std::string& folder)
+{
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string(), number = name.substr(name.rfind('.') + 1);
+        if (name.rfind(unfinished_prefix, 0) != 0 || number.empty() || number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos)
+            continue;
+        const long process = std::atol(number.c_str());
+        const std::string mark = mark_of(process);
+        const bool ours = name.size() > mark.size() && name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
+        if (ours && process > 0 && kill(pid_t(process), 0) != 0 && errno == ESRCH)
+            unlink(entry.path().c_str());
+    }
 }
 
 void check_writable(const std::string& path)

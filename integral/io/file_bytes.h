@@ -36,6 +36,15 @@ std::string read_file(const std::string& path);
 /// written straight. Throws OutputError.
 void write_file(const std::string& path, const std::string& bytes);
 
+/// This machine's name.
+std::string host_name();
+
+/// The name under which this process may make a file of a folder before that gets its own: ".integral-NAME.HOST.PROCESS". write_file uses such names.
+std::string unfinished_name(const std::string& name);
+
+/// Takes away the files of such names in a folder whose makers were killed: of this machine alone, as a process of another cannot be asked.
+void sweep_unfinished(const std::string& folder);
+
 /// Throws OutputError if write_file(path, ...) must fail: its folder is missing or read-only.
 /// For use before long work.
 void check_writable(const std::string& path);

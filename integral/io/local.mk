@@ -12,6 +12,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/file_bytes.h \
   integral/io/image_file.cpp \
   integral/io/image_file.h \
+  integral/io/lined_json.cpp \
+  integral/io/lined_json.h \
   integral/io/markup.cpp \
   integral/io/markup.h \
   integral/io/plot.cpp \

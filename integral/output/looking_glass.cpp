@@ -2,6 +2,7 @@
 #include "integral/output/looking_glass.h"
 
 #include "integral/lightfield/geometry_json.h"
+#include "integral/lightfield/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,19 +69,24 @@ constexpr CellPattern cell_patterns[] = {CellPattern::same, CellPattern::checker
 constexpr const char* offsets[3][2] = {{"ROffsetX", "ROffsetY"}, {"GOffsetX", "GOffsetY"}, {"BOffsetX", "BOffsetY"}};
 
 /// The file counts rows from the bottom: it describes an upside-down panel whose +y points down.
-Subpixels cells_from(const JsonObject& calibration, int width, int height)
+Subpixels cells_from(const JsonObject& calibration, int width, int height, std::vector<std::string>& assumed)
 {
-    if (!calibration.has("subpixelCells") || calibration.at("subpixelCells").is_null())
-        return Subpixels::none;
-    const Json& cells = calibration.at("subpixelCells");
+    const bool listed = calibration.has("subpixelCells") && !calibration.at("subpixelCells").is_null();
+    const Json cells = listed ? calibration.at("subpixelCells") : Json::array();
     if (!cells.is_array())
         refuse(calibration.path_of("subpixelCells"), "must be a list of cells");
-    if (cells.empty())
+    const auto mode = optional_number(calibration, "CellPatternMode", -largest_figure, largest_figure);
+    if (cells.empty()) {
+        if (mode.value_or(0) != 0)
+            assumed.push_back("CellPatternMode is " + with_digits(*mode, 6) + ", but there are no subpixelCells: stripes of red, green and blue are taken");
         return Subpixels::none;
+    }
     Subpixels upside_down;
     upside_down.order = Subpixels::cells;
-    if (calibration.has("CellPatternMode"))
+    if (mode)
         upside_down.pattern = cell_patterns[whole(calibration, "CellPatternMode", 0, int(std::size(cell_patterns)) - 1)];
+    else if (cells.size() > 1)
+        assumed.push_back("CellPatternMode is missing: every pixel is taken to be as the first of subpixelCells");
     // More than the patterns tell apart are never used.
     upside_down.number = int(std::min<std::size_t>(cells.size(), Subpixels::most_cells));
     for (int k = 0; k < upside_down.number; ++k) {
@@ -105,7 +111,10 @@ LookingGlassCalibration calibration_from(const JsonObject& file)
     if (std::fabs(calibration.slope) < 0.01)
         refuse(file.path_of("slope"), "is too near to 0, which would be lenses that lie level");
     calibration.center = number(file, "center", -1e6, 1e6);
-    calibration.view_cone = optional_number(file, "viewCone", 0.1, 175).value_or(calibration.view_cone);
+    const auto view_cone = optional_number(file, "viewCone", 0.1, 175);
+    if (!view_cone)
+        calibration.assumed.push_back("viewCone is missing: " + with_digits(calibration.view_cone, 6) + " degrees are taken, and the viewing zone follows from them");
+    calibration.view_cone = view_cone.value_or(calibration.view_cone);
     calibration.vertical_angle = optional_number(file, "verticalAngle", -180, 180).value_or(0);
     calibration.fringe = optional_number(file, "fringe", -1e6, 1e6).value_or(0);
     calibration.dpi = number(file, "DPI", 1, 1e5);
@@ -115,7 +124,7 @@ LookingGlassCalibration calibration_from(const JsonObject& file)
     calibration.flip_x = flag(file, "flipImageX", false);
     calibration.flip_y = flag(file, "flipImageY", false);
     calibration.flip_subpixels = flag(file, "flipSubp", false);
-    calibration.cells = cells_from(file, calibration.width, calibration.height);
+    calibration.cells = cells_from(file, calibration.width, calibration.height, calibration.assumed);
     return calibration;
 }
 
@@ -126,7 +135,7 @@ LookingGlassCalibration looking_glass_from_json(const std::string& text)
     std::vector<Json> found;
     collect(parse_json(text), 0, found);
     if (found.empty())
-        throw std::invalid_argument("holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+        throw NoCalibration();
     if (found.size() > 1)
         throw std::invalid_argument("holds the calibrations of " + std::to_string(found.size()) + " displays; leave one");
     return calibration_from({found.front(), ""});

@@ -5,7 +5,9 @@
 
 #include "integral/optics/subpixels.h"
 
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace integral {
 
@@ -26,11 +28,18 @@ struct LookingGlassCalibration {
     bool flip_y = false;           ///< mirrored so; see view_of_subpixel
     bool flip_subpixels = false;   ///< flipSubp: blue is on the left
     Subpixels cells;               ///< of subpixelCells and CellPatternMode, on the display itself; none: the stripes of the formula
+    std::vector<std::string> assumed; ///< what its file should say of the display and does not, in a line each: "viewCone is missing: ..."
+};
+
+/// What is thrown of a document without any calibration.
+struct NoCalibration : std::invalid_argument {
+    static constexpr const char* wanted = "an object with pitch, slope, center, DPI, screenW and screenH";
+    NoCalibration() : std::invalid_argument(std::string("holds no calibration: ") + wanted) {}
 };
 
 /// Reads the file, its numbers plain or as {"value": x}; also what Looking Glass Bridge and HoloPlay Core wrap around it (lists of
-/// devices, the calibration a string of JSON within). Fields that it may lack have the defaults above.
-/// Throws std::invalid_argument naming the field, or where there are several displays' calibrations or none.
+/// devices, the calibration a string of JSON within). Fields that it may lack have the defaults above; what they decide is then in `assumed`.
+/// Throws std::invalid_argument naming the field, or where there are several displays' calibrations; NoCalibration where there is none.
 LookingGlassCalibration looking_glass_from_json(const std::string& text);
 
 /// A document that looking_glass_from_json reads back to the same doubles.

@@ -179,7 +179,12 @@ Panel panel_from_json(const std::string& text)
     for (const char* const field : {"panel", "sheet", "aperture", "viewing_distance_mm", "ior"})
         if (json.is_object() && json.contains(field))
             return read_document({json, ""});
-    return panel_from(looking_glass_from_json(text));
+    try {
+        return panel_from(looking_glass_from_json(text));
+    } catch (const NoCalibration&) {
+        throw std::invalid_argument(std::string("holds neither a panel's description: an object with panel, sheet and viewing_distance_mm, "
+                                                "nor a Looking Glass calibration: ") + NoCalibration::wanted);
+    }
 }
 
 std::string to_json(const Panel& panel)

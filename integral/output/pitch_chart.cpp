@@ -96,18 +96,23 @@ std::string bias_line(const PitchChart& chart, double nearest)
     return "The lenses' own pitch is less than the even bar's, by " + less + ". Even under the nominal sheet: " + even + "; " + end;
 }
 
-/// Throws where a page has no room; `what` it is for.
-void demand_room(double have, double need, const char* side, const std::string& what)
+/// Throws where a page, or a panel, has no room; `what` it is for.
+void demand_room(const PitchChart& chart, double have, double need, const char* side, const std::string& what)
 {
-    if (have < need)
-        throw std::invalid_argument("the page is too " + std::string(side) + " for " + what + ": " + with_decimals(need - have, 1) +
-                                    " mm more are needed; take a larger page" + (what.find("bars") != std::string::npos ? " or fewer bars" : ""));
+    if (have >= need)
+        return;
+    const bool paper = chart.panel.empty();
+    const std::string bars = what.find("bars") != std::string::npos ? " or fewer bars" : "";
+    throw std::invalid_argument("the " + std::string(paper ? "page" : "panel") + " is too " + side + " for " + what + ": " + with_decimals(need - have, 1) +
+                                " mm more are needed; " +
+                                (paper ? "take a larger page" + bars
+                                       : "the card of views has room: from the viewing distance one number fills the panel where the pitch is right"));
 }
 
 Layout layout_of(const PitchChart& chart)
 {
     const double width = chart.film.width * chart.film.pixel_pitch.x, height = chart.film.height * chart.film.pixel_pitch.y, inner = width - 2 * margin;
-    demand_room(width, 2 * margin + 2 * label + 10, "narrow", "a chart");
+    demand_room(chart, width, 2 * margin + 2 * label + 10, "narrow", "a chart");
     Layout layout;
     layout.blocks = directions_of(chart.sheet);
     layout.title = wrapped(title_of(chart), inner, title);
@@ -140,9 +145,9 @@ void add_bars(const PitchChart& chart, const Block& block, int number, std::vect
     const int count = chart.scale.bars;
     const double across = block.upright ? block.width : block.height, along = (block.upright ? block.height : block.width) - 2 * label;
     const double two_dimensional = chart.sheet.arrangement == Arrangement::lenticular ? 0 : 2 * chart.sheet.pitch;
-    demand_room(across, count * std::max(least_bar, two_dimensional) / bar_share, block.upright ? "narrow" : "low",
+    demand_room(chart, across, count * std::max(least_bar, two_dimensional) / bar_share, block.upright ? "narrow" : "low",
                 std::to_string(count) + " bars");
-    demand_room(along, least_periods * film_pitch(chart.scale, count), block.upright ? "low" : "narrow", "lines of this pitch");
+    demand_room(chart, along, least_periods * film_pitch(chart.scale, count), block.upright ? "low" : "narrow", "lines of this pitch");
     const double space = across / count;
     const Vec2 middle{block.left + block.width / 2, block.top + block.height / 2};
     const Vec2 origin = film_from_pixel(film, {middle.x / film.pixel_pitch.x, middle.y / film.pixel_pitch.y});

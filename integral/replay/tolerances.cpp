@@ -1,104 +1,38 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/tolerances.h"
 
+#include "integral/io/lined_json.h"
 #include "integral/lightfield/number_text.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fnmatch.h>
-#include <iterator>
-#include <map>
 #include <stdexcept>
 
 namespace integral {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Path = std::vector<std::string>;
 
 [[noreturn]] void refuse(int line, const std::string& what)
 {
     throw std::invalid_argument("line " + std::to_string(line) + ": " + what);
 }
 
-/// A text's characters; counts the lines that it has passed.
-struct CountingIterator {
-    using iterator_category = std::input_iterator_tag;
-    using value_type = char;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const char*;
-    using reference = const char&;
-    const char* at;
-    int* line;
-    const char& operator*() const { return *at; }
-    CountingIterator& operator++()
-    {
-        *line += *at == '\n';
-        ++at;
-        return *this;
-    }
-    CountingIterator operator++(int)
-    {
-        const CountingIterator before = *this;
-        ++*this;
-        return before;
-    }
-    friend bool operator==(CountingIterator a, CountingIterator b) { return a.at == b.at; }
-    friend bool operator!=(CountingIterator a, CountingIterator b) { return a.at != b.at; }
-};
-
-/// The document, and where its fields stand.
-struct Document {
-    Json json;
-    std::map<Path, int> lines;
-    std::vector<std::pair<Path, int>> repeated; ///< fields that are there already
-
-    explicit Document(const std::string& text)
-    {
-        int line = 1;
-        Path path;
-        const auto note_keys = [&](int depth, Json::parse_event_t event, Json& parsed) {
-            if (event == Json::parse_event_t::key) {
-                path.resize(std::size_t(depth - 1));
-                path.push_back(parsed.get<std::string>());
-                if (!lines.emplace(path, line).second)
-                    repeated.emplace_back(path, line);
-            }
-            return true;
-        };
-        try {
-            json = Json::parse(CountingIterator{text.data(), &line}, CountingIterator{text.data() + text.size(), &line}, note_keys);
-        } catch (const nlohmann::json::parse_error&) {
-            refuse(line, "this is not JSON");
-        } catch (const nlohmann::json::exception&) {
-            refuse(line, "a number is out of range");
-        }
-    }
-
-    int line_of(const Path& path) const
-    {
-        const auto found = lines.find(path);
-        return found == lines.end() ? 1 : found->second;
-    }
-};
-
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-const Json& object_at(const Document& document, const Path& path, const Json& json)
+/// A value that must be an object; `name` is the field's.
+const Json& object_at(int line, const std::string& name, const Json& json)
 {
     if (!json.is_object())
-        refuse(document.line_of(path), (path.empty() ? "the document" : quoted(path.back())) + " must be an object, { ... }");
+        refuse(line, name + " must be an object, { ... }");
     return json;
 }
 
-std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const Document& document, const Path& path, const Json& json)
+std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const LinedJson& document, const std::string& pointer, const std::string& name, const Json& json)
 {
     std::vector<std::pair<std::size_t, std::optional<double>>> limits;
-    for (const auto& [word, value] : object_at(document, path, json).items()) {
-        Path field = path;
-        field.push_back(word);
-        const int line = document.line_of(field);
+    for (const auto& [word, value] : object_at(document.line_of(pointer), quoted(name), json).items()) {
+        const int line = document.line_of(pointer + pointer_part(word));
         std::size_t kind = 0;
         while (kind < limit_count && word != limit_kinds[kind].word)
             ++kind;
@@ -106,7 +40,7 @@ std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const Docum
             std::string words;
             for (const LimitKind& known : limit_kinds)
                 words += std::string(words.empty() ? "" : ", ") + known.word;
-            refuse(line, quoted(word) + " in " + quoted(path.back()) + " is unknown; there are: " + words);
+            refuse(line, quoted(word) + " in " + quoted(name) + " is unknown; there are: " + words);
         }
         const double least = limit_kinds[kind].least, greatest = limit_kinds[kind].greatest;
         if (!value.is_null() && !(value.is_number() && value.get<double>() >= least && value.get<double>() <= greatest))
@@ -121,23 +55,28 @@ std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const Docum
 
 Tolerances tolerances_from_json(const std::string& text)
 {
-    const Document document(text);
+    LinedJson document;
+    try {
+        document = parse_lined_json(text);
+    } catch (const LinedJsonError& error) {
+        refuse(error.line, error.what());
+    }
     Tolerances tolerances;
-    for (const auto& [word, value] : object_at(document, {}, document.json).items()) {
+    for (const auto& [word, value] : object_at(document.line_of(""), "the document", document.json).items()) {
+        const std::string pointer = pointer_part(word);
+        const int line = document.line_of(pointer);
         if (word == "defaults") {
-            for (const auto& [kind, limit] : limits_at(document, {word}, value))
+            for (const auto& [kind, limit] : limits_at(document, pointer, word, value))
                 tolerances.defaults[kind] = limit;
         } else if (word == "files") {
-            for (const auto& [pattern, limits] : object_at(document, {word}, value).items()) {
-                const Path path = {word, pattern};
-                tolerances.entries.push_back({pattern, document.line_of(path), limits_at(document, path, limits)});
+            for (const auto& [pattern, limits] : object_at(line, quoted(word), value).items()) {
+                const std::string entry = pointer + pointer_part(pattern);
+                tolerances.entries.push_back({pattern, document.line_of(entry), limits_at(document, entry, pattern, limits)});
             }
         } else {
-            refuse(document.line_of({word}), quoted(word) + " is unknown; there are: defaults, files");
+            refuse(line, quoted(word) + " is unknown; there are: defaults, files");
         }
     }
-    if (!document.repeated.empty())
-        refuse(document.repeated.front().second, quoted(document.repeated.front().first.back()) + " is there twice");
     return tolerances;
 }
 

@@ -10,8 +10,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -129,6 +131,7 @@ BOOST_AUTO_TEST_CASE(records_come_back)
     record.seconds = 0.1;
     record.error = 1.0 / 3;
     record.reason = "a \"reason\"\xff";
+    record.remark = "a remark";
     write_record(path, record);
     const StepRecord back = read_record(path);
     BOOST_TEST(int(back.state) == int(StepState::done));
@@ -137,6 +140,13 @@ BOOST_AUTO_TEST_CASE(records_come_back)
     BOOST_TEST(back.seconds == 0.1);
     BOOST_TEST(*back.error == 1.0 / 3);
     BOOST_TEST(back.reason.substr(0, 10) == "a \"reason\"");
+    BOOST_TEST(back.remark == "a remark");
+    const std::string earlier = read_file(path); // as records were before they had remarks
+    const auto comma = earlier.find(",\n \"remark\"");
+    BOOST_REQUIRE(comma != std::string::npos);
+    write_file(path, earlier.substr(0, comma) + "\n}\n");
+    BOOST_TEST(read_record(path).starts == 3);
+    BOOST_TEST(read_record(path).remark == "");
     for (const char* broken : {"", "{", "[]", "{\"state\": 3}", "null"}) {
         write_file(path, broken);
         BOOST_TEST(int(read_record(path).state) == int(StepState::none), broken);
@@ -169,6 +179,47 @@ BOOST_AUTO_TEST_CASE(published_between_record_and_place)
     BOOST_TEST(!is_done(batch, step, record, "i"));
     std::filesystem::remove(batch.output(step));
     BOOST_TEST(!is_done(batch, step, record, "i"));
+}
+
+BOOST_AUTO_TEST_CASE(published_while_another_looks)
+{
+    // A process that waits for a step puts its output in place itself, where it finds the record first: neither is to fail.
+    const Folder folder;
+    BatchStep step;
+    step.name = "frame.a";
+    step.output = "frames/a.png";
+    BatchPlan plan;
+    plan.steps.push_back(step);
+    const BatchFolder batch = make_batch_folder(folder.path + "/out", plan);
+    int failures = 0;
+    for (int round = 0; round < 100; ++round) {
+        const std::string inputs = std::to_string(round);
+        const pid_t child = fork();
+        if (child == 0) {
+            alarm(60);
+            try {
+                while (!is_done(batch, step, read_record(batch.record(step)), inputs))
+                    ;
+                _exit(0);
+            } catch (const OutputError&) {
+                _exit(1);
+            }
+        }
+        StepRecord record;
+        record.inputs = inputs;
+        try {
+            std::filesystem::create_directories(batch.work(step));
+            write_file(batch.made(step), inputs);
+            publish(batch, step, record);
+        } catch (const OutputError&) {
+            ++failures;
+        }
+        int status = 1;
+        waitpid(child, &status, 0);
+        failures += status != 0;
+        BOOST_TEST(read_file(batch.output(step)) == inputs);
+    }
+    BOOST_TEST(failures == 0);
 }
 
 BOOST_AUTO_TEST_CASE(only_whole_pictures)
@@ -209,13 +260,55 @@ BOOST_AUTO_TEST_CASE(one_holder_of_a_lock)
     BOOST_REQUIRE(status == 0);
     BOOST_TEST(std::filesystem::exists(path));
     BOOST_TEST(first.take(path, holder));
-    // What one that was killed while it took a lock has left.
-    folder.write("lock." + host_name() + "." + std::to_string(child), "");
-    folder.write("lock." + host_name() + ".x", "");
-    sweep_locks(folder.path + "/");
-    BOOST_TEST(!std::filesystem::exists(path + "." + host_name() + "." + std::to_string(child)));
-    BOOST_TEST(std::filesystem::exists(path + "." + host_name() + ".x"));
-    BOOST_TEST(std::filesystem::exists(path));
+}
+
+BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
+{
+    const Folder folder;
+    const auto unfinished = [&] {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path))
+            if (entry.path().filename().string().rfind(".integral-", 0) == 0)
+                names.push_back(entry.path().filename());
+        return names;
+    };
+    // One that is killed in the midst of a file: by a limit on how long files may be.
+    const pid_t child = fork();
+    if (child == 0) {
+        const rlimit no_core{0, 0}, no_more{100, 100};
+        std::signal(SIGXFSZ, SIG_DFL);
+        setrlimit(RLIMIT_CORE, &no_core);
+        setrlimit(RLIMIT_FSIZE, &no_more);
+        write_file(folder.path + "/record", std::string(1000, 'x'));
+        _exit(0);
+    }
+    BOOST_REQUIRE(child > 0);
+    const auto end = [](pid_t process) { // a zombie, as yet
+        siginfo_t information;
+        return waitid(P_PID, id_t(process), &information, WEXITED | WNOWAIT) == 0 && information.si_code != CLD_EXITED;
+    };
+    BOOST_REQUIRE(end(child));
+    BOOST_REQUIRE(unfinished().size() == 1);
+    BOOST_TEST(unfinished()[0].substr(16) == "." + host_name() + "." + std::to_string(child));
+    sweep_unfinished(folder.path);
+    BOOST_TEST(unfinished().size() == 1); // nobody says yet that it has ended
+    waitpid(child, nullptr, 0);
+    sweep_unfinished(folder.path);
+    BOOST_TEST(unfinished().empty());
+    BOOST_TEST(!std::filesystem::exists(folder.path + "/record"));
+    // What is another's, or may be.
+    const std::string dead = "." + host_name() + "." + std::to_string(child);
+    const std::vector<std::string> others = {unfinished_name("abcdef"), ".integral-abcdef." + host_name() + ".1", ".integral-abcdef.else" + host_name() + "." + std::to_string(child),
+                                             ".integral-abcdef", "notes" + dead, ".integral-abcdef" + dead + ".json", ".integral-abcdef" + dead + "x",
+                                             ".integral-abcdef." + host_name() + ".", ".integral-abcdef." + host_name() + ".0", ".integral-abcdef." + host_name() + ".4294967296"};
+    for (const std::string& name : others)
+        folder.write(name, "");
+    folder.write(".integral-lock" + dead, "");
+    sweep_unfinished(folder.path);
+    for (const std::string& name : others)
+        BOOST_TEST(std::filesystem::exists(folder.path + "/" + name), name);
+    BOOST_TEST(!std::filesystem::exists(folder.path + "/.integral-lock" + dead));
+    sweep_unfinished(folder.path + "/none");
 }
 
 BOOST_AUTO_TEST_CASE(many_processes_one_lock)
@@ -256,6 +349,8 @@ BOOST_AUTO_TEST_CASE(json_knows_its_lines)
     BOOST_TEST(refusal("{\n\"a\": 1,\n}").rfind("m.json:3: this is no JSON: ", 0) == 0);
     BOOST_TEST(refusal("[]") == "m.json:1: an object {...} is expected, of the fields a, b");
     BOOST_TEST(refusal("").rfind("m.json:1: this is no JSON: ", 0) == 0);
+    BOOST_TEST(refusal("{\n\"a\": 1e999}") == "m.json:2: a number is out of range");
+    BOOST_TEST(refusal("\n" + std::string(100000, '[')) == "m.json:2: this is nested more than 100 deep");
     const Located root = Located::parse("m.json", "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
     BOOST_TEST(root.field("x/y").list()[1].line() == 3);
     BOOST_TEST(root.field("z").field("k").line() == 7);

@@ -134,6 +134,30 @@ BOOST_AUTO_TEST_CASE(fields_that_older_files_lack)
     BOOST_TEST(calibration.inverted_views);
 }
 
+BOOST_AUTO_TEST_CASE(what_a_file_should_say_and_does_not_is_told)
+{
+    const auto told = [](const std::string& more) {
+        std::string all;
+        const std::string file = R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600)" + more + "}";
+        for (const std::string& what : looking_glass_from_json(file).assumed)
+            all += what + "\n";
+        return all;
+    };
+    const std::string cone = R"(, "viewCone": 40)", cell = R"({"ROffsetX": 0, "ROffsetY": 0.25, "GOffsetX": 0, "GOffsetY": 0, "BOffsetX": 0, "BOffsetY": 0})";
+    const std::string one = cone + R"(, "subpixelCells": [)" + cell + "]", two = cone + R"(, "subpixelCells": [)" + cell + ", " + cell + "]";
+    for (const Device& device : variants())
+        BOOST_TEST(looking_glass_from_json(file_of(device, {})).assumed.empty(), device.name);
+    BOOST_TEST(told(cone) == "");
+    BOOST_TEST(told("") == "viewCone is missing: 40 degrees are taken, and the viewing zone follows from them\n");
+    BOOST_TEST(told(cone + R"(, "CellPatternMode": 0, "subpixelCells": [])") == "");
+    for (const char* const without : {"", R"(, "subpixelCells": [])", R"(, "subpixelCells": null)"})
+        BOOST_TEST(told(cone + R"(, "CellPatternMode": {"value": 4})" + without) ==
+                   "CellPatternMode is 4, but there are no subpixelCells: stripes of red, green and blue are taken\n");
+    BOOST_TEST(told(one) == "");
+    BOOST_TEST(told(two) == "CellPatternMode is missing: every pixel is taken to be as the first of subpixelCells\n");
+    BOOST_TEST(told(two + R"(, "CellPatternMode": 1)") == "");
+}
+
 BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
 {
     const std::string whole = file_of(devices()[8], {});

@@ -143,7 +143,9 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
     BOOST_TEST(refusal("{\"viewing_distance_mm\": 800, \"calibration\": {\"pitch\": 3}}") ==
                "calibration: holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
     BOOST_TEST(refusal(file_of(devices()[3], {false, false, false, false})) == "invView is 0: views that run with the phase are not those of lenses");
-    BOOST_TEST(refusal("[]") == "holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+    for (const char* const nothing : {"{}", "[]", "\"panel\"", R"({"pannel": {"width": 3}})"})
+        BOOST_TEST(refusal(nothing) == "holds neither a panel's description: an object with panel, sheet and viewing_distance_mm, nor a Looking Glass "
+                                       "calibration: an object with pitch, slope, center, DPI, screenW and screenH");
 }
 
 BOOST_AUTO_TEST_CASE(malformed_descriptions_are_refused_in_words)

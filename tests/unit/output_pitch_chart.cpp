@@ -190,6 +190,13 @@ BOOST_AUTO_TEST_CASE(charts_that_have_no_room_are_refused)
     refused(chart_of(Arrangement::lenticular, 0.1, 0, {300, 300}, {150, 100}, {0.1, 0.001, 10}), "less than 2 pixels");
     refused(chart_of(Arrangement::lenticular, 1.27, 0, {300, 300}, {150, 100}, {1.27, 0, 10}), "greater than 0");
     refused(chart_of(Arrangement::lenticular, 1.27, 0, {300, 300}, {150, 100}, {1.27, 0.1, 0}), "greater than 0");
+    // A panel cannot be made larger.
+    for (const Vec2 size : {Vec2{50, 100}, Vec2{150, 60}}) {
+        PitchChart chart = chart_of(Arrangement::lenticular, 1.27, 0, {300, 300}, size, scale);
+        chart.panel = "mine";
+        refused(chart, "the panel is too ");
+        refused(chart, " mm more are needed; the card of views has room");
+    }
 }
 
 namespace {

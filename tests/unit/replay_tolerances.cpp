@@ -87,13 +87,13 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
     for (const char* bad : {"-0.1", "\"1\"", "true", "[]", "{}", "1e7"})
         BOOST_TEST(refusal(std::string("{\"defaults\":\n{\"max_rmse\": ") + bad + "}}") == "line 2: \"max_rmse\"" + number);
     BOOST_TEST(refusal("{\"defaults\": {\"min_ssim\": 1.01}}") == "line 1: \"min_ssim\" must be a number from -1 to 1, or null for no limit");
-    BOOST_TEST(refusal("{\"files\": {\"a\": {},\n\"b\": {},\n\"a\": {}}}") == "line 3: \"a\" is there twice");
-    BOOST_TEST(refusal("{\"files\": {\"a\": {\"max_rmse\": 1,\n\"max_rmse\": 2}}}") == "line 2: \"max_rmse\" is there twice");
+    BOOST_TEST(refusal("{\"files\": {\"a\": {},\n\"b\": {},\n\"a\": {}}}") == "line 3: the field a stands twice in one object");
+    BOOST_TEST(refusal("{\"files\": {\"a\": {\"max_rmse\": 1,\n\"max_rmse\": 2}}}") == "line 2: the field max_rmse stands twice in one object");
     BOOST_TEST(refusal("{\"files\": {\"a\": {\"max_rmse\": 1}, \"b\": {\"max_rmse\": 1}}}") == "");
-    BOOST_TEST(refusal("{\n\n\"files\": {,}\n}\n") == "line 3: this is not JSON");
-    BOOST_TEST(refusal("") == "line 1: this is not JSON");
+    BOOST_TEST(refusal("{\n\n\"files\": {,}\n}\n") == "line 3: this is no JSON: unexpected ','; expected string literal");
+    BOOST_TEST(refusal("") == "line 1: this is no JSON: unexpected end of input; expected '[', '{', or a literal");
     BOOST_TEST(refusal("{\n\"defaults\": {\"max_rmse\": 1e999}}") == "line 2: a number is out of range");
-    BOOST_TEST(refusal(std::string(100000, '[')) == "line 1: this is not JSON");
+    BOOST_TEST(refusal(std::string(100000, '[')) == "line 1: this is nested more than 100 deep");
 }
 
 BOOST_AUTO_TEST_CASE(figures_against_limits)
