@@ -154,15 +154,34 @@ BOOST_AUTO_TEST_CASE(records_come_back)
     }
 }
 
+/// A batch's folder with one step.
+struct OneStep {
+    Folder folder;
+    BatchStep step;
+    BatchFolder batch;
+
+    OneStep() : step(named()), batch(make_batch_folder(folder.path + "/out", plan_of(step))) {}
+
+    static BatchStep named()
+    {
+        BatchStep step;
+        step.name = "frame.a";
+        step.output = "frames/a.png";
+        return step;
+    }
+    static BatchPlan plan_of(const BatchStep& step)
+    {
+        BatchPlan plan;
+        plan.steps.push_back(step);
+        return plan;
+    }
+};
+
 BOOST_AUTO_TEST_CASE(published_between_record_and_place)
 {
-    const Folder folder;
-    BatchStep step;
-    step.name = "frame.a";
-    step.output = "frames/a.png";
-    BatchPlan plan;
-    plan.steps.push_back(step);
-    const BatchFolder batch = make_batch_folder(folder.path + "/out", plan);
+    const OneStep one;
+    const BatchStep& step = one.step;
+    const BatchFolder& batch = one.batch;
     std::filesystem::create_directories(batch.work(step));
     write_file(batch.made(step), "picture");
     StepRecord record;
@@ -184,13 +203,9 @@ BOOST_AUTO_TEST_CASE(published_between_record_and_place)
 BOOST_AUTO_TEST_CASE(published_while_another_looks)
 {
     // A process that waits for a step puts its output in place itself, where it finds the record first: neither is to fail.
-    const Folder folder;
-    BatchStep step;
-    step.name = "frame.a";
-    step.output = "frames/a.png";
-    BatchPlan plan;
-    plan.steps.push_back(step);
-    const BatchFolder batch = make_batch_folder(folder.path + "/out", plan);
+    const OneStep one;
+    const BatchStep& step = one.step;
+    const BatchFolder& batch = one.batch;
     int failures = 0;
     for (int round = 0; round < 100; ++round) {
         const std::string inputs = std::to_string(round);
