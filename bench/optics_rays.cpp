@@ -5,7 +5,7 @@
 //
 // optics_rays                     the table
 // optics_rays SHEET MAPPING       one pass of one of them, for a profiler: square accurate
-#include "integral/optics/camera.h"
+#include "integral/optics/pixel_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +74,33 @@ Pass integral_rays(const IntegralCamera& camera)
     return pass;
 }
 
+/// The same, as many side by side as can be.
+Pass rays_in_runs(const IntegralCamera& camera)
+{
+    const PixelRuns runs(camera);
+    Pass pass{-cpu_seconds(), 0, 0};
+    PixelRun run;
+    for (int j = 0; j < height; j += row_step)
+        for (int i = 0; i < width; ++i) {
+            const int k = i % PixelRun::pixels;
+            if (k == 0)
+                runs.work_out({i + 0.5, j + 0.5}, run);
+            SightLine line;
+            if (run.given[k])
+                line = run.line[k];
+            else {
+                const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, {i + 0.5, j + 0.5}), camera.mapping);
+                if (!mapped.ray)
+                    continue;
+                line = sight_line(camera, pole_beam(*mapped.ray));
+            }
+            pass.sum += line.direction.x + line.origin.x;
+            ++pass.traced;
+        }
+    pass.seconds += cpu_seconds();
+    return pass;
+}
+
 /// The mapping as it is defined, without a thought of which lenses can matter: every lens of the sheet is asked. Of some of
 /// the sheet's points only, as it is slow.
 Pass every_lens(const IntegralCamera& camera, long& unlike_accurate)
@@ -117,22 +144,35 @@ void keep(Pass& best, const Pass& pass)
         best = pass;
 }
 
+/// A line of the table: a pass, beside the perspective camera's and closest's.
+void print_pass(int arrangement, double slant, const char* mapping, const Pass& pass, const Pass& straight, const Pass& closest)
+{
+    const double per_point = pass.seconds / closest.seconds;
+    std::printf("%-10s%6.2f  %-16s %9.2f %8.1f%% %9.2f %11.3f %11.3f\n", sheet_names[arrangement], slant, mapping, points / pass.seconds / 1e6,
+                100 * pass.traced / points, pass.seconds / straight.seconds, per_point, per_point * closest.traced / pass.traced);
+}
+
 void print_sheet(int arrangement, double slant)
 {
-    Pass best[mapping_count], straight = perspective();
+    Pass best[mapping_count], in_runs[2], straight = perspective();
+    const bool runs = PixelRuns(camera_of(arrangement, slant, LensMapping::closest)).possible();
+    const auto pass_of = [&](int m) { return integral_rays(camera_of(arrangement, slant, mappings[m])); };
+    const auto run_of = [&](int m) { return rays_in_runs(camera_of(arrangement, slant, mappings[m])); };
     for (int m = 0; m < mapping_count; ++m)
-        best[m] = integral_rays(camera_of(arrangement, slant, mappings[m]));
+        best[m] = pass_of(m);
+    for (int m = 0; m < 2 && runs; ++m)
+        in_runs[m] = run_of(m);
     for (int round = 1; round < rounds; ++round) {
         keep(straight, perspective());
         for (int m = 0; m + 1 < mapping_count; ++m) // once is enough for the slow one
-            keep(best[m], integral_rays(camera_of(arrangement, slant, mappings[m])));
+            keep(best[m], pass_of(m));
+        for (int m = 0; m < 2 && runs; ++m)
+            keep(in_runs[m], run_of(m));
     }
     for (int m = 0; m < mapping_count; ++m) {
-        const Pass& pass = best[m];
-        const double per_point = pass.seconds / best[0].seconds;
-        std::printf("%-10s%6.2f  %-10s %9.2f %8.1f%% %9.2f %11.3f %11.3f\n", sheet_names[arrangement], slant, mapping_names[m],
-                    points / pass.seconds / 1e6, 100 * pass.traced / points, pass.seconds / straight.seconds, per_point,
-                    per_point * best[0].traced / pass.traced);
+        print_pass(arrangement, slant, mapping_names[m], best[m], straight, best[0]);
+        if (m < 2 && runs)
+            print_pass(arrangement, slant, m == 0 ? "closest, in runs" : "auto, in runs", in_runs[m], straight, best[0]);
     }
     long unlike = 0;
     const Pass all = every_lens(camera_of(arrangement, slant, LensMapping::accurate), unlike);
@@ -164,8 +204,8 @@ int main(int argc, char** argv)
         return 0;
     }
     std::printf("camera rays alone, one core, %d x %d pixels, every %dth row\n\n", width, height, row_step);
-    std::printf("%-10s%6s  %-10s %9s %9s %9s %11s %11s\n", "", "", "", "", "", "cost to", "to closest:", "");
-    std::printf("%-10s%6s  %-10s %9s %9s %9s %11s %11s\n", "sheet", "slant", "mapping", "Mpoint/s", "traced", "persp.", "a point", "a ray");
+    std::printf("%-10s%6s  %-16s %9s %9s %9s %11s %11s\n", "", "", "", "", "", "cost to", "to closest:", "");
+    std::printf("%-10s%6s  %-16s %9s %9s %9s %11s %11s\n", "sheet", "slant", "mapping", "Mpoint/s", "traced", "persp.", "a point", "a ray");
     for (int arrangement = 0; arrangement < 3; ++arrangement)
         for (const double slant : {0.0, 9.46})
             print_sheet(arrangement, slant);

@@ -94,6 +94,7 @@ unit_sources = \
   tests/unit/optics_oracle.h \
   tests/unit/optics_properties.cpp \
   tests/unit/optics_properties.h \
+  tests/unit/optics_pixel_run.cpp \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h \
   tests/unit/optics_subpixels.cpp \

@@ -16,6 +16,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/lens_sheet.cpp \
   integral/optics/lens_sheet.h \
   integral/optics/lens_surface.h \
+  integral/optics/pixel_run.cpp \
+  integral/optics/pixel_run.h \
   integral/optics/refraction.h \
   integral/optics/slit.cpp \
   integral/optics/slit.h \

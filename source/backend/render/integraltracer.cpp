@@ -27,6 +27,12 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     containers.Choose(*block->optics, scene, thread);
     counts_error = block->error.wanted && !block->audit;
     one_ray = block->sampler->gives_one_ray();
+    runs.reset();
+    if (one_ray)
+        runs.emplace(*block->optics);
+    if (runs && !runs->possible())
+        runs.reset();
+    run_y = last_y = -1;
     std::lock_guard<std::mutex> lock(block->counts->mutex);
     tally = &block->counts->tallies.emplace_back();
     block->counts->containers = containers.Number();
@@ -67,17 +73,42 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
     return imaged = !rays.empty();
 }
 
+/// Where the pixel is in `run`, which is worked out anew where pixels come one after the other; -1: not in it.
+int IntegralTracer::Place_In_Run(DBL x, DBL y)
+{
+    const bool next = y == last_y && x == last_x + 1;
+    last_x = x;
+    last_y = y;
+    if (!runs)
+        return -1;
+    for (int k = 0; k < integral::PixelRun::pixels && y == run_y; k++)
+        if (x == run_x + k)
+            return k;
+    if (!next)
+        return -1;
+    run_x = x;
+    run_y = y;
+    runs->work_out({x + 0.5, y + 0.5}, run);
+    return 0;
+}
+
 /// The same where a pixel has one ray, which it makes, too.
 bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length)
 {
     integral::PixelOutcome outcome;
-    const auto seen = block->sampler->one_ray({x + 0.5, y + 0.5}, outcome);
-    imaged = seen.has_value();
+    const int place = Place_In_Run(x, y);
+    if (place >= 0 && run.given[place])
+    {
+        outcome.film_points = outcome.imaged = 1;
+        outcome.lens = run.lens[place];
+        Make_Ray(ray, run.line[place], pretrace, length);
+    }
+    else if (const auto seen = block->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
+        Make_Ray(ray, *seen, pretrace, length);
+    imaged = outcome.imaged > 0;
     lens = outcome.lens;
     if (counted)
         Count(outcome, imaged);
-    if (imaged)
-        Make_Ray(ray, *seen, pretrace, length);
     return imaged;
 }
 
@@ -88,16 +119,20 @@ void IntegralTracer::Refine(int x, int y, bool alike)
     refined = Light();
 }
 
-/// The one ray that sees along a beam's line what the viewer would.
-void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const
+/// The one ray that sees along a line what the viewer would.
+void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pretrace, DBL& length) const
 {
-    const integral::SightLine line = integral::sight_line(*block->optics, beam);
     ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
     Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
     Make_Vector(ray.Direction, line.direction.x, line.direction.y, line.direction.z);
     if (!containers.None() && !containers.Left_To_POV())
         containers.Tell(ray, thread);
     length = line.length;
+}
+
+void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const
+{
+    Make_Ray(ray, integral::sight_line(*block->optics, beam), pretrace, length);
 }
 
 void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)

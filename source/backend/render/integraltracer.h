@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "backend/frame.h"
 #include "backend/render/integralcontainers.h"
 #include "backend/render/integralsurfaces.h"
 #include "integral/lightfield/pixel_sampler.h"
+#include "integral/optics/pixel_run.h"
 
 namespace pov
 {
@@ -75,7 +77,9 @@ class IntegralTracer
         bool Choose_Rays(DBL x, DBL y, bool counted);
         bool Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
         void Count(const integral::PixelOutcome& outcome, std::size_t traced) const;
+        int Place_In_Run(DBL x, DBL y);
         void Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const;
+        void Make_Ray(Ray& ray, const integral::SightLine& line, bool pretrace, DBL& length) const;
         void Count_Error(DBL y, const Light& light);
 
         std::shared_ptr<const IntegralBlock> block;
@@ -93,6 +97,10 @@ class IntegralTracer
         std::uint32_t sample_index = 0;
         bool active = false, counts_error = false;
         bool one_ray = false;                 ///< at most, each pixel has
+        std::optional<integral::PixelRuns> runs; ///< of such pixels, if they can be had side by side
+        integral::PixelRun run;               ///< the one that was worked out last
+        DBL run_x = 0, run_y = -1;            ///< its first pixel; none as yet
+        DBL last_x = 0, last_y = -1;          ///< the last pixel that was asked for
 };
 
 template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace)
