@@ -44,26 +44,50 @@ Columns sobol_columns()
 
 const Columns columns = sobol_columns();
 
+std::uint32_t sobol_bits(int dimension, std::uint32_t index)
+{
+    std::uint32_t x = 0;
+    for (int bit = 0; index >> bit; ++bit)
+        x ^= index >> bit & 1 ? columns[dimension][bit] : 0;
+    return x;
+}
+
+/// The sequence's first points.
+using FirstPoints = std::array<std::array<std::uint32_t, 256>, dimensions_at_most>;
+FirstPoints sobol_points()
+{
+    FirstPoints points;
+    for (int k = 0; k < dimensions_at_most; ++k)
+        for (std::uint32_t index = 0; index < points[k].size(); ++index)
+            points[k][index] = sobol_bits(k, index);
+    return points;
+}
+
+const FirstPoints first_points = sobol_points();
+
+/// A coordinate of point `index`, as 32 bits below the point.
+std::uint32_t coordinate_bits(int dimension, std::uint32_t index)
+{
+    return index < first_points[0].size() ? first_points[dimension][index] : sobol_bits(dimension, index);
+}
+
 /// A coordinate of point `index` of the sequence's first 2^bits, scrambled as a whole (Owen 1995): each of its bits
 /// is flipped or not by the flip of a coin, another one for each value of the bits above it. What is below them is random.
 double scrambled_coordinate(std::uint64_t key, int dimension, std::uint32_t index, int bits)
 {
-    std::uint32_t x = 0;
-    for (int bit = 0; index >> bit; ++bit)
-        if (index >> bit & 1)
-            x ^= columns[dimension][bit];
-    std::uint64_t flips = 0, above = 1, scrambled_x = 0; // above: 1, followed by the bits above the next one
-    unsigned coin = 0; // which of 64 for the values of up to 5 bits
-    for (int bit = 0; bit < bits; ++bit) {
-        if (bit % 6 == 0) {
-            flips = scrambled(key ^ above);
-            coin = 1;
-        }
-        const unsigned own = x >> (31 - bit) & 1;
-        scrambled_x = 2 * scrambled_x + (own ^ (flips >> coin & 1));
-        above = 2 * above + own;
-        coin = 2 * coin + own;
+    constexpr int at_once = 6; // bits whose 63 coins are the lower of one number: coin 1 of the first, 2 and 3 of the second, ...
+    const std::uint64_t x = std::uint64_t(coordinate_bits(dimension, index)) << 32;
+    std::uint64_t scrambled_x = 0;
+    for (int done = 0; done < bits; done += at_once) {
+        const std::uint64_t above = 1ull << done | (done ? x >> (64 - done) : 0); // 1, followed by the bits above these
+        const std::uint64_t coins = scrambled(key ^ above), own = x << done >> (64 - at_once);
+        std::uint64_t flips = 0;
+#pragma GCC unroll 6
+        for (int k = 0; k < at_once; ++k)
+            flips = 2 * flips + (coins >> (1ull << k | own >> (at_once - k)) & 1);
+        scrambled_x = scrambled_x << at_once | (own ^ flips);
     }
+    scrambled_x >>= (bits + at_once - 1) / at_once * at_once - bits;
     const double below = double(scrambled(key ^ ~std::uint64_t(index)) >> 43) * 0x1p-21;
     return (scrambled_x + below) / double(std::uint64_t(1) << bits);
 }

@@ -122,11 +122,13 @@ template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretr
         colour.transm() = 1.0;
         return;
     }
-    if (mode != refinement && rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
+    if (rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
     {
         Ray ray;
         Make_Ray(ray, rays[0].ray, pretrace, length);
         trace(ray, length, colour);
+        if (mode == refinement)
+            refined.Add(rays[0], colour);
         return;
     }
     Light light;
