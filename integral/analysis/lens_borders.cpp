@@ -61,6 +61,15 @@ struct Crossing {
     {
     }
     bool lenticular, rows, columns;
+
+    /// Calls sweep(of_rows) for lines along rows, and for lines along columns, if they cross borders.
+    template <class Sweep> void for_each(Sweep sweep) const
+    {
+        if (rows)
+            sweep(true);
+        if (columns)
+            sweep(false);
+    }
 };
 
 /// The borders that `count` lines cross, each found by trace(line, points).
@@ -87,18 +96,14 @@ std::vector<Vec2> lens_borders(const SheetOptics& optics, LensMapping mapping, V
     const double spacing = line_spacing(optics.sheet(), half, step, most);
     const Borders borders(optics, mapping);
     std::vector<Vec2> all;
-    const auto sweep = [&](bool of_rows) {
+    crossing.for_each([&](bool of_rows) {
         const double length = of_rows ? half.x : half.y, breadth = of_rows ? half.y : half.x;
         const int lines = std::max(1, int(2 * breadth / spacing)), count = std::max(2, int(2 * length / step));
         trace_lines(lines, threads, [&](int line, std::vector<Vec2>& found) {
             const double at = -breadth + (line + 0.5) * (2 * breadth / lines), first = -length + 0.5 * step;
             borders.along(of_rows ? Vec2{first, at} : Vec2{at, first}, of_rows ? Vec2{step, 0} : Vec2{0, step}, count, true, found);
         }, all);
-    };
-    if (crossing.rows)
-        sweep(true);
-    if (crossing.columns)
-        sweep(false);
+    });
     return all;
 }
 
@@ -111,7 +116,7 @@ std::vector<Vec2> lens_borders_of_pixels(const SheetOptics& optics, LensMapping 
     const double spacing = line_spacing(optics.sheet(), {0.5 * film.width * pitch.x, 0.5 * film.height * pitch.y}, std::max(pitch.x, pitch.y), most);
     const Borders borders(optics, mapping);
     std::vector<Vec2> all;
-    const auto sweep = [&](bool of_rows) {
+    crossing.for_each([&](bool of_rows) {
         const int apart = std::max(1, int(spacing / (of_rows ? pitch.y : pitch.x)));
         const int lines = std::max(1, (of_rows ? film.height : film.width) / apart);
         trace_lines(lines, threads, [&](int line, std::vector<Vec2>& found) {
@@ -119,11 +124,7 @@ std::vector<Vec2> lens_borders_of_pixels(const SheetOptics& optics, LensMapping 
             borders.along(film_from_pixel(film, of_rows ? Vec2{0.5, at} : Vec2{at, 0.5}), of_rows ? Vec2{pitch.x, 0} : Vec2{0, -pitch.y},
                           of_rows ? film.width : film.height, false, found);
         }, all);
-    };
-    if (crossing.rows)
-        sweep(true);
-    if (crossing.columns)
-        sweep(false);
+    });
     return all;
 }
 

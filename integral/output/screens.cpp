@@ -67,6 +67,19 @@ bool is_set(const char* variable)
     return value && *value;
 }
 
+/// Calls visit(Screen, const SDL_DisplayMode& desktop) with each display of SDL, as large as its place among the others.
+template <class Visit> void for_each_display(Visit visit)
+{
+    for (int k = 0; k < SDL_GetNumVideoDisplays(); ++k) {
+        SDL_Rect place;
+        SDL_DisplayMode mode;
+        if (SDL_GetDisplayBounds(k, &place) != 0 || SDL_GetDesktopDisplayMode(k, &mode) != 0)
+            continue;
+        const char* name = SDL_GetDisplayName(k);
+        visit(Screen{k, name ? name : "", place.x, place.y, place.w, place.h, double(mode.refresh_rate), ""}, mode);
+    }
+}
+
 /// All displays of SDL, with what the X server tells of them.
 std::vector<Screen> x_screens()
 {
@@ -74,15 +87,9 @@ std::vector<Screen> x_screens()
     std::vector<XOutput> outputs = x_outputs(in_wayland);
     const bool told = !outputs.empty();
     std::vector<Screen> screens;
-    for (int k = 0; k < SDL_GetNumVideoDisplays(); ++k) {
-        SDL_Rect place;
-        SDL_DisplayMode mode;
-        if (SDL_GetDisplayBounds(k, &place) != 0 || SDL_GetDesktopDisplayMode(k, &mode) != 0)
-            continue;
-        const char* name = SDL_GetDisplayName(k);
-        Screen screen{k, name ? name : "", place.x, place.y, place.w, place.h, double(mode.refresh_rate), ""};
+    for_each_display([&](Screen screen, const SDL_DisplayMode&) {
         const auto output = std::find_if(outputs.begin(), outputs.end(), [&](const XOutput& o) {
-            return o.x == place.x && o.y == place.y && o.width == place.w && o.height == place.h;
+            return o.x == screen.x && o.y == screen.y && o.width == screen.width && o.height == screen.height;
         });
         if (output != outputs.end()) {
             screen.name = output->name;
@@ -92,12 +99,12 @@ std::vector<Screen> x_screens()
             screen.height = output->mode_height;
             outputs.erase(output);
         } else if (told) {
-            continue; // of another X screen, where no window of this one gets
+            return; // of another X screen, where no window of this one gets
         }
         if (in_wayland)
             screen.scaled = "its X server is the guest of a Wayland compositor, which may scale; SDL_VIDEODRIVER=wayland asks that itself";
         screens.push_back(screen);
-    }
+    });
     return screens;
 }
 
@@ -105,20 +112,17 @@ std::vector<Screen> x_screens()
 std::vector<Screen> other_screens()
 {
     std::vector<Screen> screens;
-    for (int k = 0; k < SDL_GetNumVideoDisplays(); ++k) {
-        SDL_Rect place;
+    for_each_display([&](Screen screen, const SDL_DisplayMode& desktop) {
+        screen.width = desktop.w;
+        screen.height = desktop.h;
         SDL_DisplayMode mode;
-        if (SDL_GetDisplayBounds(k, &place) != 0 || SDL_GetDesktopDisplayMode(k, &mode) != 0)
-            continue;
-        const char* name = SDL_GetDisplayName(k);
-        Screen screen{k, name ? name : "", place.x, place.y, mode.w, mode.h, double(mode.refresh_rate), ""};
-        for (int m = 0; m < SDL_GetNumDisplayModes(k); ++m)
-            if (SDL_GetDisplayMode(k, m, &mode) == 0 && double(mode.w) * mode.h > double(screen.width) * screen.height) {
+        for (int m = 0; m < SDL_GetNumDisplayModes(screen.index); ++m)
+            if (SDL_GetDisplayMode(screen.index, m, &mode) == 0 && double(mode.w) * mode.h > double(screen.width) * screen.height) {
                 screen.width = mode.w;
                 screen.height = mode.h;
             }
         screens.push_back(screen);
-    }
+    });
     return screens;
 }
 
