@@ -9,7 +9,6 @@ namespace {
 
 constexpr int lanes = PixelRun::pixels;
 constexpr double border_margin = 1e-7; // pitches: within that of a border another lens may be as near
-constexpr double settled = 1e-17;      // as in slit.cpp
 constexpr int steps = 3;               // of Newton's: nearly every ray needs two
 
 struct Lanes {
@@ -72,8 +71,7 @@ void PixelRuns::work_out(Vec2 centre, PixelRun& run) const
         const double from_x = film_x - offset_.x, from_y = film_y - offset_.y;
         const double u = (across_.x * from_x + across_.y * from_y) / pitch_;
         const double v = lenticular_ ? 0 : (along_.x * from_x + along_.y * from_y) / pitch_;
-        constexpr double no_fraction = 6755399441055744.0; // see nearest_integer
-        const double column = (u + no_fraction) - no_fraction, row = (v + no_fraction) - no_fraction;
+        const double column = nearest_integer(u), row = nearest_integer(v);
         rays.film_x[k] = film_x;
         rays.column[k] = column;
         rays.row[k] = row;
@@ -126,7 +124,7 @@ void PixelRuns::work_out(Vec2 centre, PixelRun& run) const
                 const double change = ((alpha[k] + g * tau[k]) * s + nd * (g * tau[k] + lateral[k])) * s2
                                     / (g * s * s2 + nd * (g * clear[k] + m_ * lateral[k] * tau[k]));
                 const double next = tau[k] - change;
-                const double close = change * change <= settled * std::fabs(next) * (end[k] - std::fabs(next)) ? 1.0 : 0.0;
+                const double close = change * change <= slit_settled * std::fabs(next) * (end[k] - std::fabs(next)) ? 1.0 : 0.0;
                 tau[k] = done[k] != 0 ? tau[k] : next; // a settled root stays
                 done[k] = done[k] != 0 ? 1.0 : close;
             }

@@ -7,9 +7,6 @@ namespace integral {
 
 namespace {
 
-/// Newton's error after a step is about change^2/(distance to the end of the interval): below this part of the root it is done.
-constexpr double settled = 1e-17;
-
 /// The slit's equation at a line of the lens. With S = sqrt(E - m tau^2), E the clearance at tau = 0, the
 /// refracted ray is (n k cosine + S sine, n tau, -C)/L in the directions (b, a, z), C = S cosine - n k sine.
 ///     H(tau) = alpha + g tau + D (g n tau + e.b (n k cosine + S sine))/C = 0,
@@ -93,7 +90,7 @@ inline bool settle_at_pole(const Slit& slit, const Medium& medium, Vec2 foot, do
         const double change = ((alpha + g * tau) * s + nd * (g * tau + lateral)) * s2
                             / (g * s * s2 + nd * (g * clear + medium.m * lateral * tau));
         tau -= change;
-        if (change * change <= settled * std::fabs(tau) * (end - std::fabs(tau))) {
+        if (change * change <= slit_settled * std::fabs(tau) * (end - std::fabs(tau))) {
             root = {tau, std::sqrt(medium.m * ((end - tau) * (end + tau)))};
             return root.s > 0;
         }
@@ -161,7 +158,7 @@ std::optional<double> solve_in_bracket(const Slit& slit, const Medium& medium, V
         (value < 0 ? low : high) = tau;
         const double before = tau, change = equation.step(tau, s, value);
         tau -= change;
-        if (tau == before || change * change <= settled * std::fabs(tau) * (end - std::fabs(tau)))
+        if (tau == before || change * change <= slit_settled * std::fabs(tau) * (end - std::fabs(tau)))
             break;
         if (!(tau > low && tau < high) || (step > soon && step % 3 == 0))
             tau = 0.5 * (low + high);

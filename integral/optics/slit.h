@@ -18,6 +18,9 @@ struct Slit {
     double distance; ///< d, mm
 };
 
+/// Newton's error after a step is about change^2/(distance to the end of the interval): below this part of the root it is done.
+constexpr double slit_settled = 1e-17;
+
 /// e.A of a slit at `height`, whose sign is that of y (horizontal slit) or x (vertical).
 inline double signed_height(const Slit& slit, double height)
 {

@@ -76,11 +76,11 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 /// Where the pixel is in `run`, which is worked out anew where pixels come one after the other; -1: not in it.
 int IntegralTracer::Place_In_Run(DBL x, DBL y)
 {
+    if (!runs)
+        return -1;
     const bool next = y == last_y && x == last_x + 1;
     last_x = x;
     last_y = y;
-    if (!runs)
-        return -1;
     for (int k = 0; k < integral::PixelRun::pixels && y == run_y; k++)
         if (x == run_x + k)
             return k;
