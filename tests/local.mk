@@ -59,6 +59,7 @@ unit_sources = \
   tests/unit/lightfield_metadata.cpp \
   tests/unit/lightfield_pixel_sampler.cpp \
   tests/unit/lightfield_refinement.cpp \
+  tests/unit/lightfield_sample_points.cpp \
   tests/unit/lightfield_sample_spread.cpp \
   tests/unit/lightfield_sampling_forecast.cpp \
   tests/unit/lightfield_sheet_figures.cpp \

@@ -2,7 +2,7 @@
 #include "integral/lightfield/first_samples.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace integral {
 
@@ -56,14 +56,14 @@ FirstSamples::FirstSamples(const IntegralCamera& camera)
     }
 }
 
-void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex lens)
+void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex lens, double depth)
 {
     Entry& entry = entries_[std::size_t(y) * width_ + x];
     for (std::size_t k = 0; k < colour.size(); ++k)
         entry.colour[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * levels, 65535)); // NaN: 0
     entry.i = std::uint16_t(lens.i);
     entry.j = std::uint16_t(lens.j);
-    entry.lit = true;
+    entry.depth = std::isnan(depth) ? std::numeric_limits<float>::infinity() : float(depth);
 }
 
 const FirstSamples::Entry* FirstSamples::at(int x, int y) const
@@ -71,7 +71,7 @@ const FirstSamples::Entry* FirstSamples::at(int x, int y) const
     if (x < 0 || y < 0 || x >= width_ || y >= height_)
         return nullptr;
     const Entry& entry = entries_[std::size_t(y) * width_ + x];
-    return entry.lit ? &entry : nullptr;
+    return std::isnan(entry.depth) ? nullptr : &entry;
 }
 
 /// The same, if it is behind that lens.

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace integral {
@@ -22,14 +23,18 @@ double colour_distance(const ComparedColour& a, const ComparedColour& b);
 /// How many rows up or down a pixel's neighbours are, at most.
 int rows_looked_at(const LensSheet& sheet, const Film& film);
 
-/// First samples of a frame, 14 bytes a pixel. Different pixels may be set from different threads.
+/// First samples of a frame, 16 bytes a pixel. Different pixels may be set from different threads.
 class FirstSamples {
 public:
     /// All pixels are empty.
     explicit FirstSamples(const IntegralCamera& camera);
 
-    /// The colour (kept from 0 to 8) of pixel (x, y), which `lens` images.
-    void set(int x, int y, const ComparedColour& colour, LensIndex lens);
+    /// The colour (kept from 0 to 8) of pixel (x, y), which `lens` images, and the depth of what it shows: mm from the sheet away from the
+    /// viewer, or infinite.
+    void set(int x, int y, const ComparedColour& colour, LensIndex lens, double depth);
+
+    /// That depth; NaN for an empty pixel.
+    double depth(int x, int y) const { return entries_[std::size_t(y) * width_ + x].depth; }
 
     /// How far a pixel departs from its neighbours: along each axis of the light field the colour_distance between its double
     /// and the sum of its neighbours on either side, so that an even run of colours does not count; where only one of
@@ -44,7 +49,7 @@ private:
     struct Entry {
         std::array<std::uint16_t, 4> colour{};
         std::uint16_t i = 0, j = 0; // the lens, modulo 2^16
-        bool lit = false;
+        float depth = std::numeric_limits<float>::quiet_NaN(); // NaN: empty
     };
     /// The next lens along one of the lattice's axes, and where its pixel of the same direction is.
     struct Step { int i[2], j, x, y; }; // columns: [0] from an even row, [1] from an odd one

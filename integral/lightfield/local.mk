@@ -32,8 +32,11 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/pixel_sampler.h \
   integral/lightfield/refinement.cpp \
   integral/lightfield/refinement.h \
+  integral/lightfield/sample_points.cpp \
+  integral/lightfield/sample_points.h \
   integral/lightfield/sampling_forecast.cpp \
   integral/lightfield/sampling_forecast.h \
   integral/lightfield/sheet_figures.cpp \
   integral/lightfield/sheet_figures.h \
+  integral/lightfield/tabulated_curve.h \
   integral/lightfield/view_grid.h

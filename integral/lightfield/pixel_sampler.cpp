@@ -1,105 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/pixel_sampler.h"
 
-#include <array>
+#include <cmath>
 #include <cstring>
 
 namespace integral {
 
 namespace {
 
-/// A bijection of 64-bit numbers that leaves no trace of their order (the finaliser of SplitMix64, Steele et al. 2014).
-std::uint64_t scrambled(std::uint64_t x)
-{
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
-
-constexpr int dimensions_at_most = 4, bits_at_most = 31;
-using Columns = std::array<std::array<std::uint32_t, 32>, dimensions_at_most>;
-
-/// Sobol's sequence in four dimensions: the columns of its generator matrices. Its polynomials are 1, x + 1, x^2 + x + 1 and
-/// x^3 + x + 1; of the first columns, which are free, those that spread up to 128 points best over any two dimensions,
-/// and above all over the first and third and the second and fourth: along one axis, pixel and lens.
-Columns sobol_columns()
-{
-    constexpr std::uint32_t top = 1u << 31;
-    Columns c{};
-    c[1][0] = top;
-    c[2] = {top, (top >> 1) * 3};
-    c[3] = {top, top >> 1, (top >> 2) * 3};
-    for (int i = 0; i < 32; ++i) {
-        c[0][i] = top >> i;
-        if (i > 0)
-            c[1][i] = c[1][i - 1] ^ c[1][i - 1] >> 1;
-        if (i > 1)
-            c[2][i] = c[2][i - 2] ^ c[2][i - 2] >> 2 ^ c[2][i - 1];
-        if (i > 2)
-            c[3][i] = c[3][i - 3] ^ c[3][i - 3] >> 3 ^ c[3][i - 2];
-    }
-    return c;
-}
-
-const Columns columns = sobol_columns();
-
-std::uint32_t sobol_bits(int dimension, std::uint32_t index)
-{
-    std::uint32_t x = 0;
-    for (int bit = 0; index >> bit; ++bit)
-        x ^= index >> bit & 1 ? columns[dimension][bit] : 0;
-    return x;
-}
-
-/// The sequence's first points.
-using FirstPoints = std::array<std::array<std::uint32_t, 256>, dimensions_at_most>;
-FirstPoints sobol_points()
-{
-    FirstPoints points;
-    for (int k = 0; k < dimensions_at_most; ++k)
-        for (std::uint32_t index = 0; index < points[k].size(); ++index)
-            points[k][index] = sobol_bits(k, index);
-    return points;
-}
-
-const FirstPoints first_points = sobol_points();
-
-/// A coordinate of point `index`, as 32 bits below the point.
-std::uint32_t coordinate_bits(int dimension, std::uint32_t index)
-{
-    return index < first_points[0].size() ? first_points[dimension][index] : sobol_bits(dimension, index);
-}
-
-/// A coordinate of point `index` of the sequence's first 2^bits, scrambled as a whole (Owen 1995): each of its bits
-/// is flipped or not by the flip of a coin, another one for each value of the bits above it. What is below them is random.
-double scrambled_coordinate(std::uint64_t key, int dimension, std::uint32_t index, int bits)
-{
-    constexpr int at_once = 6; // bits whose 63 coins are the lower of one number: coin 1 of the first, 2 and 3 of the second, ...
-    const std::uint64_t x = std::uint64_t(coordinate_bits(dimension, index)) << 32;
-    std::uint64_t scrambled_x = 0;
-    for (int done = 0; done < bits; done += at_once) {
-        const std::uint64_t above = 1ull << done | (done ? x >> (64 - done) : 0); // 1, followed by the bits above these
-        const std::uint64_t coins = scrambled(key ^ above), own = x << done >> (64 - at_once);
-        std::uint64_t flips = 0;
-#pragma GCC unroll 6
-        for (int k = 0; k < at_once; ++k)
-            flips = 2 * flips + (coins >> (1ull << k | own >> (at_once - k)) & 1);
-        scrambled_x = scrambled_x << at_once | (own ^ flips);
-    }
-    scrambled_x >>= (bits + at_once - 1) / at_once * at_once - bits;
-    const double below = double(scrambled(key ^ ~std::uint64_t(index)) >> 43) * 0x1p-21;
-    return (scrambled_x + below) / double(std::uint64_t(1) << bits);
-}
-
 constexpr int search_limit = 64; // random points tried until one is the lens's own; the last is the centre
 
 } // namespace
 
-std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value) { return scrambled(seed ^ scrambled(value)); }
-
 PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
-    : camera_(camera), seed_(scrambled(seed))
+    : camera_(camera), seed_(random_bits(0, seed))
 {
     const SheetOptics& optics = camera.optics;
     const Vec2 size = subpixel_size(camera.film.subpixels);
@@ -180,14 +94,8 @@ PixelSampler::UnitPoint PixelSampler::even_point(std::uint64_t key, int index, i
     const int all = camera_.pixel_samples * (lens_dimensions_ > 0 ? camera_.beam_samples : 1);
     const int first = all / 2;
     half = index >= first;
-    const int within = half ? index - first : index, count = half ? all - first : first;
-    int bits = 0;
-    while (bits < bits_at_most && count > 1LL << bits)
-        ++bits;
-    std::array<double, dimensions_at_most> unit;
-    const std::uint64_t half_key = random_bits(key, half);
-    for (int k = 0; k < dimensions; ++k)
-        unit[k] = scrambled_coordinate(scrambled(half_key + k), k, within, bits);
+    const int within = half ? index - first : index;
+    const auto unit = scrambled_point(point_seeds(random_bits(key, half)), within);
     if (film_dimensions_ > 0)
         point.pixel = {unit[0], unit[1]};
     if (lens_dimensions_ > 0)
@@ -330,45 +238,72 @@ bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index, std::vect
     return rays.size() > before;
 }
 
-PixelBeam PixelSampler::beam(Vec2 centre, bool alike) const
+/// At a depth, what is seen moves with the place on the pixel and with the place on the cell. `pole_ray`: of the pixel's centre.
+void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const
+{
+    const Lattice& lattice = camera_.optics.lattice();
+    const bool lenticular = lattice.arrangement() == Arrangement::lenticular;
+    const double far = 1e6 * lattice.pitch(), z = std::fmax(-far, std::fmin(depth, far)); // NaN: far
+    const auto seen = [&](const LensRay& ray) {
+        return ray.pole + (z / ray.direction.z) * Vec2{ray.direction.x, ray.direction.y};
+    };
+    const auto right = camera_.optics.ray_through(own.film_centre + Vec2{0.5 * area_.x, 0}, own.lens);
+    const auto up = camera_.optics.ray_through(own.film_centre + Vec2{0, 0.5 * area_.y}, own.lens);
+    if (!right || !up)
+        return;
+    const Vec2 by_width = 2 * (seen(*right) - seen(pole_ray)), by_height = 2 * (seen(*up) - seen(pole_ray));
+    const Vec2 across{dot(by_width, lattice.across()), dot(by_height, lattice.across())};
+    const Vec2 along{dot(by_width, lattice.along()), dot(by_height, lattice.along())};
+    own.turned = std::fabs(across.y) > std::fabs(across.x);
+    const double mirrored = camera_.pseudoscopic ? -1 : 1;
+    own.across = SumSplit(mirrored * (own.turned ? across.y : across.x) / lattice.pitch());
+    const double by_pixel = own.turned ? along.x : along.y;
+    const double by_slit = -z / camera_.optics.aperture().distance * camera_.slit_height(pole_ray.aperture_point);
+    own.along = SumSplit(lenticular ? by_pixel / by_slit : mirrored * by_pixel / lattice.row_spacing());
+}
+
+PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
 {
     PixelBeam beam;
-    beam.key = alike ? seed_ : pixel_key(centre);
+    const std::uint64_t key = alike ? seed_ : pixel_key(centre);
     const bool divided = camera_.film.subpixels != Subpixels::none;
     for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0); ++channel) {
         const Vec2 film_centre = channel_centre(centre, channel);
         const auto lens_at = [&](double x, double y) {
             return camera_.optics.map(moved(film_centre, {x, y}), camera_.mapping).ray;
         };
-        const auto own = lens_at(0.5, 0.5);
-        if (!own)
+        const auto pole_ray = lens_at(0.5, 0.5);
+        if (!pole_ray)
             continue;
         const auto has = [&](double x, double y) {
             const auto ray = lens_at(x, y);
-            return ray && ray->lens == own->lens;
+            return ray && ray->lens == pole_ray->lens;
         };
-        const bool whole = camera_.display_prefilter || (has(0, 0) && has(0, 1) && has(1, 0) && has(1, 1));
-        beam.channels[beam.number++] = {channel, film_centre, own->lens, whole};
+        PixelBeam::Channel& own = beam.channels[beam.number++];
+        own.channel = channel;
+        own.film_centre = film_centre;
+        own.lens = pole_ray->lens;
+        own.whole = camera_.display_prefilter || (has(0, 0) && has(0, 1) && has(1, 0) && has(1, 1));
+        own.seeds = point_seeds(random_bits(key, std::uint64_t(channel + 1)));
+        aim(own, *pole_ray, depth);
     }
     return beam;
 }
 
 void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index, std::vector<PixelRay>& rays) const
 {
-    constexpr int bits = 12; // scrambled as a whole; further points are spread by the sequence itself
     for (int k = 0; k < beam.number; ++k) {
         const PixelBeam::Channel& own = beam.channels[k];
-        std::array<double, dimensions_at_most> unit{0.5, 0.5, 0.5, 0.5};
-        const std::uint64_t key = random_bits(beam.key, std::uint64_t(own.channel + 1));
-        for (int dimension = 0; dimension < 2 + cell_dimensions_; ++dimension)
-            unit[dimension] = scrambled_coordinate(scrambled(key + dimension), dimension, index, bits);
-        const Vec2 film_point = moved(own.film_centre, {unit[0], unit[1]});
+        const auto unit = scrambled_point(own.seeds, index);
+        const SumSplit::Parts across = own.across(unit[0], unit[2]), along = own.along(unit[1], unit[3]);
+        const Vec2 pixel = own.turned ? Vec2{along.second, across.second} : Vec2{across.second, along.second};
+        const Vec2 film_point = moved(own.film_centre, pixel);
         const auto ray = own.whole ? camera_.optics.ray_through(film_point, own.lens) : sample_ray(film_point, own.lens);
         if (!ray)
             continue;
         PixelRay sample;
         sample.channel = own.channel;
-        append_ray(film_point, *ray, lens_point({unit[2], unit[3]}, *ray), sample, rays);
+        append_ray(film_point, *ray, lens_point({across.first, along.first}, *ray), sample, rays);
     }
 }
 

@@ -4,6 +4,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_PIXEL_SAMPLER_H
 #define INTEGRAL_LIGHTFIELD_PIXEL_SAMPLER_H
 
+#include "integral/lightfield/sample_points.h"
 #include "integral/optics/camera.h"
 
 #include <array>
@@ -34,18 +35,17 @@ struct PixelOutcome {
 /// A pixel and its lens, from which anti-aliasing draws sample after sample.
 struct PixelBeam {
     struct Channel {
-        int channel;      ///< as in PixelRay
-        Vec2 film_centre; ///< mm
+        int channel;            ///< as in PixelRay
+        Vec2 film_centre;       ///< mm
         LensIndex lens;
-        bool whole;       ///< the lens has all of the pixel's area
+        bool whole;             ///< the lens has all of the pixel's area
+        PointSeeds seeds;
+        SumSplit across, along; ///< the lens: how places on the cell (first) and on the pixel share in what is seen at the depth aimed at
+        bool turned = false;    ///< it is the place on the pixel's height that counts across the lens
     };
     std::array<Channel, 3> channels;
-    int number = 0;       ///< of channels that are imaged
-    std::uint64_t key = 0;
+    int number = 0; ///< of channels that are imaged
 };
-
-/// 64 bits that look random, of a seed and a value: the same for the same, and unlike for unlike ones.
-std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value);
 
 /// Chooses the rays of pixels. Immutable, shared by all threads; what it chooses depends on the pixel's centre and
 /// the seed alone.
@@ -74,12 +74,13 @@ public:
     /// False where no light gets through the lens.
     bool append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const;
 
-    /// The beam of the pixel whose centre is at `centre`. `alike`: the samples are at the same places of every pixel,
-    /// else each pixel has its own.
-    PixelBeam beam(Vec2 centre, bool alike) const;
+    /// The beam of the pixel whose centre is at `centre`. `alike`: the samples are chosen alike in every pixel, else each pixel
+    /// has its own. `depth`: of what the pixel shows, mm from the sheet away from the viewer; infinite, too. Its samples are spread evenly over
+    /// what the beam covers there: at the sheet the lens's cell, far from it the pixel's area, and both together in between.
+    /// Whatever the depth, they are uniform over both.
+    PixelBeam beam(Vec2 centre, bool alike, double depth) const;
 
-    /// Appends one ray (a channel) of a beam: sample `index` of a sequence whose first 4^k points are spread evenly over
-    /// both the pixel's area and the lens's cell. hybrid is sampled as full.
+    /// Appends one ray (a channel) of a beam: sample `index` of a sequence whose first 4^k points are spread evenly. hybrid is sampled as full.
     /// None where the sample is another lens's, or no light gets through.
     void append_sample(const PixelBeam& beam, std::uint32_t index, std::vector<PixelRay>& rays) const;
 
@@ -95,6 +96,7 @@ private:
     Vec2 channel_centre(Vec2 centre, int channel) const;
     Vec2 moved(Vec2 film_point, Vec2 unit) const;
     std::optional<LensRay> sample_ray(Vec2 film_point, LensIndex lens) const;
+    void aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;
     void append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
                         PixelOutcome& outcome) const;

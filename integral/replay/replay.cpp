@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay.h"
 
-#include "integral/lightfield/pixel_sampler.h"
+#include "integral/lightfield/sample_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
         for (int y = 0; y < 110; ++y)
             for (int x = 0; x < 90; ++x)
                 if (const auto ray = camera.optics.map(film_from_pixel(camera.film, {x + 0.5, y + 0.5}), p.mapping).ray)
-                    samples.set(x, y, {}, ray->lens);
+                    samples.set(x, y, {}, ray->lens, 0);
         int furthest = 0;
         for (int y = 0; y < 110; ++y)
             for (int x = 0; x < 90; ++x)

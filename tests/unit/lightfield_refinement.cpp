@@ -35,7 +35,7 @@ FirstSamples coloured(Arrangement arrangement, const std::function<std::optional
             if (arrangement == Arrangement::lenticular)
                 place.y = film_point.y / p.sheet.pitch;
             if (const auto grey = colour(place, ray->lens))
-                samples.set(x, y, {*grey, *grey, *grey, 0}, ray->lens);
+                samples.set(x, y, {*grey, *grey, *grey, 0}, ray->lens, 0);
         }
     if (made)
         *made = camera;

@@ -7,6 +7,7 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/view.h"
+#include "integral/lightfield/tabulated_curve.h"
 
 #include <algorithm>
 
@@ -22,11 +23,22 @@ namespace
 constexpr unsigned int block_side = 32;
 constexpr float pass_share = 0.5f; // of the progress that is shown
 
-integral::ComparedColour Compared(const GammaCurvePtr& gamma, const Colour& colour)
+/// A colour as anti-aliasing compares it.
+class ComparedEncoding
 {
-    const Colour encoded = GammaCurve::Encode(gamma, colour);
-    return {encoded.red(), encoded.green(), encoded.blue(), encoded.transm()};
-}
+    public:
+        explicit ComparedEncoding(const GammaCurvePtr& gamma)
+            : curve([&](float value) { return GammaCurve::Encode(gamma, value); })
+        {
+        }
+        integral::ComparedColour operator()(const Colour& colour) const
+        {
+            return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
+        }
+
+    private:
+        integral::TabulatedCurve curve;
+};
 
 IntegralSampling *Sampling_Of(const Camera& camera)
 {
@@ -83,6 +95,7 @@ void IntegralFirstPassTask::Run()
     const POVRect area = sampling.Needed(view.GetRenderArea());
     POVRect block;
     std::vector<Colour> pixels;
+    const ComparedEncoding compared(gamma);
     while (sampling.Next_Block(area, block))
     {
         radiosity.BeforeTile(reproducible ? block.top * view.GetWidth() + block.left : 0);
@@ -94,7 +107,7 @@ void IntegralFirstPassTask::Run()
                 trace(x, y, view.GetWidth(), view.GetHeight(), colour);
                 GetViewDataPtr()->Stats()[Number_Of_Pixels]++;
                 if (trace.Integral().Imaged())
-                    sampling.first.set(x, y, Compared(gamma, colour), trace.Integral().Lens());
+                    sampling.first.set(x, y, compared(colour), trace.Integral().Lens(), trace.Integral().Depth());
                 pixels.push_back(colour);
                 Cooperate();
             }
@@ -116,7 +129,7 @@ class BlockRefinement
     public:
         BlockRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace, Trace::CooperateFunctor& cooperate,
                         const IntegralRefinementOptions& options, IntegralSampling& sampling)
-            : view(view), thread(thread), trace(trace), cooperate(cooperate), options(options), sampling(sampling)
+            : view(view), thread(thread), trace(trace), cooperate(cooperate), options(options), sampling(sampling), compared(options.gamma)
         {
         }
 
@@ -158,7 +171,7 @@ class BlockRefinement
         bool Refine(int x, int y, Colour& colour)
         {
             thread.Stats()[Number_Of_Pixels_Supersampled]++;
-            trace.Integral().Refine(x, y, !options.jitter);
+            trace.Integral().Refine(x, y, !options.jitter, sampling.first.depth(x, y));
             integral::Refinement refinement(options.rule, sampling.first.contrast(x, y));
             bool any = false;
             std::uint32_t index = 0;
@@ -169,7 +182,7 @@ class BlockRefinement
                     trace.Integral().Take(index++);
                     trace(x, y, view.GetWidth(), view.GetHeight(), seen);
                     if (trace.Integral().Imaged())
-                        refinement.add(Compared(options.gamma, seen));
+                        refinement.add(compared(seen));
                     else
                         refinement.add_none();
                     any = any || trace.Integral().Imaged();
@@ -188,6 +201,7 @@ class BlockRefinement
         Trace::CooperateFunctor& cooperate;
         const IntegralRefinementOptions& options;
         IntegralSampling& sampling;
+        ComparedEncoding compared;
         POVRect block;
         std::vector<bool> refined; ///< or waiting to be
         std::vector<std::pair<int, int>> waiting;

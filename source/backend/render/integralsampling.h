@@ -19,7 +19,7 @@ namespace pov
 
 class Camera;
 
-/// What the first pass leaves to the second; 34 bytes a pixel.
+/// What the first pass leaves to the second; 36 bytes a pixel.
 class IntegralSampling
 {
     public:

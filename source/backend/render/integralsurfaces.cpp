@@ -32,8 +32,6 @@ constexpr std::size_t row_length = square * square;
 constexpr std::uint64_t word_step = 0x9e3779b97f4a7c15u; // any odd number without a pattern
 constexpr int height_steps = 4; // patch sizes that a patch is high
 
-integral::Vec3 From_POV(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
-
 double Random(std::uint64_t bits) { return double(bits >> 11) * 0x1p-53; }
 
 /// An object's normal as POV-Ray's shading takes it.
@@ -70,6 +68,14 @@ std::size_t Slots_For(const integral::Film& film)
     return slots;
 }
 
+/// The largest whole number not above log2(x); x positive.
+int Exponent(double x)
+{
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return int(bits >> 52) - 1023;
+}
+
 double Against(const VECTOR normal, const Ray& ray)
 {
     return normal[X] * ray.Direction[X] + normal[Y] * ray.Direction[Y] + normal[Z] * ray.Direction[Z];
@@ -102,7 +108,7 @@ int IntegralPatches::Level(const VECTOR point) const
     double area = pitch * pitch + z * spread * z * spread;
     if (camera.optics.sheet().arrangement == integral::Arrangement::lenticular)
         area = std::sqrt(area) * camera.film.pixel_pitch.y * (1 + z / camera.optics.aperture().distance);
-    return int(std::floor(std::log2(scale * scale * (area / cells))));
+    return Exponent(scale * scale * (area / cells));
 }
 
 double IntegralPatches::Size(int level)

@@ -33,6 +33,7 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     if (runs && !runs->possible())
         runs.reset();
     run_y = last_y = -1;
+    keeps_depth = block->sampling != nullptr;
     std::lock_guard<std::mutex> lock(block->counts->mutex);
     tally = &block->counts->tallies.emplace_back();
     block->counts->containers = containers.Number();
@@ -112,10 +113,10 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
     return imaged;
 }
 
-void IntegralTracer::Refine(int x, int y, bool alike)
+void IntegralTracer::Refine(int x, int y, bool alike, double depth)
 {
     mode = refinement;
-    beam = block->sampler->beam({x + 0.5, y + 0.5}, alike);
+    beam = block->sampler->beam({x + 0.5, y + 0.5}, alike, depth);
     refined = Light();
 }
 
@@ -133,6 +134,13 @@ void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pr
 void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const
 {
     Make_Ray(ray, integral::sight_line(*block->optics, beam), pretrace, length);
+}
+
+void IntegralTracer::Keep_Depth(const Ray& ray, DBL distance)
+{
+    last_depth = HUGE_VAL;
+    if (distance < HUGE_VAL)
+        last_depth = integral::sheet_from_scene(block->optics->placement, From_POV(ray.Origin) + distance * From_POV(ray.Direction)).z;
 }
 
 void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)

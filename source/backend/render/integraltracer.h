@@ -42,8 +42,8 @@ class IntegralTracer
         void Audit(std::uint64_t index) { mode = audit; audit_index = index; }
 
         /// From here on, pixel (x, y), counted from 0, is given by single samples of its beam, to be chosen by Take.
-        /// `alike`: at the same places as in every pixel.
-        void Refine(int x, int y, bool alike);
+        /// `alike`: chosen alike in every pixel. `depth`: of what the pixel shows, as Depth tells it.
+        void Refine(int x, int y, bool alike, double depth);
         void Take(std::uint32_t index) { sample_index = index; }
 
         /// The mean of the samples that have been taken since Refine.
@@ -56,8 +56,12 @@ class IntegralTracer
         bool Imaged() const { return imaged; }
         integral::LensIndex Lens() const { return lens; }
 
+        /// Of what the last ray of the last pixel met, mm from the sheet away from the viewer; infinite if nothing. Only with +A.
+        double Depth() const { return last_depth; }
+
         /// The colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)` traces one ray as far as the
-        /// camera sees along it (scene units; 0 = without end). A pixel that images nothing is clear.
+        /// camera sees along it (scene units; 0 = without end), and tells how far away what it met is (HUGE_VAL: nothing). A pixel that
+        /// images nothing is clear.
         template <class Trace> void Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace);
 
     private:
@@ -81,6 +85,8 @@ class IntegralTracer
         void Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const;
         void Make_Ray(Ray& ray, const integral::SightLine& line, bool pretrace, DBL& length) const;
         void Count_Error(DBL y, const Light& light);
+        void Met(const Ray& ray, DBL distance) { if (keeps_depth && mode == camera_rays) Keep_Depth(ray, distance); }
+        void Keep_Depth(const Ray& ray, DBL distance);
 
         std::shared_ptr<const IntegralBlock> block;
         IntegralContainers containers;
@@ -96,6 +102,8 @@ class IntegralTracer
         Light refined;                        ///< of its samples
         std::uint32_t sample_index = 0;
         bool active = false, counts_error = false;
+        bool keeps_depth = false;             ///< of what rays meet
+        double last_depth = 0;
         bool one_ray = false;                 ///< at most, each pixel has
         std::optional<integral::PixelRuns> runs; ///< of such pixels, if they can be had side by side
         integral::PixelRun run;               ///< the one that was worked out last
@@ -112,7 +120,7 @@ template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretr
     {
         Ray ray;
         if (Choose_One_Ray(x, y, counted, pretrace, ray, length))
-            trace(ray, length, colour);
+            Met(ray, trace(ray, length, colour));
         else
             colour.transm() = 1.0;
         return;
@@ -126,7 +134,7 @@ template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretr
     {
         Ray ray;
         Make_Ray(ray, rays[0].ray, pretrace, length);
-        trace(ray, length, colour);
+        Met(ray, trace(ray, length, colour));
         if (mode == refinement)
             refined.Add(rays[0], colour);
         return;
@@ -137,7 +145,7 @@ template <class Trace> void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretr
         Ray ray;
         Colour seen;
         Make_Ray(ray, pixel_ray.ray, pretrace, length);
-        trace(ray, length, seen);
+        Met(ray, trace(ray, length, seen));
         light.Add(pixel_ray, seen);
         if (mode == refinement)
             refined.Add(pixel_ray, seen);

@@ -23,11 +23,6 @@
 namespace pov
 {
 
-static integral::Vec3 From_POV(const VECTOR v)
-{
-    return {v[X], v[Y], v[Z]};
-}
-
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera, int width, int height)
 {
     const IntegralBlock& block = *camera.Integral;
@@ -38,10 +33,10 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
 }
 
 /// Patches enough that what they leave out is little against what so many samples miss. Of the samples at the sharpest edges a quarter will do:
-/// few pixels have as many.
+/// few pixels have as many. Behind cylinders, whose beams are narrow and have small patches, fewer do.
 static double Patches_In_Beam(const integral::IntegralCamera& optics, const pov_base::IntegralRenderOptions& given)
 {
-    constexpr double least = 16, at_edges = 0.25;
+    const double least = optics.optics.sheet().arrangement == integral::Arrangement::lenticular ? 12 : 24, at_edges = 0.25;
     const double samples = std::max(double(optics.pixel_samples) * optics.beam_samples, at_edges * given.edge_samples);
     return given.patches_in_beam > 0 ? given.patches_in_beam : std::max(least, samples);
 }

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "backend/frame.h"
 #include "base/integraloptions.h"
 #include "integral/lightfield/error_estimate.h"
 #include "integral/lightfield/pixel_sampler.h"
@@ -28,6 +29,8 @@ class IntegralPatches;
 class IntegralSampling;
 class RenderTask;
 class ViewData;
+
+inline integral::Vec3 From_POV(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
 
 /// A count that one thread adds to and others may read: no locked instruction is needed.
 class OwnCount

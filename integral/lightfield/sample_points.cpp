@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/sample_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+
+namespace {
+
+/// A bijection of 64-bit numbers that leaves no trace of their order (the finaliser of SplitMix64, Steele et al. 2014).
+std::uint64_t scrambled(std::uint64_t x)
+{
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+std::uint32_t reversed(std::uint32_t x)
+{
+    x = __builtin_bswap32(x);
+    x = (x >> 4 & 0x0f0f0f0f) | (x & 0x0f0f0f0f) << 4;
+    x = (x >> 2 & 0x33333333) | (x & 0x33333333) << 2;
+    return (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
+}
+
+using Columns = std::array<std::array<std::uint32_t, 32>, point_dimensions>;
+
+/// Sobol's sequence in four dimensions: the columns of its generator matrices, the bits of each in reverse order. Its polynomials are
+/// 1, x + 1, x^2 + x + 1 and x^3 + x + 1; of the first columns, which are free, those that spread up to 128 points best over any two
+/// dimensions, and above all over the first and third and the second and fourth: along one axis, the sum and its parts.
+Columns sobol_columns()
+{
+    constexpr std::uint32_t top = 1u << 31;
+    Columns c{};
+    c[1][0] = top;
+    c[2] = {top, (top >> 1) * 3};
+    c[3] = {top, top >> 1, (top >> 2) * 3};
+    for (int i = 0; i < 32; ++i) {
+        c[0][i] = top >> i;
+        if (i > 0)
+            c[1][i] = c[1][i - 1] ^ c[1][i - 1] >> 1;
+        if (i > 1)
+            c[2][i] = c[2][i - 2] ^ c[2][i - 2] >> 2 ^ c[2][i - 1];
+        if (i > 2)
+            c[3][i] = c[3][i - 3] ^ c[3][i - 3] >> 3 ^ c[3][i - 2];
+    }
+    for (auto& dimension : c)
+        for (std::uint32_t& column : dimension)
+            column = reversed(column);
+    return c;
+}
+
+const Columns columns = sobol_columns();
+
+/// A point of the sequence, the bits of each coordinate in reverse order.
+using SobolPoint = std::array<std::uint32_t, point_dimensions>;
+
+SobolPoint sobol_point(std::uint32_t index)
+{
+    SobolPoint point{};
+    for (int bit = 0; index >> bit; ++bit)
+        for (int k = 0; k < point_dimensions; ++k)
+            point[k] ^= index >> bit & 1 ? columns[k][bit] : 0;
+    return point;
+}
+
+using FirstPoints = std::array<SobolPoint, 256>;
+FirstPoints sobol_points()
+{
+    FirstPoints points;
+    for (std::uint32_t index = 0; index < points.size(); ++index)
+        points[index] = sobol_point(index);
+    return points;
+}
+
+const FirstPoints first_points = sobol_points();
+
+/// A bijection in which each bit depends on itself and those below alone: of a coordinate in reverse order, Owen's scrambling (after Laine and
+/// Karras 2011; multipliers by Vegdahl 2021).
+std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed)
+{
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= seed >> 16 | 1;
+    x ^= x * 0x05526c56u;
+    return x ^ x * 0x53a22864u;
+}
+
+} // namespace
+
+std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value) { return scrambled(seed ^ scrambled(value)); }
+
+PointSeeds point_seeds(std::uint64_t key)
+{
+    const std::uint64_t a = scrambled(key), b = scrambled(key + 1);
+    return {std::uint32_t(a), std::uint32_t(a >> 32), std::uint32_t(b), std::uint32_t(b >> 32)};
+}
+
+std::array<double, point_dimensions> scrambled_point(const PointSeeds& seeds, std::uint32_t index)
+{
+    const SobolPoint bits = index < first_points.size() ? first_points[index] : sobol_point(index);
+    std::array<double, point_dimensions> point;
+    for (int k = 0; k < point_dimensions; ++k)
+        point[k] = (reversed(scrambled_upwards(bits[k], seeds[k])) + 0.5) * 0x1p-32;
+    return point;
+}
+
+SumSplit::SumSplit(double ratio)
+    : second_is_wide_(!(std::fabs(ratio) <= 1)), narrow_(second_is_wide_ ? 1 / ratio : ratio), of_narrow_(narrow_ != 0 ? 1 / narrow_ : 0)
+{
+    if (!std::isfinite(of_narrow_))
+        narrow_ = of_narrow_ = 0;
+}
+
+SumSplit::Parts SumSplit::operator()(double u, double v) const
+{
+    // The sum of two intervals of lengths 1 and k about 0 has a trapezium for its density: it rises over a breadth of k, and falls over it. No
+    // branch depends on u: it would be guessed wrongly as often as not.
+    const double k = std::fabs(narrow_), outer = std::min(u, 1 - u);
+    const double low = std::sqrt(2 * k * std::min(outer, 0.5 * k)) + std::max(0.0, outer - 0.5 * k) - 0.5 * (1 + k);
+    const double sum = std::copysign(low, u - 0.5);
+    const double least = std::max(-0.5 * k, sum - 0.5), most = std::min(0.5 * k, sum + 0.5); // of the narrow one's part
+    const double part = least + v * (most - least);
+    const double narrow = k > 0 ? std::min(0.5, std::max(-0.5, part * of_narrow_)) + 0.5 : v;
+    const double wide = std::min(1.0, std::max(0.0, sum - part + 0.5));
+    return second_is_wide_ ? Parts{narrow, wide} : Parts{wide, narrow};
+}
+
+} // namespace integral
