@@ -33,10 +33,13 @@ options::options_description make_options()
          "where the table, the plots and the frames are written")
         ("quick", "fewer settings and smaller frames: minutes instead of an hour")
         ("samplers", "only the settings that compare anti-aliasing with brute force")
+        ("light-field", "of these, only anti-aliasing in the light field and brute force, against a reference of a quarter of the samples")
         ("scene", options::value<std::vector<std::string>>()->value_name("NAME"),
          ("only this one, of " + all_scenes() + "; may be given again").c_str())
         ("size", options::value<std::string>()->value_name("WxH"),
-         "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with --quick or --samplers)")
+         "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with --quick, --samplers or --light-field; K times that)")
+        ("finer", options::value<int>()->value_name("K")->default_value(1),
+         "1 to 8: pixels and lenses K times finer, as if the scene were K times as large")
         ("renderer", options::value<std::string>()->value_name("FILE"),
          "povray-integral (default: the one built beside this program)")
         ("scenes", options::value<std::string>()->value_name("FOLDER"),
@@ -56,28 +59,34 @@ std::vector<std::string> chosen_scenes(const options::variables_map& arguments)
     return chosen;
 }
 
+Extent chosen_extent(const options::variables_map& arguments)
+{
+    return arguments.count("quick")         ? Extent::quick
+           : arguments.count("light-field") ? Extent::light_field
+           : arguments.count("samplers")    ? Extent::samplers
+                                            : Extent::all;
+}
+
 void set_size(Renderer& renderer, const options::variables_map& arguments)
 {
-    const bool small = arguments.count("quick") || arguments.count("samplers");
-    renderer.width = small ? 120 : 240;
-    renderer.height = small ? 80 : 160;
+    const bool small = chosen_extent(arguments) != Extent::all;
+    renderer.finer = arguments["finer"].as<int>();
+    if (renderer.finer < 1 || renderer.finer > 8)
+        throw UsageError("--finer " + std::to_string(renderer.finer) + ": 1 to 8 is expected");
+    renderer.width = renderer.finer * (small ? 120 : 240);
+    renderer.height = renderer.finer * (small ? 80 : 160);
     if (!arguments.count("size"))
         return;
     const std::string text = arguments["size"].as<std::string>();
     std::smatch match;
-    const auto legal = [](int side) { return side >= 60 && side <= 2000 && side % 10 == 0; };
+    const auto legal = [&](int side) { return side >= 60 && side <= 2000 && side % (10 * renderer.finer) == 0; };
     if (std::regex_match(text, match, std::regex("([0-9]{1,4})x([0-9]{1,4})"))) {
         renderer.width = std::stoi(match[1]);
         renderer.height = std::stoi(match[2]);
         if (legal(renderer.width) && legal(renderer.height))
             return;
     }
-    throw UsageError("--size " + text + ": WIDTHxHEIGHT is expected, each a multiple of 10 from 60 to 2000");
-}
-
-Extent chosen_extent(const options::variables_map& arguments)
-{
-    return arguments.count("quick") ? Extent::quick : arguments.count("samplers") ? Extent::samplers : Extent::all;
+    throw UsageError("--size " + text + ": WIDTHxHEIGHT is expected, each a multiple of " + std::to_string(10 * renderer.finer) + " from 60 to 2000");
 }
 
 Renderer make_renderer(const options::variables_map& arguments, const std::string& folder)
@@ -145,7 +154,7 @@ int main(int count, char** words)
         const options::variables_map arguments = parsed(count, words, all);
         if (!arguments.count("help"))
             return run(arguments);
-        std::cout << "error_against_time [--quick | --samplers] [--scene NAME] -o FOLDER\n\n" << all;
+        std::cout << "error_against_time [--quick | --samplers | --light-field] [--scene NAME] -o FOLDER\n\n" << all;
         return 0;
     });
 }

@@ -18,9 +18,10 @@ namespace integral::bench {
 // ---- the ladder (error_against_time_ladder.cpp) ----
 
 struct Sheet {
-    std::string name;  ///< in file names
+    std::string name;  ///< in file names, and of its lenses in the scene language
     std::string title; ///< in plots
-    std::string words; ///< of the scene language
+    double pitch, thickness, ior; ///< mm
+    std::string words(int finer = 1) const; ///< of the scene language, of lenses so many times finer
 };
 
 /// Settings of one kind are one series of the plots.
@@ -43,6 +44,7 @@ const std::vector<Sheet>& sheets();
 enum class Extent {
     all,
     samplers, ///< those that compare anti-aliasing with brute force, in the reference's lens model and mapping
+    light_field, ///< the same without POV-Ray's own anti-aliasing
     quick
 };
 /// The first is the plainest: one ray a pixel, mapping auto. The others' run times are multiples of its.
@@ -65,6 +67,7 @@ struct Renderer {
     std::string scene_folder; ///< bench/scenes
     std::string work_folder;  ///< where frames and logs are written; must exist
     int width = 0, height = 0; ///< pixels of the frames
+    int finer = 1;             ///< so many times finer than 300 dpi are these, and finer than their own the sheets; not the perspective pictures
 
     /// Renders WORK/NAME.png on one thread, 16 bits a sample. Without `camera` it is the scene's perspective picture,
     /// `times` as wide and high. Throws std::runtime_error with the program's last words where it fails.
@@ -75,7 +78,7 @@ struct Renderer {
 
 constexpr double dots_per_inch = 300;
 /// Words of a whole integral camera.
-std::string camera_words(const Sheet& sheet, const Setting& setting);
+std::string camera_words(const Sheet& sheet, const Setting& setting, int finer = 1);
 
 // ---- measurements (error_against_time_measure.cpp) ----
 

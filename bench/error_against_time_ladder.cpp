@@ -115,8 +115,8 @@ const std::vector<std::string>& scene_names()
 const std::vector<Sheet>& sheets()
 {
     static const std::vector<Sheet> all = {
-        {"lenticular", "1.27 mm lenticular", "lenticular pitch 1.27 thickness 3.08 ior 1.6"},
-        {"square", "1.124 mm square", "square pitch 1.124 thickness 3.23 ior 1.675"},
+        {"lenticular", "1.27 mm lenticular", 1.27, 3.08, 1.6},
+        {"square", "1.124 mm square", 1.124, 3.23, 1.675},
     };
     return all;
 }
@@ -131,7 +131,8 @@ std::vector<Setting> ladder(Extent extent)
     std::vector<Setting> result = {mapping("auto"), beam(2), beam(3), beam(4), beam(8), both(2, 2), both(2, 4), both(4, 4),
                                    both(4, 8), both(8, 8)};
     append(result, light_field_settings());
-    append(result, pixel_grid_settings());
+    if (extent != Extent::light_field)
+        append(result, pixel_grid_settings());
     if (extent == Extent::all)
         append(result, {mapping("closest"), mapping("accurate"), mapping("exhaustive"), beam(16), beam(64), pixel(4), pixel(16),
                         antialias("AM1 linear", {"+A0.3", "+R3", "+AM1", "Antialias_Gamma=1"}),
@@ -142,15 +143,15 @@ std::vector<Setting> ladder(Extent extent)
 
 Setting reference_setting(Extent extent)
 {
-    Setting setting = extent == Extent::quick ? both(8, 32) : both(16, 64);
+    Setting setting = extent == Extent::quick || extent == Extent::light_field ? both(8, 32) : both(16, 64);
     setting.name = "reference";
     setting.options = {"Integral_Seed=20011"};
     return setting;
 }
 
-std::string camera_words(const Sheet& sheet, const Setting& setting)
+std::string camera_words(const Sheet& sheet, const Setting& setting, int finer)
 {
-    return "lens_sheet { " + sheet.words + " } film { dpi " + std::to_string(int(dots_per_inch)) + " } " + setting.words;
+    return "lens_sheet { " + sheet.words(finer) + " } film { dpi " + std::to_string(int(dots_per_inch) * finer) + " } " + setting.words;
 }
 
 } // namespace integral::bench

@@ -39,7 +39,7 @@ private:
     {
         std::vector<std::string> options = setting.options;
         options.push_back(audit ? "Integral_Audit=on" : "Integral_Audit=off");
-        return renderer_.render(scene_, name, camera_words(sheet_, setting), options);
+        return renderer_.render(scene_, name, camera_words(sheet_, setting, renderer_.finer), options);
     }
 
     const Renderer& renderer_;

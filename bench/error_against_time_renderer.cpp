@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <regex>
 #include <spawn.h>
+#include <sstream>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -81,15 +82,24 @@ double number_in(const std::string& text, const char* pattern, const std::string
 
 } // namespace
 
+std::string Sheet::words(int finer) const
+{
+    std::ostringstream text;
+    text.precision(12);
+    text << name << " pitch " << pitch / finer << " thickness " << thickness / finer << " ior " << ior;
+    return text.str();
+}
+
 RenderCost Renderer::render(const std::string& scene, const std::string& name, const std::optional<std::string>& camera,
                             const std::vector<std::string>& options, int times) const
 {
     const std::string ini = work_folder + "/settings.ini", log = work_folder + "/" + name + ".log";
+    const int coarser = camera ? 1 : finer;
     write_file(ini, "Display=off\nVerbose=off\nBits_Per_Color=16\nWork_Threads=1\n");
     std::vector<std::string> command = {
         program, "+I" + scene_folder + "/" + scene + ".pov", "+L" + scene_folder, "+O" + picture(name),
-        "+W" + std::to_string(times * width), "+H" + std::to_string(times * height),
-        "Declare=Film_Width=" + std::to_string(width * mm_per_inch / dots_per_inch)};
+        "+W" + std::to_string(times * width / coarser), "+H" + std::to_string(times * height / coarser),
+        "Declare=Film_Width=" + std::to_string(width * mm_per_inch / (finer * dots_per_inch))};
     if (camera)
         command.push_back("Integral_Camera=" + *camera);
     command.insert(command.end(), options.begin(), options.end());

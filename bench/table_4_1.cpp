@@ -210,7 +210,7 @@ private:
                                          "Declare=Sphere_Radius=" + std::to_string(radius - radius_step * sphere)};
         options.insert(options.end(), shot.options.begin(), shot.options.end());
         const std::string film = " film { dpi " + std::to_string(shot.dpi) + " } ";
-        const std::string camera = "lens_sheet { " + sheet_.words + " }" + film + shot.words;
+        const std::string camera = "lens_sheet { " + sheet_.words() + " }" + film + shot.words;
         const RenderCost cost = renderer_.render("sphere", file(shot, sphere), camera, options);
         std::cerr << file(shot, sphere) << ": " << cost.camera_rays << " rays, " << cost.cpu_seconds << " CPU seconds\n";
         return cost.camera_rays;
@@ -343,7 +343,7 @@ void run(const files::path& folder, const files::path& scenes, const files::path
     std::string tables;
     for (const char* arrangement : {"lenticular", "square"}) {
         const std::string name = arrangement;
-        sheets.emplace_back(renderer, Sheet{name, "1.27 mm " + name, name + " pitch 1.27 thickness 3.08 ior 1.6"});
+        sheets.emplace_back(renderer, Sheet{name, "1.27 mm " + name, 1.27, 3.08, 1.6});
         tables += sheets.back().table();
     }
     write_montage(sheets, picture);
