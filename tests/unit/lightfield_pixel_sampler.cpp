@@ -122,7 +122,8 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
         for (const int samples : {2, 3, 64}) {
             CameraParameters p = parameters_of(arrangement, samples);
             p.sheet.slant = 8;
-            const IntegralCamera camera = camera_of(p, 90, 70);
+            // Of three samples two lie to either side of the centre: seldom are all another lens's.
+            const IntegralCamera camera = samples == 3 ? camera_of(p, 500, 400) : camera_of(p, 90, 70);
             const PixelSampler sampler(camera, 2);
             int at_centre = 0, fewer = 0;
             double kept = 0, expected = 0;
@@ -145,12 +146,9 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
                 }
             });
             BOOST_TEST(fewer > 100);
-            if (samples == 2)
-                BOOST_TEST(at_centre > 0); // all samples another's: the centre itself
-            if (samples == 64) {
-                BOOST_TEST(at_centre == 0);
+            BOOST_TEST((at_centre > 0) == (samples < 64)); // all samples another's: the centre itself
+            if (samples == 64)
                 BOOST_TEST(std::fabs(kept / expected - 1) < 0.01);
-            }
         }
 }
 
@@ -236,7 +234,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
         BOOST_TEST(pixels > 97);
         const auto first = [&](Vec2 centre, bool alike, const PixelSampler& by) {
             std::vector<PixelRay> rays;
-            by.append_sample(by.beam(centre, alike, 20), 0, rays);
+            by.append_sample(by.beam(centre, alike, 0), 0, rays); // at the sheet, where every pixel has the same share in what is seen
             return origin_of(camera, centre, rays.at(0).ray, lens_at(camera, centre));
         };
         std::vector<Vec2> whole_ones;
@@ -245,7 +243,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
         BOOST_TEST(first(here, false, sampler).film.x == first(here, false, PixelSampler(camera, 7)).film.x);
         BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(here, false, PixelSampler(camera, 8)).film.x) > 1e-6);
         BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(there, false, sampler).film.x) > 1e-6);
-        BOOST_TEST(std::fabs(first(here, true, sampler).film.x - first(there, true, sampler).film.x) < 0.05); // the ratio is each one's own
+        BOOST_TEST(std::fabs(first(here, true, sampler).film.x - first(there, true, sampler).film.x) < 1e-6);
     }
 }
 
