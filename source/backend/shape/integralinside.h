@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Whether a point is inside of all parts of an intersection or difference: those that can tell soon are asked first.
+#ifndef POVRAY_BACKEND_INTEGRALINSIDE_H
+#define POVRAY_BACKEND_INTEGRALINSIDE_H
+
+#include <vector>
+
+#include "backend/lighting/point.h"
+#include "backend/scene/objects.h"
+
+namespace pov
+{
+
+/// Whether a point is inside of each of `parts` but for `but`. Parts that have parts themselves are asked last: of the points that are
+/// asked about, most are outside of a simple one. A light is asked only if it has a looks_like.
+inline bool Integral_Inside_All(const std::vector<ObjectPtr>& parts, const ObjectBase *but, const VECTOR point, TraceThreadData *thread)
+{
+    bool compounds = false;
+    for (const ObjectPtr part : parts)
+        if (part->Type & IS_COMPOUND_OBJECT)
+            compounds = true;
+        else if (part != but && !Inside_Object(point, part, thread))
+            return false;
+    if (!compounds)
+        return true;
+    for (const ObjectPtr part : parts)
+    {
+        if (!(part->Type & IS_COMPOUND_OBJECT) || part == but)
+            continue;
+        const bool asked = !(part->Type & LIGHT_SOURCE_OBJECT) || !static_cast<const LightSource *>(part)->children.empty();
+        if (asked && !Inside_Object(point, part, thread))
+            return false;
+    }
+    return true;
+}
+
+}
+
+#endif
