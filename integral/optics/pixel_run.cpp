@@ -11,18 +11,14 @@ constexpr int lanes = PixelRun::pixels;
 constexpr double border_margin = 1e-7; // pitches: within that of a border another lens may be as near
 constexpr int steps = 3;               // of Newton's: nearly every ray needs two
 
-struct Lanes {
-    double at[lanes];
-    double& operator[](int k) { return at[k]; }
-    double operator[](int k) const { return at[k]; }
-};
+} // namespace
 
 /// What each lane knows of its pole ray. Whole numbers as doubles; `sure` 0 or 1.
-struct PoleRays {
-    Lanes film_x, column, row, point_x, point_y, offset_x, offset_y, root, aperture_x, aperture_y, sure;
+struct PixelRuns::PoleRays {
+    Lanes film_x;
+    double film_y;
+    Lanes column, row, point_x, point_y, offset_x, offset_y, root, aperture_x, aperture_y, sure;
 };
-
-} // namespace
 
 PixelRuns::PixelRuns(const IntegralCamera& camera)
 {
@@ -54,37 +50,45 @@ PixelRuns::PixelRuns(const IntegralCamera& camera)
     slit_across_ = optics.slit().across;
     slit_normal_ = optics.slit().normal;
     placement_ = camera.placement;
+    searches_ = mapping == LensMapping::automatic;
+    // A lens whose ray passes so near to the aperture's centre is alone: of two, one would pass farther away (SheetOptics::map_accurate).
+    alone_ = 0.5 * pitch_ * (1 + n_ * distance_ / t_) * (1 - 1e-6) - 4 * lattice.tie_tolerance();
     front_ = camera.depth_range ? std::min(camera.depth_range->x, distance_) : distance_;
     at_aperture_ = !(front_ < distance_);
     limited_ = camera.depth_range.has_value();
     seen_ = limited_ ? front_ + camera.depth_range->y : 0;
 }
 
-/// The same steps in the same order as SheetOptics::map and sight_line take for one pixel: every number is theirs.
-void PixelRuns::work_out(Vec2 centre, PixelRun& run) const
+/// The lenses nearest to pixels' centres.
+void PixelRuns::nearest_lenses(Vec2 centre, PoleRays& rays) const
 {
-    PoleRays rays;
-    const double film_y = (film_centre_.y - centre.y) * pixel_pitch_.y;
-    const double rows = lenticular_ ? 0 : 1;
+    rays.film_y = (film_centre_.y - centre.y) * pixel_pitch_.y;
     for (int k = 0; k < lanes; ++k) {
         const double film_x = ((centre.x + k) - film_centre_.x) * pixel_pitch_.x;
-        const double from_x = film_x - offset_.x, from_y = film_y - offset_.y;
+        const double from_x = film_x - offset_.x, from_y = rays.film_y - offset_.y;
         const double u = (across_.x * from_x + across_.y * from_y) / pitch_;
         const double v = lenticular_ ? 0 : (along_.x * from_x + along_.y * from_y) / pitch_;
         const double column = nearest_integer(u), row = nearest_integer(v);
         rays.film_x[k] = film_x;
         rays.column[k] = column;
         rays.row[k] = row;
-        double x = offset_.x + (column * pitch_) * across_.x, y = offset_.y + (column * pitch_) * across_.y;
-        x = rows != 0 ? x + (row * row_spacing_) * along_.x : x;
-        y = rows != 0 ? y + (row * row_spacing_) * along_.y : y;
-        rays.point_x[k] = x;
-        rays.point_y[k] = y;
         const double off_border = 0.5 - border_margin;
-        const double du = std::fabs(u - column), dv = std::fabs(v - row), far = std::fabs(film_x) + std::fabs(film_y);
+        const double du = std::fabs(u - column), dv = std::fabs(v - row), far = std::fabs(film_x) + std::fabs(rays.film_y);
         rays.sure[k] = (du < off_border ? 1.0 : 0.0) * (dv < off_border ? 1.0 : 0.0) * (far < farthest_ ? 1.0 : 0.0);
     }
+}
 
+/// Pixels' pole rays through their lenses, to the aperture.
+void PixelRuns::follow(PoleRays& rays) const
+{
+    const double film_y = rays.film_y, rows = lenticular_ ? 0 : 1;
+    for (int k = 0; k < lanes; ++k) {
+        double x = offset_.x + (rays.column[k] * pitch_) * across_.x, y = offset_.y + (rays.column[k] * pitch_) * across_.y;
+        x = rows != 0 ? x + (rays.row[k] * row_spacing_) * along_.x : x;
+        y = rows != 0 ? y + (rays.row[k] * row_spacing_) * along_.y : y;
+        rays.point_x[k] = x;
+        rays.point_y[k] = y;
+    }
     if (!lenticular_)
         for (int k = 0; k < lanes; ++k) {
             const double x = rays.point_x[k] - rays.film_x[k], y = rays.point_y[k] - film_y;
@@ -143,6 +147,64 @@ void PixelRuns::work_out(Vec2 centre, PixelRun& run) const
             rays.sure[k] *= done[k] * (s > 0 ? 1.0 : 0.0) * (n_ * stretch < 1 ? 0.0 : 1.0);
         }
     }
+}
+
+/// For pixels whose nearest lens is not seen from the aperture, the one that is: as far from the nearest as its ray is off the aperture's
+/// centre, by the sheet's stretch there. Where that lens is beyond doubt it takes the nearest's place.
+void PixelRuns::search(PoleRays& rays, Lanes& shown, PixelRun& run) const
+{
+    double unseen = 0;
+    for (int k = 0; k < lanes; ++k)
+        unseen += rays.sure[k] * (1 - shown[k]);
+    if (unseen == 0)
+        return;
+    PoleRays others = rays;
+    for (int k = 0; k < lanes; ++k) {
+        const double stretch = 1 + n_ * distance_ / rays.root[k];
+        const double columns = nearest_integer(-(across_.x * rays.aperture_x[k] + across_.y * rays.aperture_y[k]) / (stretch * pitch_));
+        const double rows = lenticular_ ? 0 : nearest_integer(-(along_.x * rays.aperture_x[k] + along_.y * rays.aperture_y[k]) / (stretch * row_spacing_));
+        const bool wanted = rays.sure[k] != 0 && shown[k] == 0 && std::fabs(columns) + std::fabs(rows) > 0;
+        others.column[k] += wanted ? columns : 0;
+        others.row[k] += wanted ? rows : 0;
+        others.sure[k] = wanted ? 1 : 0;
+    }
+    follow(others);
+    const Lanes others_shown = pass(others);
+    for (int k = 0; k < lanes; ++k) {
+        const double x = others.aperture_x[k], y = others.aperture_y[k];
+        const double off = lenticular_ ? std::fabs(slit_horizontal_ ? x : y) : std::sqrt(x * x + y * y);
+        if (others.sure[k] == 0 || others_shown[k] == 0 || !(off < alone_))
+            continue;
+        for (const auto lane : {&PoleRays::column, &PoleRays::row, &PoleRays::point_x, &PoleRays::point_y, &PoleRays::offset_x, &PoleRays::offset_y,
+                                &PoleRays::root, &PoleRays::aperture_x, &PoleRays::aperture_y})
+            (rays.*lane)[k] = (others.*lane)[k];
+        shown[k] = 1;
+        run.searched[k] = true;
+    }
+}
+
+/// Whether rays pass the aperture: 0 or 1.
+PixelRuns::Lanes PixelRuns::pass(const PoleRays& rays) const
+{
+    Lanes passing;
+    for (int k = 0; k < lanes; ++k) {
+        const double within_x = std::fabs(rays.aperture_x[k]) <= edge_.x ? 1.0 : 0.0, within_y = std::fabs(rays.aperture_y[k]) <= edge_.y ? 1.0 : 0.0;
+        const double across = lenticular_ && !slit_horizontal_ ? 1.0 : within_x, along = lenticular_ && slit_horizontal_ ? 1.0 : within_y;
+        passing[k] = across * along;
+    }
+    return passing;
+}
+
+/// The same steps in the same order as SheetOptics::map and sight_line take for one pixel: every number is theirs.
+void PixelRuns::work_out(Vec2 centre, PixelRun& run) const
+{
+    PoleRays rays;
+    nearest_lenses(centre, rays);
+    follow(rays);
+    Lanes shown = pass(rays);
+    run.searched = {};
+    if (searches_)
+        search(rays, shown, run);
 
     const Placement& at = placement_;
     Lanes origin_x, origin_y, origin_z, direction_x, direction_y, direction_z, length;
@@ -166,13 +228,10 @@ void PixelRuns::work_out(Vec2 centre, PixelRun& run) const
         direction_y[k] = inverse * dy;
         direction_z[k] = inverse * dz;
         length[k] = scale * seen_ / z;
-        const double within_x = std::fabs(rays.aperture_x[k]) <= edge_.x ? 1.0 : 0.0, within_y = std::fabs(rays.aperture_y[k]) <= edge_.y ? 1.0 : 0.0;
-        const double across = lenticular_ && !slit_horizontal_ ? 1.0 : within_x, along = lenticular_ && slit_horizontal_ ? 1.0 : within_y;
-        rays.sure[k] = rays.sure[k] * across * along;
     }
 
     for (int k = 0; k < lanes; ++k) {
-        run.given[k] = rays.sure[k] != 0; // what is no number fails a comparison
+        run.given[k] = rays.sure[k] != 0 && shown[k] != 0; // what is no number fails a comparison
         if (!run.given[k])
             continue;
         run.lens[k] = {static_cast<std::int64_t>(rays.column[k]), static_cast<std::int64_t>(rays.row[k])};

@@ -13,9 +13,10 @@ namespace integral {
 /// Eight pixels of a row, from the left.
 struct PixelRun {
     static constexpr int pixels = 8;
-    /// Whether the nearest lens shows the pixel's centre to the aperture, beyond doubt. Where it is false nothing is said of the pixel: it may
-    /// lie next to a lens's border, need the search, be empty, or be so steep that rounding matters.
+    /// Whether a lens shows the pixel's centre to the aperture, beyond doubt. Where it is false nothing is said of the pixel: it may
+    /// lie next to a lens's border, be searched for in vain or among several, be empty, or be so steep that rounding matters.
     std::array<bool, pixels> given = {};
+    std::array<bool, pixels> searched = {}; ///< of the given: it is not the nearest lens
     std::array<LensIndex, pixels> lens; ///< of the given
     std::array<SightLine, pixels> line; ///< of the given: sight_line of the pole ray, bit for bit
 };
@@ -33,10 +34,21 @@ public:
     void work_out(Vec2 centre, PixelRun& run) const;
 
 private:
+    struct Lanes {
+        double at[PixelRun::pixels];
+        double& operator[](int k) { return at[k]; }
+        double operator[](int k) const { return at[k]; }
+    };
+    struct PoleRays;
+    void nearest_lenses(Vec2 centre, PoleRays& rays) const;
+    void follow(PoleRays& rays) const;
+    Lanes pass(const PoleRays& rays) const;
+    void search(PoleRays& rays, Lanes& shown, PixelRun& run) const;
+
     bool possible_;
-    bool lenticular_, slit_horizontal_, at_aperture_, limited_;
+    bool lenticular_, slit_horizontal_, at_aperture_, limited_, searches_;
     Vec2 film_centre_, pixel_pitch_, across_, along_, offset_, edge_;
-    double pitch_, row_spacing_, farthest_;
+    double pitch_, row_spacing_, farthest_, alone_;
     double n_, t_, m_, root_m_, distance_;
     double slit_distance_;
     Vec2 slit_axis_, slit_across_, slit_normal_;

@@ -82,9 +82,9 @@ int IntegralTracer::Place_In_Run(DBL x, DBL y)
     const bool next = y == last_y && x == last_x + 1;
     last_x = x;
     last_y = y;
-    for (int k = 0; k < integral::PixelRun::pixels && y == run_y; k++)
-        if (x == run_x + k)
-            return k;
+    const DBL place = x - run_x;
+    if (y == run_y && place >= 0 && place < integral::PixelRun::pixels && place == int(place))
+        return int(place);
     if (!next)
         return -1;
     run_x = x;
@@ -102,6 +102,7 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
     {
         outcome.film_points = outcome.imaged = 1;
         outcome.lens = run.lens[place];
+        outcome.searched = run.searched[place];
         Make_Ray(ray, run.line[place], pretrace, length);
     }
     else if (const auto seen = block->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
