@@ -9,6 +9,7 @@ namespace {
 
 constexpr int lanes = PixelRun::pixels;
 constexpr double border_margin = 1e-7; // pitches: within that of a border another lens may be as near
+constexpr double fewest = 2;           // pixels that are searched for side by side: one is as soon found alone
 constexpr int steps = 3;               // of Newton's: nearly every ray needs two
 
 } // namespace
@@ -156,7 +157,7 @@ void PixelRuns::search(PoleRays& rays, Lanes& shown, PixelRun& run) const
     double unseen = 0;
     for (int k = 0; k < lanes; ++k)
         unseen += rays.sure[k] * (1 - shown[k]);
-    if (unseen == 0)
+    if (unseen < fewest)
         return;
     PoleRays others = rays;
     for (int k = 0; k < lanes; ++k) {
