@@ -86,6 +86,8 @@ Pass rays_in_runs(const IntegralCamera& camera)
             if (k == 0)
                 runs.work_out({i + 0.5, j + 0.5}, run);
             SightLine line;
+            if (run.empty[k])
+                continue;
             if (run.given[k])
                 line = run.line[k];
             else {

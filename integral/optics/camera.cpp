@@ -193,6 +193,8 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     placement.z = (k / axis) * view.direction;
     placement.origin = view.location + view.sheet_distance_ratio * view.direction;
     placement.units_per_mm = k;
+    const double skew = std::max({std::fabs(dot(placement.x, placement.y)), std::fabs(dot(placement.y, placement.z)), std::fabs(dot(placement.z, placement.x))});
+    placement.right_angled = skew <= 1e-14 * k * k;
     return {SheetOptics(p.sheet, aperture, p.model), film, placement, p.mapping, p.depth_range,
             p.pixel_samples.value_or(default_pixel_samples(p)), p.beam_samples.value_or(default_beam_samples(p)), p.pseudoscopic,
             p.display_prefilter};
@@ -211,7 +213,7 @@ SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray)
                                         : Vec3{ray.aperture_point.x, ray.aperture_point.y, -distance};
     line.origin = scene_from_sheet(at, start);
     const Vec3 direction = d.x * at.x + d.y * at.y + d.z * at.z;
-    const double scale = length(direction);
+    const double scale = at.right_angled ? at.units_per_mm : length(direction);
     line.direction = (1 / scale) * direction;
     if (camera.depth_range)
         line.length = scale * (front + camera.depth_range->y) / d.z;

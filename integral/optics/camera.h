@@ -51,6 +51,7 @@ struct ViewFrame {
 struct Placement {
     Vec3 origin, x, y, z;
     double units_per_mm = 1; ///< k
+    bool right_angled = false; ///< the axes are at right angles, to rounding: all lengths change by k
 };
 
 inline Vec3 scene_from_sheet(const Placement& p, Vec3 v)

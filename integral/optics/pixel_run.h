@@ -13,9 +13,9 @@ namespace integral {
 /// Eight pixels of a row, from the left.
 struct PixelRun {
     static constexpr int pixels = 8;
-    /// Whether a lens shows the pixel's centre to the aperture, beyond doubt. Where it is false nothing is said of the pixel: it may
-    /// lie next to a lens's border, be searched for in vain or among several, be empty, or be so steep that rounding matters.
-    std::array<bool, pixels> given = {};
+    /// Whether a lens shows the pixel's centre to the aperture, beyond doubt; whether none does. Where both are false nothing is said of
+    /// the pixel: several lenses may come near to showing it, or it is so steep that rounding matters.
+    std::array<bool, pixels> given = {}, empty = {};
     std::array<bool, pixels> searched = {}; ///< of the given: it is not the nearest lens
     std::array<LensIndex, pixels> lens; ///< of the given
     std::array<SightLine, pixels> line; ///< of the given: sight_line of the pole ray, bit for bit
@@ -40,15 +40,20 @@ private:
         double operator[](int k) const { return at[k]; }
     };
     struct PoleRays;
-    void nearest_lenses(Vec2 centre, PoleRays& rays) const;
+    struct Rivals;
+    void compare_lenses(LensMapping mapping);
+    void guess_lenses(Vec2 centre, PoleRays& rays) const;
     void follow(PoleRays& rays) const;
-    Lanes pass(const PoleRays& rays) const;
-    void search(PoleRays& rays, Lanes& shown, PixelRun& run) const;
+    void find_rivals(const PoleRays& rays, Rivals& rivals) const;
+    void settle(PoleRays& rays, PixelRun& run) const;
 
+    Lattice lattice_;
     bool possible_;
-    bool lenticular_, slit_horizontal_, at_aperture_, limited_, searches_;
+    bool lenticular_, slit_horizontal_, at_aperture_, limited_, guesses_, nearest_gets_through_;
     Vec2 film_centre_, pixel_pitch_, across_, along_, offset_, edge_;
-    double pitch_, row_spacing_, farthest_, alone_;
+    double pitch_, row_spacing_, farthest_, alone_, beyond_, bend_;
+    Vec2 columns_at_aperture_, rows_at_aperture_; ///< the lattice's directions there
+    double column_, row_, diagonal_, other_diagonal_; ///< see Rivals
     double n_, t_, m_, root_m_, distance_;
     double slit_distance_;
     Vec2 slit_axis_, slit_across_, slit_normal_;

@@ -65,33 +65,27 @@ std::optional<double> end_of(const Equation& equation, double root_e, double lim
     return std::nullopt;
 }
 
-/// A root of solve_slit at the plane of the poles, and S there.
+/// A root of PoleEquation, and S there.
 struct PoleRoot { double tau, s; };
 
-/// solve_slit at the plane of the poles, where with p = g tau + h e.b
-///     H(tau) = alpha + g tau + n D p/S,   H' = g + n D (g E + m h (e.b) tau)/S^3.
-/// Newton's steps alone, from the root to third order in tau: nearly every ray of a picture needs two. False where they do
-/// not settle at once.
+/// Newton's steps alone: nearly every ray of a picture needs two. False where they do not settle at once.
 inline bool settle_at_pole(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta, PoleRoot& root)
 {
     const double clear = clearance(medium, {h, 0});
     if (!(clear > 0))
         return false;
-    const double alpha = dot(slit.normal, foot) - eta, g = dot(slit.normal, slit.axis), nd = medium.n * slit.distance;
-    const double lateral = h * dot(slit.normal, slit.across), root_e = std::sqrt(clear), end = root_e / medium.root_m;
-    if (!(std::fabs(lateral) < g * end))
+    const double root_clear = std::sqrt(clear);
+    const PoleEquation equation{dot(slit.normal, foot) - eta, dot(slit.normal, slit.axis), h * dot(slit.normal, slit.across),
+                                medium.n * slit.distance, medium.m, clear, PoleEquation::end_of(root_clear, medium.root_m)};
+    if (!(std::fabs(equation.lateral) < equation.g * equation.end))
         return false;
-    const double paraxial = 1 / (g * (root_e + nd));
-    double tau = -(alpha * root_e + nd * lateral) * paraxial;
-    tau -= nd * (g * tau + lateral) * paraxial * (0.5 * medium.m * tau * tau / clear);
+    double tau = equation.start(root_clear, medium.t);
     constexpr int most_steps = 5;
-    for (int step = 0; step < most_steps && std::fabs(tau) < end; ++step) {
-        const double s2 = medium.m * ((end - tau) * (end + tau)), s = std::sqrt(s2);
-        const double change = ((alpha + g * tau) * s + nd * (g * tau + lateral)) * s2
-                            / (g * s * s2 + nd * (g * clear + medium.m * lateral * tau));
+    for (int step = 0; step < most_steps && std::fabs(tau) < equation.end; ++step) {
+        const double change = equation.step(tau);
         tau -= change;
-        if (change * change <= slit_settled * std::fabs(tau) * (end - std::fabs(tau))) {
-            root = {tau, std::sqrt(medium.m * ((end - tau) * (end + tau)))};
+        if (equation.settled(change, tau)) {
+            root = {tau, equation.root(tau)};
             return root.s > 0;
         }
     }

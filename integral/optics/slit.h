@@ -5,6 +5,7 @@
 
 #include "integral/optics/lens_surface.h"
 
+#include <cmath>
 #include <optional>
 
 namespace integral {
@@ -20,6 +21,40 @@ struct Slit {
 
 /// Newton's error after a step is about change^2/(distance to the end of the interval): below this part of the root it is done.
 constexpr double slit_settled = 1e-17;
+
+/// The slit's equation for light that is refracted in the plane of the poles: with S = sqrt(E - m tau^2), E the clearance at tau = 0,
+/// p = g tau + h e.b and D the slit's distance
+///     H(tau) = alpha + g tau + n D p/S,   H' = g + n D (g E + m h (e.b) tau)/S^3.
+/// Written so that a compiler can take several side by side.
+struct PoleEquation {
+    double alpha;    ///< e.foot - eta
+    double g;        ///< e.a
+    double lateral;  ///< h e.b
+    double nd;       ///< n D
+    double m, clear; ///< of the medium; E
+    double end;      ///< the greatest |tau|, sqrt(E/m)
+
+    static double end_of(double root_clear, double root_m) { return root_clear * (1 / root_m); }
+
+    /// The root to third order in tau, where E is little less than t^2, and what is left of the slit's distance is taken by a series.
+    double start(double root_clear, double t) const
+    {
+        const double inverse_t2 = 1 / (t * t), inverse_reach = 1 / (t + nd), inverse_g = 1 / g;
+        const double narrower = (t - root_clear) * inverse_reach, paraxial = inverse_g * inverse_reach * (1 + narrower + narrower * narrower);
+        const double taken = 1 - clear * inverse_t2, bend = (0.5 * m * inverse_t2) * (1 + taken + taken * taken);
+        const double first = -(alpha * root_clear + nd * lateral) * paraxial;
+        return first - nd * (g * first + lateral) * paraxial * (bend * first * first);
+    }
+    double root(double tau) const { return std::sqrt(m * ((end - tau) * (end + tau))); } ///< S
+    /// Newton's step, H/H'.
+    double step(double tau) const
+    {
+        const double s2 = m * ((end - tau) * (end + tau)), s = std::sqrt(s2);
+        return ((alpha + g * tau) * s + nd * (g * tau + lateral)) * s2 / (g * s * s2 + nd * (g * clear + m * lateral * tau));
+    }
+    /// Whether `change` was the last step that is needed, which led to tau.
+    bool settled(double change, double tau) const { return change * change <= slit_settled * std::fabs(tau) * (end - std::fabs(tau)); }
+};
 
 /// e.A of a slit at `height`, whose sign is that of y (horizontal slit) or x (vertical).
 inline double signed_height(const Slit& slit, double height)

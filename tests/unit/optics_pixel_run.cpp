@@ -18,7 +18,7 @@ namespace {
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 bool same(Vec3 a, Vec3 b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
 
-struct Found { long imaged = 0, given = 0, searched = 0; };
+struct Found { long imaged = 0, given = 0, searched = 0, not_imaged = 0, empty = 0; };
 
 /// All runs of a frame, from every pixel on, against one_ray and sight_line.
 Found compare(const CameraParameters& parameters, const ViewFrame& view, int width, int height, const std::string& what)
@@ -36,7 +36,12 @@ Found compare(const CameraParameters& parameters, const ViewFrame& view, int wid
                 PixelOutcome outcome;
                 const auto ray = sampler.one_ray({x + k + 0.5, y + 0.5}, outcome);
                 found.imaged += outcome.imaged;
+                found.not_imaged += outcome.outside_aperture + outcome.total_reflection;
                 found.given += run.given[k];
+                if (run.empty[k]) {
+                    BOOST_REQUIRE_MESSAGE(!run.given[k] && !ray && outcome.outside_aperture == 1, what << ": pixel " << x + k << ", " << y << " is not empty");
+                    ++found.empty;
+                }
                 if (!run.given[k])
                     continue;
                 BOOST_REQUIRE_MESSAGE(ray && outcome.searched == int(run.searched[k]),
@@ -76,6 +81,8 @@ BOOST_AUTO_TEST_CASE(a_run_is_its_pixels)
                 const std::string what = (lenticular ? "lenticular, " : "square, ") + std::to_string(slant) + (limited ? " degrees, limited" : " degrees");
                 const Found found = compare(parameters, view_of(width, height, pitch, 350), width, height, what);
                 BOOST_TEST(found.given >= 0.94 * found.imaged, what << ": only " << found.given << " of " << found.imaged);
+                if (limited) // `closest`
+                    BOOST_TEST(found.empty >= 0.99 * found.not_imaged, what << ": only " << found.empty << " of " << found.not_imaged << " empty");
             }
 }
 
@@ -97,7 +104,8 @@ BOOST_AUTO_TEST_CASE(searched_for)
                     BOOST_TEST(found.searched == 0);
                 else {
                     BOOST_TEST(found.searched >= 0.09 * found.imaged, what << ": " << found.searched << " searched for, of " << found.imaged);
-                    BOOST_TEST(found.given >= 0.85 * found.imaged, what << ": only " << found.given << " of " << found.imaged);
+                    BOOST_TEST(found.given >= 0.93 * found.imaged, what << ": only " << found.given << " of " << found.imaged);
+                    BOOST_TEST(found.empty > (slant == 45 ? 0.05 : 0.3) * found.not_imaged, what << ": only " << found.empty << " of " << found.not_imaged << " empty");
                 }
             }
 }
@@ -108,7 +116,7 @@ BOOST_AUTO_TEST_CASE(any_camera)
     std::mt19937 random(7);
     const auto between = [&](double low, double high) { return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random)); };
     const auto even = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-    long given = 0, imaged = 0, cameras = 0;
+    long given = 0, imaged = 0, empty = 0, cameras = 0;
     for (int trial = 0; trial < 400; ++trial) {
         CameraParameters parameters;
         const double pitch = between(0.05, 20);
@@ -133,11 +141,13 @@ BOOST_AUTO_TEST_CASE(any_camera)
         }
         given += found.given;
         imaged += found.imaged;
+        empty += found.empty;
         ++cameras;
     }
     BOOST_TEST(cameras > 200);
     BOOST_TEST(given > 0.8 * imaged);
-    BOOST_TEST_MESSAGE(given << " of " << imaged << " pixels of " << cameras << " cameras");
+    BOOST_TEST(empty > 1000);
+    BOOST_TEST_MESSAGE(given << " of " << imaged << " pixels, and " << empty << " empty, of " << cameras << " cameras");
 }
 
 BOOST_AUTO_TEST_CASE(where_there_are_none)

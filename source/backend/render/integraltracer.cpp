@@ -105,6 +105,8 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
         outcome.searched = run.searched[place];
         Make_Ray(ray, run.line[place], pretrace, length);
     }
+    else if (place >= 0 && run.empty[place])
+        outcome.film_points = outcome.outside_aperture = 1;
     else if (const auto seen = block->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
         Make_Ray(ray, *seen, pretrace, length);
     imaged = outcome.imaged > 0;
