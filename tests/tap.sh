@@ -12,7 +12,7 @@
 TOP=${TOP:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)}
 BUILD=${BUILD:-$TOP/build}
 POVRAY=${POVRAY:-$BUILD/bin/povray-integral}
-PRISTINE=${PRISTINE:-$BUILD/pristine/unix/povray}
+PRISTINE=${PRISTINE:-$TOP/tests/unmodified}
 INTEGRAL=${INTEGRAL:-$BUILD/bin/integral}
 POVINI=${POVINI:-$TOP/tests/povray.ini}
 POVINC=${POVINC:-$BUILD/share/povray-integral-3.7/include}
