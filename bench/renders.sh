@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 # For the scripts of this folder: three scenes (trivial, 1500 glass balls with interiors, upstream's chess2), two sheets, and
-# what rendering them costs. To be sourced.
+# what rendering them costs. To be sourced. At look_at each scene's perspective picture is as wide as the film, whatever the frame's
+# size: both cameras see the same mix of objects.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 povray=${POVRAY:-$top/build/bin/povray-integral}
@@ -11,14 +12,16 @@ width=${WIDTH:-600} height=${HEIGHT:-400}
 
 cat > "$work/trivial.pov" <<'SCENE'
 #version 3.7; global_settings { assumed_gamma 1 }
-camera { location <0, 0, -350> look_at 0 angle 8.3 right x*image_width/image_height }
+#declare Film = image_width*25.4/300;
+camera { location <0, 0, -350> look_at 0 angle 2*degrees(atan2(Film/2, 350)) right x*image_width/image_height }
 light_source { <-200, 300, -400> rgb 1 }
-sphere { 0, 15 pigment { rgb <0.8, 0.4, 0.2> } }
-plane { -z, -40 pigment { rgb 0.6 } }
+sphere { 0, 0.3*Film pigment { rgb <0.8, 0.4, 0.2> } }
+plane { -z, -0.8*Film pigment { rgb 0.6 } }
 SCENE
 cat > "$work/glass.pov" <<'SCENE'
 #version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }
-camera { location <0, 0, -350> look_at 0 angle 8.3 right x*image_width/image_height }
+#declare Film = image_width*25.4/300;
+camera { location <0, 0, -350> look_at 0 angle 2*degrees(atan2(Film/2, 350)) right x*image_width/image_height }
 light_source { <-200, 300, -400> rgb 1 }
 plane { -z, -40 pigment { checker rgb 0.9 rgb 0.4 scale 5 } }
 #declare R = seed(1);
@@ -28,7 +31,7 @@ plane { -z, -40 pigment { checker rgb 0.9 rgb 0.4 scale 5 } }
 #end
 SCENE
 chess=$top/build/share/povray-integral-3.7/scenes/advanced/chess2.pov
-sed -e '/blur_samples/d' "$chess" > "$work/chess2.pov"
+sed -e '/blur_samples/d' -e 's/direction <0, 0, 2>/direction z*vlength(<59, 21, -56>)*300\/25.4\/image_height/' "$chess" > "$work/chess2.pov"
 
 sheets=("lenticular pitch 1.27 thickness 3.08 ior 1.6;" "square pitch 1.124 thickness 3.23 ior 1.675;")
 

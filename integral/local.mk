@@ -24,7 +24,7 @@ build/share/man/integral.1: build/bin/integral
 	$(AM_V_GEN)$(MKDIR_P) build/share/man && build/bin/integral help --man > $@.tmp && mv $@.tmp $@
 
 # The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized layer.
-SANITIZE = -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined
+SANITIZE = -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined
 
 EXTRA_LIBRARIES += build/sanitized/libintegral.a
 build_sanitized_libintegral_a_SOURCES = $(build_lib_libintegral_a_SOURCES)
