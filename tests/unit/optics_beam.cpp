@@ -225,15 +225,6 @@ void check_inverse(const Case& c, Vec3 scene)
     }
 }
 
-/// `few` in CI, `many` with LONG=1; a fifth of the few where sanitizers slow the 100 digits down.
-int sheets(int few, int many)
-{
-#ifdef __SANITIZE_ADDRESS__
-    few /= 5;
-#endif
-    return random_sheets::count(few, many);
-}
-
 /// Forward; then back from points of the ray in front of and behind the sheet, and from a point anywhere.
 void check(const Case& c, random_sheets::Generator& random)
 {
@@ -301,7 +292,7 @@ BOOST_AUTO_TEST_SUITE(optics_beam)
 BOOST_AUTO_TEST_CASE(all_models_agree_with_100_digits)
 {
     random_sheets::Generator random(3431);
-    const int most = sheets(10000, 1000000);
+    const int most = random_sheets::count(10000, 1000000);
     for (int k = 0; k < most; ++k)
         check(random_case(random, k % 4 == 0), random);
 }
@@ -311,7 +302,7 @@ BOOST_AUTO_TEST_CASE(at_the_edge_of_what_a_lens_images)
     // From a film point that has a ray outwards to where there is none: total reflection, the slit's end, or
     // away from the viewer. On the edge, and 1e-12 to 1e-2 of the way before and behind it.
     random_sheets::Generator random(3432);
-    const int most = sheets(400, 20000);
+    const int most = random_sheets::count(400, 20000);
     for (int k = 0; k < most; ++k) {
         Case c = random_case(random, false);
         c.worst = "edge of what a lens images";
@@ -396,7 +387,7 @@ BOOST_AUTO_TEST_CASE(light_through_the_edge_of_the_aperture)
     // Film points found for points of the aperture's edge send their light to that edge. (A slit's own plane
     // does not tell where along it the light came from; there, points just behind it.)
     random_sheets::Generator random(3435);
-    const int most = sheets(1000, 100000);
+    const int most = random_sheets::count(1000, 100000);
     for (int k = 0; k < most; ++k) {
         Case c = random_case(random, false);
         c.worst = "light through the aperture's edge";
