@@ -10,18 +10,18 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 width=${WIDTH:-600} height=${HEIGHT:-400}
 
-cat > "$work/trivial.pov" <<'SCENE'
+view='#declare Film = image_width*25.4/300;
+camera { location <0, 0, -350> look_at 0 angle 2*degrees(atan2(Film/2, 350)) right x*image_width/image_height }'
+cat > "$work/trivial.pov" <<SCENE
 #version 3.7; global_settings { assumed_gamma 1 }
-#declare Film = image_width*25.4/300;
-camera { location <0, 0, -350> look_at 0 angle 2*degrees(atan2(Film/2, 350)) right x*image_width/image_height }
+$view
 light_source { <-200, 300, -400> rgb 1 }
 sphere { 0, 0.3*Film pigment { rgb <0.8, 0.4, 0.2> } }
 plane { -z, -0.8*Film pigment { rgb 0.6 } }
 SCENE
-cat > "$work/glass.pov" <<'SCENE'
+cat > "$work/glass.pov" <<SCENE
 #version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }
-#declare Film = image_width*25.4/300;
-camera { location <0, 0, -350> look_at 0 angle 2*degrees(atan2(Film/2, 350)) right x*image_width/image_height }
+$view
 light_source { <-200, 300, -400> rgb 1 }
 plane { -z, -40 pigment { checker rgb 0.9 rgb 0.4 scale 5 } }
 #declare R = seed(1);
