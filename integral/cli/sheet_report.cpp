@@ -41,8 +41,8 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
     const auto width = c.pixels > 0 ? std::optional<double>(c.pixels * c.pixel) : none;
     const bool limited = std::isfinite(c.aperture);
     const double image = micro_image_width(s, d, c.aperture);
-    const double half = s.pitch / 2;
-    const auto filling = filling_width(s, d, c.period);
+    const double half = c.cell / 2;
+    const auto filling = filling_width(s, d, c.cell);
     const auto angle = pixel_angle(s, c.pixel);
     const char *sheet = "Sheet", *film = "Film", *view = "Viewer and aperture", *depth = "Depth";
     return {
@@ -58,16 +58,16 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
         {view, "distance_mm", "viewing distance", d, "mm", ""},
         {view, "aperture_width_mm", "capture aperture", limited ? std::optional<double>(c.aperture) : none, "mm", ""},
         {view, "filling_aperture_mm", "aperture that fills a lens", filling, "mm", "(3-5), exact"},
-        {view, "filling_sine", "  its sine outside, n sin(atan(p/2t))",
+        {view, "filling_sine", "  its sine outside, n sin(atan(cell/2t))",
          s.ior * half / std::hypot(half, s.thickness), "", "optics.md 5"},
         {view, "filling_distance_mm", "distance at which the aperture fills",
-         limited ? std::optional<double>(filling_distance(s, c.aperture)) : none, "mm", "(3-5)"},
+         limited ? std::optional<double>(filling_distance(s, c.aperture, c.cell)) : none, "mm", "(3-5)"},
         {view, "micro_image_width_mm", "micro-image of the aperture",
          std::isfinite(image) ? std::optional<double>(image) : none, "mm", "(3-9)"},
         {view, "pinhole_spread_mm", "  by the simple pinhole",
          limited ? std::optional<double>(pinhole_spread(s, d, c.aperture)) : none, "mm", "(3-8)"},
         {view, "fill", "fill, micro-image / lens",
-         std::isfinite(image) ? std::optional<double>(image / c.period) : none, "", ""},
+         std::isfinite(image) ? std::optional<double>(image / c.cell) : none, "", ""},
         {view, "pixel_spread_mm", "a pixel's spread at the viewer",
          angle ? std::optional<double>(pixel_spread(*angle, d)) : none, "mm", "(4-5)"},
         {view, "pixels_seen", "pixels of a lens that an eye sees", pixels_seen(s, c.pixel, viewer.pupil, d), "", "(4-1)"},
@@ -232,8 +232,9 @@ Counted counted(const FrameMetadata& g)
 {
     const Vec2 cell = cell_extent(g.sheet);
     if (g.sheet.arrangement == Arrangement::lenticular && !slit_is_horizontal(g.sheet))
-        return {cell.y, g.film.pixel_pitch.y, g.aperture.height, g.film.height};
-    return {cell.x, g.film.pixel_pitch.x, g.aperture.width, g.film.width};
+        return {cell.y, cell.y, g.film.pixel_pitch.y, g.aperture.height, g.film.height};
+    const double period = g.sheet.arrangement == Arrangement::lenticular ? cell.x : g.sheet.pitch;
+    return {period, cell.x, g.film.pixel_pitch.x, g.aperture.width, g.film.width};
 }
 
 std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)

@@ -20,10 +20,13 @@ struct Viewer {
 };
 
 /// The direction in which the lenses are counted: across the axes of a lenticular sheet along its
-/// slit, along the rows of the others.
+/// slit, along the rows of the others. mm.
 struct Counted {
-    double period, pixel, aperture; ///< mm
-    int pixels;                     ///< of the film
+    double period;   ///< from lens to lens
+    double cell;     ///< extent of a lens's cell, which an aperture fills (cell_extent)
+    double pixel;    ///< pixel pitch
+    double aperture; ///< the capture aperture's extent
+    int pixels;      ///< of the film
 };
 Counted counted(const FrameMetadata& geometry);
 

@@ -32,9 +32,9 @@ double pinhole_spread(const LensSheet& sheet, double distance, double width)
     return sheet.thickness * width / distance;
 }
 
-double filling_distance(const LensSheet& sheet, double width)
+double filling_distance(const LensSheet& sheet, double width, double cell)
 {
-    return width * sheet.thickness / (sheet.ior * sheet.pitch);
+    return width * sheet.thickness / (sheet.ior * cell);
 }
 
 double pixels_seen(const LensSheet& sheet, double pixel, double pupil, double distance)

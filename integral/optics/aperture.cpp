@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/optics/aperture.h"
 
+#include <algorithm>
+
 namespace integral {
+namespace {
+
+/// Extent along one axis of a regular hexagon whose opposite sides are `pitch` apart: twice the
+/// farthest of its corners. `across` and `along` are the parts, along that axis, of the unit vectors
+/// along the lens rows and at right angles to them; corners lie at (pitch/2, pitch/sqrt(12)) and
+/// (0, pitch/sqrt(3)) from the centre, by those vectors, and in their mirror images.
+double hexagon_extent(double pitch, double across, double along)
+{
+    const double side_corner = std::fabs(across) + std::fabs(along) / std::sqrt(3.0);
+    const double end_corner = 2 / std::sqrt(3.0) * std::fabs(along);
+    return pitch * std::max(side_corner, end_corner);
+}
+
+} // namespace
 
 /// Of the aperture's rectangle.
 bool within_ellipse(const Aperture& aperture, Vec2 point)
@@ -40,17 +56,17 @@ std::optional<double> filling_width(const LensSheet& sheet, double distance, dou
 Vec2 cell_extent(const LensSheet& sheet)
 {
     const Lattice lattice(sheet);
+    const double cosine = std::fabs(lattice.across().x), sine = std::fabs(lattice.across().y);
     switch (sheet.arrangement) {
     case Arrangement::lenticular:
-        if (slit_is_horizontal(sheet))
-            return {sheet.pitch / std::fabs(lattice.across().x), 0};
-        return {0, sheet.pitch / std::fabs(lattice.across().y)};
+        return slit_is_horizontal(sheet) ? Vec2{sheet.pitch / cosine, 0} : Vec2{0, sheet.pitch / sine};
     case Arrangement::square:
-        return {sheet.pitch, sheet.pitch};
+        return {sheet.pitch * (cosine + sine), sheet.pitch * (cosine + sine)};
     case Arrangement::hexagonal:
         break;
     }
-    return {sheet.pitch, sheet.pitch * (2 / std::sqrt(3.0))};
+    return {hexagon_extent(sheet.pitch, lattice.across().x, lattice.along().x),
+            hexagon_extent(sheet.pitch, lattice.across().y, lattice.along().y)};
 }
 
 std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance)

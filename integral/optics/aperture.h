@@ -41,8 +41,8 @@ double micro_image_width(const LensSheet& sheet, double distance, double width);
 /// s = n (cell/2) / sqrt((cell/2)^2 + t^2). Nothing if s >= 1: no finite aperture fills it.
 std::optional<double> filling_width(const LensSheet& sheet, double distance, double cell);
 
-/// Extents of the smallest rectangle that holds a lens's cell (x, y): for a lenticular sheet
-/// the cell's extent along the slit, and 0 across it.
+/// Extents (x, y) in mm of the smallest upright rectangle that holds a lens's cell, turned by the
+/// slant: for a lenticular sheet the cell's extent along the slit, and 0 across it.
 Vec2 cell_extent(const LensSheet& sheet);
 
 /// The aperture that fills the lens on the axis, axis by axis (optics.md section 5).

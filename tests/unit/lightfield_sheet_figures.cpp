@@ -49,13 +49,13 @@ BOOST_AUTO_TEST_CASE(equation_3_5_filling_distance)
 {
     // W t / (n p); the exact filling aperture is within its paraxial error of it.
     const double w = 200;
-    check_printed(filling_distance(sheet(), w), 200 * 3.08 / (1.6 * 1.27), 1e-9);
-    const auto exact = filling_width(sheet(), filling_distance(sheet(), w), 1.27);
+    check_printed(filling_distance(sheet(), w, 1.27), 200 * 3.08 / (1.6 * 1.27), 1e-9);
+    const auto exact = filling_width(sheet(), filling_distance(sheet(), w, 1.27), 1.27);
     BOOST_REQUIRE(exact);
     BOOST_TEST(std::fabs(*exact / w - 1) < 0.04);
     // Nearly flat lenses: the two agree.
     const LensSheet flat = sheet(0.01);
-    BOOST_TEST(std::fabs(*filling_width(flat, filling_distance(flat, w), 0.01) / w - 1) < 1e-5);
+    BOOST_TEST(std::fabs(*filling_width(flat, filling_distance(flat, w, 0.01), 0.01) / w - 1) < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(equation_3_8_pinhole_spread)

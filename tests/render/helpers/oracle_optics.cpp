@@ -398,7 +398,16 @@ Point2 aperture_size(const Description& d, Real distance)
         return horizontal_slit(d) ? Point2{filling(d.pitch / std::cos(angle)), infinity}
                                   : Point2{infinity, filling(d.pitch / std::fabs(std::sin(angle)))};
     }
-    return {filling(d.pitch), filling(d.arrangement == "hexagonal" ? 2 * d.pitch / std::sqrt(3.0L) : d.pitch)};
+    // The upright rectangle around the turned cell, from its corners.
+    const bool hexagonal = d.arrangement == "hexagonal";
+    const int corners = hexagonal ? 6 : 4;
+    const Real radius = d.pitch / std::sqrt(hexagonal ? 3.0L : 2.0L);
+    Point2 farthest{0, 0};
+    for (int k = 0; k < corners; ++k) {
+        const Real at = angle + (2 * k + 1) * pi / corners;
+        farthest = {std::fmax(farthest[0], radius * std::cos(at)), std::fmax(farthest[1], radius * std::sin(at))};
+    }
+    return {filling(2 * farthest[0]), filling(2 * farthest[1])};
 }
 
 std::optional<SheetRay> film_ray(const Description& d, Real distance, Point2 f, Real& margin)
