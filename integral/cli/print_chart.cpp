@@ -125,13 +125,21 @@ PitchScale scale_for_page(const options::variables_map& arguments, const PitchCh
     return scale;
 }
 
+/// The option that gives a film's pixel pitch: --dpi, with both directions where they differ.
+std::string film_words(const Film& film)
+{
+    const double dpi_x = mm_per_inch / film.pixel_pitch.x, dpi_y = mm_per_inch / film.pixel_pitch.y;
+    const std::string across = with_digits(dpi_x, 9), down = with_digits(dpi_y, 9);
+    return "--dpi " + across + (down == across ? "" : "," + down);
+}
+
 std::string reading_command(const PitchChart& chart)
 {
     const LensSheet& sheet = chart.sheet;
     return "Read it by: integral print --even BAR,BAR@MM --pitch-range " + with_digits(chart.scale.first, 9) + "," +
            with_digits(film_pitch(chart.scale, chart.scale.bars), 9) + " --bars " + std::to_string(chart.scale.bars) + " --arrangement " +
            name_of(sheet.arrangement) + " --pitch " + with_digits(sheet.pitch, 9) + " --thickness " + with_digits(sheet.thickness, 9) + " --ior " +
-           with_digits(sheet.ior, 9) + (sheet.slant != 0 ? " --slant " + with_digits(sheet.slant, 9) : "");
+           with_digits(sheet.ior, 9) + (sheet.slant != 0 ? " --slant " + with_digits(sheet.slant, 9) : "") + " " + film_words(chart.film);
 }
 
 /// The aperture that fills the lenses from a distance, or an open one.
@@ -279,7 +287,7 @@ bool is_chart(const options::variables_map& arguments)
     return given(arguments, "chart") || given(arguments, "even");
 }
 
-Frame chart_frame(const options::variables_map& arguments)
+ChartPage chart_page(const options::variables_map& arguments)
 {
     FrameMetadata geometry = geometry_of(arguments);
     set_page(arguments, geometry.sheet, geometry.film);
@@ -294,9 +302,9 @@ Frame chart_frame(const options::variables_map& arguments)
         chart.film = geometry.film;
         chart.scale = scale_for_page(arguments, chart);
         chart.note = reading_command(chart);
-        Frame frame{pitch_chart(chart), std::nullopt};
-        set_metadata(frame, geometry);
-        return frame;
+        ChartPage made{{pitch_chart(chart), std::nullopt}, chart.note};
+        set_metadata(made.frame, geometry);
+        return made;
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
@@ -315,7 +323,10 @@ int make_chart(const options::variables_map& arguments)
         throw OutputError(output + ": a chart is .png, .tiff or .exr; integral print CHART.png -o CHART.pdf makes a PDF of it");
     format_for(output);
     check_writable(output);
-    write_frame(output, chart_frame(arguments));
+    ChartPage chart = chart_page(arguments);
+    write_frame(output, std::move(chart.frame));
+    if (output != "-")
+        write_file("-", chart.reading + "\n");
     return exit_done;
 }
 

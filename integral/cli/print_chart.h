@@ -15,10 +15,16 @@ void add_chart_options(options::options_description& all);
 /// Whether the command line asks for a chart or reads one.
 bool is_chart(const options::variables_map& arguments);
 
-/// The chart's page with its geometry, for --chart. Throws UsageError, InputError.
-Frame chart_frame(const options::variables_map& arguments);
+/// A chart as it is printed.
+struct ChartPage {
+    Frame frame;         ///< with its geometry
+    std::string reading; ///< "Read it by: COMMAND", the page's last line
+};
 
-/// Writes the chart to -o's FILE, or prints what the readings of --even say and writes the corrected geometry to -o's FILE.
+/// The chart that --chart asks for. Throws UsageError, InputError.
+ChartPage chart_page(const options::variables_map& arguments);
+
+/// Writes the chart to -o's FILE and prints the command that reads it; or prints what the readings of --even say and writes the corrected geometry to -o's FILE.
 /// Returns an ExitStatus or throws as a Command's `run`.
 int make_chart(const options::variables_map& arguments);
 

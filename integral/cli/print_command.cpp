@@ -267,7 +267,7 @@ int print_chart(const options::variables_map& arguments)
     if (!inputs_of(arguments).empty())
         throw UsageError("a chart takes no FRAME; --sheet FRAME gives it a frame's geometry");
     if (given(arguments, "printer")) {
-        const Frame chart = chart_frame(arguments);
+        const Frame chart = chart_page(arguments).frame;
         if (given(arguments, "output"))
             make_chart(arguments);
         send(arguments, {chart.image}, chart.metadata->film.pixel_pitch, "pitch chart");
