@@ -121,9 +121,15 @@ LookingGlassCalibration calibration_from(const JsonObject& file)
     calibration.width = whole(file, "screenW", 1, largest_side);
     calibration.height = whole(file, "screenH", 1, largest_side);
     calibration.inverted_views = flag(file, "invView", true);
+    if (!calibration.inverted_views)
+        calibration.assumed.push_back("invView is 0: the makers' shaders do not read it, and views are taken as if it were 1");
     calibration.flip_x = flag(file, "flipImageX", false);
     calibration.flip_y = flag(file, "flipImageY", false);
     calibration.flip_subpixels = flag(file, "flipSubp", false);
+    for (const auto& [field, set] : {std::pair{"flipImageX", calibration.flip_x}, std::pair{"flipSubp", calibration.flip_subpixels}})
+        if (set)
+            calibration.assumed.push_back(std::string(field) + " is 1, as in no published calibration: the picture follows the makers' "
+                                          "shaders and has not been seen on a display; check it by integral lcd --card");
     calibration.cells = cells_from(file, calibration.width, calibration.height, calibration.assumed);
     return calibration;
 }
@@ -184,7 +190,7 @@ double view_of_subpixel(const LookingGlassCalibration& calibration, int column, 
     const double across = calibration.flip_x ? 1 - u - v * tilt : u + v * tilt;
     const double phase = across * pitch - calibration.center;
     const double fraction = phase - std::floor(phase);
-    return std::min(calibration.inverted_views ? 1 - fraction : fraction, 1 - 0.5 * std::numeric_limits<double>::epsilon());
+    return std::min(1 - fraction, 1 - 0.5 * std::numeric_limits<double>::epsilon());
 }
 
 } // namespace integral

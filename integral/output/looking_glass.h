@@ -23,12 +23,13 @@ struct LookingGlassCalibration {
     double fringe = 0;             ///< no part of the mapping either
     double dpi = 0;                ///< DPI: pixels per inch, both ways
     int width = 0, height = 0;     ///< screenW, screenH: pixels
-    bool inverted_views = true;    ///< invView: views run against the phase, as behind every lens
+    bool inverted_views = true;    ///< invView: handed on, and no part of the mapping; see view_of_subpixel
     bool flip_x = false;           ///< flipImageX, flipImageY: the display is seen in a mirror, and the picture that it is sent is
     bool flip_y = false;           ///< mirrored so; see view_of_subpixel
     bool flip_subpixels = false;   ///< flipSubp: blue is on the left
+                                   ///< No published calibration sets flipImageX or flipSubp: they rest on the shaders' text alone.
     Subpixels cells;               ///< of subpixelCells and CellPatternMode, on the display itself; none: the stripes of the formula
-    std::vector<std::string> assumed; ///< what its file should say of the display and does not, in a line each: "viewCone is missing: ..."
+    std::vector<std::string> assumed; ///< what had to be assumed of the display, a line each: "viewCone is missing: ..."
 };
 
 /// What is thrown of a document without any calibration.
@@ -53,6 +54,9 @@ std::string to_json(const LookingGlassCalibration& calibration);
 /// round, which is what a mirror does. Later ones negate alone, for a picture that is mirrored after them, which comes to the
 /// same. flipImageY takes the picture, and not the phase, at 1 - v. So the picture is to be sampled mirrored, and the mapping is
 /// the display's own but for the views' order.
+///
+/// Views run against the phase, as they do behind every lens, whatever invView says: real displays of the third generation have
+/// it as 0 and the makers' shaders for them do not read it. (Their first shaders for browsers did; every file of that time has 1.)
 double view_of_subpixel(const LookingGlassCalibration& calibration, int column, int row, int channel);
 
 } // namespace integral

@@ -133,8 +133,6 @@ double nominal_viewing_distance(Vec2 size) { return 2.5 * std::sqrt(dot(size, si
 
 Panel panel_from(const LookingGlassCalibration& calibration, std::optional<double> viewing_distance, double ior)
 {
-    if (!calibration.inverted_views)
-        refuse("invView", "is 0: views that run with the phase are not those of lenses");
     Panel panel;
     panel.name = calibration.serial.empty() ? "Looking Glass" : calibration.serial;
     panel.calibration = calibration;

@@ -46,7 +46,6 @@ std::vector<LookingGlassCalibration> displays()
         for (int kind = 0; kind < 8; ++kind) {
             LookingGlassCalibration c = calibration(width, height);
             c.slope = kind & 1 ? 5.3 : -7.162;
-            c.inverted_views = kind & 2;
             c.flip_subpixels = kind & 4;
             c.flip_x = kind == 3;
             c.flip_y = kind == 5;

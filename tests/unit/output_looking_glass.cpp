@@ -44,7 +44,8 @@ void check_equal(const LookingGlassCalibration& a, const LookingGlassCalibration
     BOOST_TEST(same_layout(a.cells, b.cells));
 }
 
-/// The published formula for a colour of a pixel, as a shader evaluates it: in single precision, rows from the bottom.
+/// The published formula for a colour of a pixel, as a shader evaluates it: in single precision, rows from the bottom. Flips are
+/// those of the makers' shader for Unity, whose text takes x at 1 - x and negates tilt and subpixel step; invView is not in it.
 float shader_view(const Device& device, const Flips& flips, int column, int row, int channel)
 {
     const float w = device.width, h = device.height;
@@ -75,7 +76,7 @@ float shader_view(const Device& device, const Flips& flips, int column, int row,
     const float pitch = float(device.pitch) * w / float(device.dpi) * std::cos(std::atan(1 / float(device.slope)));
     const float phase = (x + channel * step + y * tilt) * pitch - float(device.center);
     const float fraction = phase - std::floor(phase);
-    return flips.inverted ? 1 - fraction : fraction;
+    return 1 - fraction;
 }
 
 } // namespace
@@ -147,6 +148,9 @@ BOOST_AUTO_TEST_CASE(what_a_file_should_say_and_does_not_is_told)
     const std::string one = cone + R"(, "subpixelCells": [)" + cell + "]", two = cone + R"(, "subpixelCells": [)" + cell + ", " + cell + "]";
     for (const Device& device : variants())
         BOOST_TEST(looking_glass_from_json(file_of(device, {})).assumed.empty(), device.name);
+    BOOST_TEST(told(cone + R"(, "flipImageY": 1, "invView": 1)") == "");
+    BOOST_TEST(told(cone + R"(, "flipSubp": 1)").find("flipSubp is 1, as in no published calibration") == 0);
+    BOOST_TEST(told(cone + R"(, "flipImageX": {"value": 1.0})").find("flipImageX is 1, as in no published calibration") == 0);
     BOOST_TEST(told(cone) == "");
     BOOST_TEST(told("") == "viewCone is missing: 40 degrees are taken, and the viewing zone follows from them\n");
     BOOST_TEST(told(cone + R"(, "CellPatternMode": 0, "subpixelCells": [])") == "");
@@ -186,6 +190,24 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
                "flipImageX.value is 2, and must be within 0 and 1");
 }
 
+BOOST_AUTO_TEST_CASE(inv_view_is_told_and_changes_nothing)
+{
+    // A display of the third generation, LKG-J00133, has invView 0. The makers' shaders do not read it.
+    for (const Device& device : devices()) {
+        const LookingGlassCalibration plain = looking_glass_from_json(file_of(device, {})),
+                                      with_0 = looking_glass_from_json(file_of(device, {false, false, false, false}));
+        BOOST_TEST(!with_0.inverted_views);
+        BOOST_REQUIRE(with_0.assumed.size() == 1u);
+        BOOST_TEST(with_0.assumed.front() == "invView is 0: the makers' shaders do not read it, and views are taken as if it were 1");
+        for (int row = 0; row < 8; ++row)
+            for (int column = 0; column < 64; ++column)
+                for (int channel = 0; channel < 3; ++channel)
+                    BOOST_TEST(view_of_subpixel(with_0, column, row, channel) == view_of_subpixel(plain, column, row, channel));
+        const Panel panel = panel_from(with_0, 600.0);
+        BOOST_TEST(panel.sheet.offset.x == panel_from(plain, 600.0).sheet.offset.x);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(hand_values)
 {
     // Two micro-images across the picture, upright: at a twentieth of it the phase is a tenth.
@@ -203,8 +225,6 @@ BOOST_AUTO_TEST_CASE(hand_values)
     calibration.flip_x = true;
     BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.1, near);
     BOOST_TEST(view_of_subpixel(calibration, 2, 0, 1) == 17 / 30.0, near);
-    calibration.inverted_views = false;
-    BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.9, near);
     calibration = {};
     calibration.pitch = 2, calibration.slope = 1, calibration.dpi = 10, calibration.width = calibration.height = 10;
     BOOST_TEST(view_of_subpixel(calibration, 0, 9, 0) == 1 - 0.1 * std::sqrt(2), near);

@@ -142,7 +142,6 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
     BOOST_TEST(refusal(with("800}", "800, \"calibration\": " + calibration + "}")) == "calibration is of a display of another size than panel");
     BOOST_TEST(refusal("{\"viewing_distance_mm\": 800, \"calibration\": {\"pitch\": 3}}") ==
                "calibration: holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
-    BOOST_TEST(refusal(file_of(devices()[3], {false, false, false, false})) == "invView is 0: views that run with the phase are not those of lenses");
     for (const char* const nothing : {"{}", "[]", "\"panel\"", R"({"pannel": {"width": 3}})"})
         BOOST_TEST(refusal(nothing) == "holds neither a panel's description: an object with panel, sheet and viewing_distance_mm, nor a Looking Glass "
                                        "calibration: an object with pitch, slope, center, DPI, screenW and screenH");
