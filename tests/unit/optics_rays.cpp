@@ -13,21 +13,23 @@ namespace {
 
 constexpr double epsilon = 2.220446049250313e-16;
 
-/// Error of a direction (of unit length), and of the aperture point relative to |pole| + d/c.
+/// Error of a direction (of unit length), and of the aperture point relative to |pole| + |film point| + d/c
+/// (optics.md section 7).
 struct Error { double direction = 0, aperture = 0; };
 
 template <class Got> Error difference_of(const Got& dx, const Got& dy, const Got& dz, const Got& ax, const Got& ay,
-                                         const oracle::Ray& want, double distance)
+                                         const oracle::Ray& want, Vec2 film_point, double distance)
 {
     const oracle::Real px = want.pole.x, py = want.pole.y;
-    const oracle::Real scale = sqrt(px * px + py * py) + distance / want.c;
+    const oracle::Real scale = sqrt(px * px + py * py) + length(film_point) + distance / want.c;
     return {double(sqrt(dx * dx + dy * dy + dz * dz)), double(sqrt(ax * ax + ay * ay) / scale)};
 }
 
-Error difference(const LensRay& got, const oracle::Ray& want, double distance)
+Error difference(const LensRay& got, const oracle::Ray& want, Vec2 film_point, double distance)
 {
     return difference_of<oracle::Real>(got.direction.x - want.s_x, got.direction.y - want.s_y, got.direction.z + want.c,
-                                       got.aperture_point.x - want.aperture.x, got.aperture_point.y - want.aperture.y, want, distance);
+                                       got.aperture_point.x - want.aperture.x, got.aperture_point.y - want.aperture.y, want, film_point,
+                                       distance);
 }
 
 /// What four units in the last place of the film point, and of the turn of the axes, do to the ray.
@@ -44,7 +46,7 @@ Error sensitivity(const LensSheet& sheet, double distance, Vec2 film_point, Lens
             if (!other)
                 return {1, 1};
             const Error e = difference_of<oracle::Real>(other->s_x - want.s_x, other->s_y - want.s_y, other->c - want.c,
-                                                        other->aperture.x - want.aperture.x, other->aperture.y - want.aperture.y, want, distance);
+                                                        other->aperture.x - want.aperture.x, other->aperture.y - want.aperture.y, want, film_point, distance);
             most.direction = std::max(most.direction, e.direction);
             most.aperture = std::max(most.aperture, e.aperture);
         }
@@ -71,17 +73,21 @@ void check_ray(const char* what, const LensSheet& sheet, double distance, Vec2 f
         }
         if (!want)
             return;
-        const double bound = std::max(1e-12, double(16 * epsilon * want->kappa * (1 + want->offset_ratio)));
-        if (bound > 0.1)
+        const bool slit = sheet.arrangement == Arrangement::lenticular;
+        const oracle::Real rounding = 16 * epsilon * (1 + want->offset_ratio);
+        const double bound = std::max(1e-12, double(rounding * want->kappa));
+        // Where a slit finds the point of the axis, the aperture point's condition is 1/c^2 (optics.md section 7).
+        const double aperture_bound = slit ? std::max(bound, double(rounding / (want->c * want->c))) : bound;
+        if (aperture_bound > 0.1)
             return;
-        const Error error = difference(*got, *want, distance);
-        Error allowed{bound, bound};
-        if (error.direction > bound || error.aperture > bound) {
+        const Error error = difference(*got, *want, film_point, distance);
+        Error allowed{bound, aperture_bound};
+        if (error.direction > bound || error.aperture > aperture_bound) {
             // Worse than that is right only where rounding the film point itself does as much: next
             // to the end of the slit's reach, which kappa does not know of.
-            BOOST_TEST((sheet.arrangement == Arrangement::lenticular));
+            BOOST_TEST(slit);
             const Error inherent = sensitivity(sheet, distance, film_point, lens, *want);
-            allowed = {bound + inherent.direction, bound + inherent.aperture};
+            allowed = {bound + inherent.direction, aperture_bound + inherent.aperture};
         }
         numerics::record(what, "direction", false, error.direction, allowed.direction);
         numerics::record(what, "aperture point", false, error.aperture, allowed.aperture);
