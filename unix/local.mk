@@ -61,5 +61,5 @@ distclean-local:
 	    { echo "build/povray has edits that are not in the queue:" $$edits"; run make refresh first, or delete them" >&2; exit 1; }
 	rm -rf build
 
-EXTRA_DIST += unix/upstream.pin unix/series unix/queue.sh unix/fetch-upstream unix/apt-source unix/assemble unix/edits \
+EXTRA_DIST += unix/upstream.pin unix/series.upstream unix/series.camera unix/queue.sh unix/fetch-upstream unix/apt-source unix/assemble unix/edits \
   unix/refresh unix/check-patches unix/lint-patches unix/build-povray unix/stage-share unix/packages unix/packages-test source vfe

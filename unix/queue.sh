@@ -15,8 +15,11 @@ places='source vfe unix'         # the only folders of upstream's tree that the 
 
 die() { echo "$(basename "$0"): $*" >&2; exit 1; }
 
-# Patches in order of application, as paths below TOP.
-patches() { sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$TOP/unix/series"; }
+# The series: what serves every camera of POV-Ray, then the integral camera.
+series='unix/series.upstream unix/series.camera'
+
+# patches [SERIES]: the patches in order of application, as paths below TOP; of one series or of both.
+patches() { (cd "$TOP" && sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' ${1:-$series}); }
 
 # Patches on disk, listed or not.
 patches_on_disk() { (cd "$TOP" && find $places -name '*.patch' 2>/dev/null | sort); }

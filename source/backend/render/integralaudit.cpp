@@ -173,7 +173,7 @@ IntegralAuditTask::IntegralAuditTask(ViewData *view)
 void IntegralAuditTask::Run()
 {
     radiosity.BeforeTile(0);
-    trace.integralSurfaces = NULL; // what sharing errs by is a part of the error
+    trace.integralShading = NULL; // what sharing errs by is a part of the error
     std::vector<integral::Light> samples(IntegralAudit::samples);
     while (IntegralAudit::Pixel *pixel = audit->Next())
     {

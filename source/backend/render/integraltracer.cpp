@@ -38,9 +38,9 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     tally = &block->counts->tallies.emplace_back();
     block->counts->containers = containers.Number();
     block->counts->objects = int(scene.objects.size());
-    surfaces.reset();
-    if (block->patches && block->patches->Of_Use() && (!block->shares_dear_shading_only || IntegralSurfaces::Pays(scene)))
-        surfaces.reset(new IntegralSurfaces(*block->patches, *tally, thread));
+    shading.reset();
+    if (block->shading_cache && block->shading_cache->Of_Use() && (!block->shares_dear_shading_only || IntegralCachedShading::Pays(scene)))
+        shading.reset(new IntegralCachedShading(*block->shading_cache, *tally, thread));
 }
 
 void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const

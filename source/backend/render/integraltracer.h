@@ -10,7 +10,7 @@
 
 #include "backend/frame.h"
 #include "backend/render/integralcontainers.h"
-#include "backend/render/integralsurfaces.h"
+#include "backend/render/integralshading.h"
 #include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/pixel_run.h"
 
@@ -36,7 +36,7 @@ class IntegralTracer
         bool Search_Containers() const { return containers.Left_To_POV(); }
 
         /// Where the thread's rays share their shading; nothing if they do not.
-        IntegralSurfaces *Surfaces() { return surfaces.get(); }
+        IntegralCachedShading *Shading() { return shading.get(); }
 
         /// From here on, each pixel is given by one random ray, number `index` of it, and is not counted.
         void Audit(std::uint64_t index) { mode = audit; audit_index = index; }
@@ -90,7 +90,7 @@ class IntegralTracer
 
         std::shared_ptr<const IntegralBlock> block;
         IntegralContainers containers;
-        std::unique_ptr<IntegralSurfaces> surfaces;
+        std::unique_ptr<IntegralCachedShading> shading;
         TraceThreadData *thread = nullptr;
         IntegralTally *tally = nullptr; ///< in the block's counts, if it keeps any
         std::vector<integral::PixelRay> rays; ///< of the pixel, or sample, that is being traced

@@ -6,7 +6,7 @@
 #include "backend/render/integralaudit.h"
 #include "backend/render/integraldepth.h"
 #include "backend/render/integralsampling.h"
-#include "backend/render/integralsurfaces.h"
+#include "backend/render/integralshading.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/view.h"
 #include "base/integralframe.h"
@@ -56,10 +56,10 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         block->sampler = std::make_shared<integral::PixelSampler>(*block->optics, given.seed);
         block->rows = given.rows;
         block->error = {given.audit, given.audit_share, given.output, given.error_picture};
-        block->patches.reset();
+        block->shading_cache.reset();
         block->shares_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
         if (given.sharing == pov_base::IntegralSharing::on || (block->shares_dear_shading_only && given.antialias))
-            block->patches = std::make_shared<IntegralPatches>(*block->optics, Patches_In_Beam(*block->optics, given));
+            block->shading_cache = std::make_shared<IntegralShadingCache>(*block->optics, Patches_In_Beam(*block->optics, given));
         block->sampling.reset();
         if (given.antialias && given.light_field)
             block->sampling = std::make_shared<IntegralSampling>(*block->optics, given.rows, given.block_side);

@@ -25,7 +25,7 @@ namespace pov
 class Camera;
 class IntegralAudit;
 class IntegralDepth;
-class IntegralPatches;
+class IntegralShadingCache;
 class IntegralSampling;
 class RenderTask;
 class ViewData;
@@ -83,7 +83,7 @@ struct IntegralBlock
     // of a view that is being rendered:
     std::shared_ptr<const integral::PixelSampler> sampler;
     std::shared_ptr<IntegralCounts> counts;
-    std::shared_ptr<IntegralPatches> patches;   ///< nothing: each ray's shading is its own
+    std::shared_ptr<IntegralShadingCache> shading_cache; ///< nothing: each ray's shading is its own
     bool shares_dear_shading_only = false;      ///< in them
     std::shared_ptr<IntegralSampling> sampling; ///< nothing: no anti-aliasing
     std::shared_ptr<IntegralAudit> audit;  ///< nothing: no error is estimated by an audit

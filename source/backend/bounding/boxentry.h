@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where a ray enters a bounding box: what a scene's rays ask most often.
-#ifndef POVRAY_BACKEND_INTEGRALBOX_H
-#define POVRAY_BACKEND_INTEGRALBOX_H
+// Where a ray enters a bounding box: the question that a scene's rays ask most often.
+#ifndef POVRAY_BACKEND_BOXENTRY_H
+#define POVRAY_BACKEND_BOXENTRY_H
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +11,17 @@
 namespace pov
 {
 
-/// Whether the ray's direction has three components, and the box is not turned inside out.
-inline bool Integral_May_Enter(const BBOX& box, const Rayinfo& ray)
+/// Whether Ray_Enters_Box applies: the ray's direction has no component of 0, and the box no negative length.
+inline bool Ray_Enters_Box_Applies(const BBOX& box, const Rayinfo& ray)
 {
     return (ray.nonzero[X] & ray.nonzero[Y] & ray.nonzero[Z])
         && !(std::signbit(box.Lengths[X]) | std::signbit(box.Lengths[Y]) | std::signbit(box.Lengths[Z]));
 }
 
-/// Whether such a ray meets such a box, and how far along it (`enters`, in lengths of its direction). As Check_And_Enqueue finds it, to the
-/// last bit, but with a single branch that cannot be foreseen, in place of up to ten: a processor guesses those wrongly half of the time.
-inline bool Integral_Enters(const BBOX& box, const Rayinfo& ray, DBL& enters)
+/// Whether the ray meets the box, and how far along it (`enters`, in lengths of its direction). The same numbers, to the
+/// last bit, as Check_And_Enqueue's comparisons axis by axis, with one unpredictable branch in place of up to ten: a
+/// processor guesses those wrongly half of the time.
+inline bool Ray_Enters_Box(const BBOX& box, const Rayinfo& ray, DBL& enters)
 {
     const auto low = [&](int k) { return DBL((box.Lower_Left[k] - ray.slab_num[k]) * ray.slab_den[k]); };
     const auto breadth = [&](int k) { return DBL(box.Lengths[k] * ray.slab_den[k]); };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A pixel's light as whole numbers of a file, where nothing is dithered.
-#ifndef POVRAY_BASE_INTEGRALENCODING_H
-#define POVRAY_BASE_INTEGRALENCODING_H
+#ifndef POVRAY_BASE_UNDITHERED_H
+#define POVRAY_BASE_UNDITHERED_H
 
 #include <typeinfo>
 
@@ -10,10 +10,11 @@
 namespace pov_base
 {
 
-/// Red, green and blue as whole numbers from 0 to `max`, as GetEncodedRGBValue finds them, if the picture is not dithered (`dithering` is a
-/// NoDither). Without what rounding took from each: that is for a neighbouring pixel to make up for, and takes as long as the encoding.
+/// Encodes red, green and blue as whole numbers from 0 to `max`, the same as GetEncodedRGBValue's, if `dithering` is a NoDither;
+/// otherwise returns false and does nothing. It leaves out the rounding errors, which only a dithered neighbour needs and
+/// which take as long as the encoding.
 template <class NoDither>
-inline bool Integral_Encode_Undithered(const DitherHandler& dithering, const GammaCurvePtr& gamma, unsigned int max,
+inline bool Encode_Undithered(const DitherHandler& dithering, const GammaCurvePtr& gamma, unsigned int max,
                                        float linear_red, float linear_green, float linear_blue,
                                        unsigned int& red, unsigned int& green, unsigned int& blue)
 {

@@ -7,8 +7,8 @@
 // Patches are the cells of cubic grids, as fine as the beams at that depth ask for, cut out of one object's surface. A
 // patch's point follows from the patch alone, not from the ray that comes first: the frame does not depend on the
 // order in which pixels are rendered.
-#ifndef POVRAY_BACKEND_INTEGRALSURFACES_H
-#define POVRAY_BACKEND_INTEGRALSURFACES_H
+#ifndef POVRAY_BACKEND_INTEGRALSHADING_H
+#define POVRAY_BACKEND_INTEGRALSHADING_H
 
 #include <atomic>
 #include <cmath>
@@ -30,11 +30,11 @@ class TraceThreadData;
 struct IntegralTally;
 
 /// The patches of a view, shared by its threads: a table whose size follows from the frame's, in which new patches displace old ones.
-class IntegralPatches
+class IntegralShadingCache
 {
     public:
         /// `cells`: patches that a pixel's beam covers, about; their size follows from it.
-        IntegralPatches(const integral::IntegralCamera& camera, double cells);
+        IntegralShadingCache(const integral::IntegralCamera& camera, double cells);
 
         struct Patch
         {
@@ -69,10 +69,10 @@ class IntegralPatches
 };
 
 /// One thread's use of the patches.
-class IntegralSurfaces
+class IntegralCachedShading
 {
     public:
-        IntegralSurfaces(IntegralPatches& patches, IntegralTally& tally, TraceThreadData *thread);
+        IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally, TraceThreadData *thread);
 
         /// Whether a scene's shading costs much more than finding the patch: radiosity, area lights or several lights.
         static bool Pays(const SceneData& scene);
@@ -118,106 +118,22 @@ class IntegralSurfaces
         bool Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser, Place& place) const;
         static Place Of_Light(const Place& place, int light);
         static float Height_Of(const Intersection& at, const Place& place);
-        static bool On_Patch(const IntegralPatches::Patch& patch, const Place& place, const Intersection& isect);
+        static bool On_Patch(const IntegralShadingCache::Patch& patch, const Place& place, const Intersection& isect);
         /// The patch of a place, worked out now if need be: `look(const Ray&, Intersection&)` fills in its colour at its point, and
         /// tells whether it is of use. False: the surface there is not on the patch.
-        template <class Look> bool Take(const Place& place, const Intersection& isect, Trace& trace, IntegralPatches::Patch& patch, Look look);
+        template <class Look> bool Take(const Place& place, const Intersection& isect, Trace& trace, IntegralShadingCache::Patch& patch, Look look);
         bool Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const;
         Kind Kind_Of(const Intersection& isect, bool inside);
         static Kind Kind_Of(const TEXTURE *texture);
         Kind Known_Kind_Of(const TEXTURE *texture);
         void Count(bool worked_out);
 
-        IntegralPatches& patches;
+        IntegralShadingCache& patches;
         IntegralTally& tally;
         TraceThreadData *thread;
         std::unordered_map<const TEXTURE *, Kind> kinds;
         Lit lit;
 };
-
-template <class Look>
-bool IntegralSurfaces::Take(const Place& place, const Intersection& isect, Trace& trace, IntegralPatches::Patch& patch, Look look)
-{
-    const std::size_t slot = patches.Slot(place.row, place.column);
-    bool worked_out = false;
-    if (!patches.Find(slot, place.key, patch))
-    {
-        Ray from;
-        Intersection at;
-        patch.key = place.key;
-        patch.height = std::numeric_limits<float>::quiet_NaN();
-        if (Put(place, isect, trace, from, at))
-        {
-            worked_out = true;
-            if (look(from, at))
-                patch.height = Height_Of(at, place);
-        }
-        patches.Store(slot, patch);
-    }
-    if (!On_Patch(patch, place, isect))
-        return false;
-    Count(worked_out);
-    return true;
-}
-
-template <class Shade>
-bool IntegralSurfaces::Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade)
-{
-    if (!May_Share(ray))
-        return false;
-    VECTOR normal;
-    const bool inside = Side_Seen(isect, ray, normal);
-    if (Kind_Of(isect, inside) == own)
-    {
-        lit.isect = isect;
-        lit.located = Locate(isect, normal, inside, patches.Coarser_For_Lights(), lit.place);
-        return false;
-    }
-    Place place;
-    if (!Locate(isect, normal, inside, 0, place))
-        return false;
-    IntegralPatches::Patch patch;
-    const auto look = [&](const Ray& from, Intersection& at)
-    {
-        Colour seen;
-        seen.clear();
-        shade(at, from, seen);
-        patch.red = seen.red();
-        patch.green = seen.green();
-        patch.blue = seen.blue();
-        return seen.filter() == 0 && seen.transm() == 0;
-    };
-    if (!Take(place, isect, trace, patch, look))
-        return false;
-    colour.red() += patch.red;
-    colour.green() += patch.green;
-    colour.blue() += patch.blue;
-    return true;
-}
-
-template <class Test>
-bool IntegralSurfaces::Light_Of(int light, const Vector3d& point, const ObjectBase *object, Trace& trace, RGBColour& colour, Test test)
-{
-    if (!lit.located || object != lit.isect.Object || point[X] != lit.isect.IPoint[X] || point[Y] != lit.isect.IPoint[Y]
-        || point[Z] != lit.isect.IPoint[Z])
-        return false;
-    const Place place = Of_Light(lit.place, light);
-    IntegralPatches::Patch patch;
-    const auto look = [&](const Ray&, Intersection& at)
-    {
-        RGBColour full, left;
-        test(Vector3d(at.IPoint), full, left);
-        const auto part = [](float whole, float some) { return whole != 0 ? some / whole : 1.0f; };
-        patch.red = part(full.red(), left.red());
-        patch.green = part(full.green(), left.green());
-        patch.blue = part(full.blue(), left.blue());
-        return true;
-    };
-    if (!Take(place, lit.isect, trace, patch, look))
-        return false;
-    colour *= RGBColour(patch.red, patch.green, patch.blue);
-    return true;
-}
 
 }
 

@@ -2,7 +2,7 @@
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
-#include "backend/render/integralsurfaces.h"
+#include "backend/render/integralshading.h"
 #include "backend/interior/interior.h"
 #include "backend/pattern/pattern.h"
 #include "backend/render/ray.h"
@@ -83,7 +83,7 @@ double Against(const VECTOR normal, const Ray& ray)
 
 }
 
-IntegralPatches::IntegralPatches(const integral::IntegralCamera& camera, double cells)
+IntegralShadingCache::IntegralShadingCache(const integral::IntegralCamera& camera, double cells)
     : camera(camera),
       spread(camera.optics.medium().n * camera.film.pixel_pitch.x / camera.optics.sheet().thickness),
       cells(cells),
@@ -93,14 +93,14 @@ IntegralPatches::IntegralPatches(const integral::IntegralCamera& camera, double 
 {
 }
 
-std::size_t IntegralPatches::Slot(std::uint64_t row, std::size_t column) const
+std::size_t IntegralShadingCache::Slot(std::uint64_t row, std::size_t column) const
 {
     return std::size_t(row % locks.size()) * row_length + column;
 }
 
 /// A pixel's beam is as broad as its lens at the sheet, and spreads by the pixel's angle; along a cylindrical lens it is
 /// a pixel high there, and spreads from the aperture.
-int IntegralPatches::Level(const VECTOR point) const
+int IntegralShadingCache::Level(const VECTOR point) const
 {
     const integral::Placement& at = camera.placement;
     const double z = std::fabs(dot(From_POV(point) - at.origin, at.z)) / (scale * scale);
@@ -111,25 +111,25 @@ int IntegralPatches::Level(const VECTOR point) const
     return Exponent(scale * scale * (area / cells));
 }
 
-double IntegralPatches::Size(int level)
+double IntegralShadingCache::Size(int level)
 {
     return std::ldexp(level & 1 ? 1.4142135623730951 : 1.0, level >> 1);
 }
 
-int IntegralPatches::Coarser_For_Lights() const
+int IntegralShadingCache::Coarser_For_Lights() const
 {
     constexpr double steps = 3;
     return int(std::min(steps, std::max(0.0, std::floor(std::log2(cells)))));
 }
 
-bool IntegralPatches::Of_Use() const
+bool IntegralShadingCache::Of_Use() const
 {
     const integral::Vec3 sheet = camera.placement.origin;
     const VECTOR point = {sheet.x, sheet.y, sheet.z};
     return Size(Level(point)) > 1e-2;
 }
 
-bool IntegralPatches::Find(std::size_t slot, std::uint64_t key, Patch& patch) const
+bool IntegralShadingCache::Find(std::size_t slot, std::uint64_t key, Patch& patch) const
 {
     std::atomic_flag& lock = locks[slot / row_length];
     while (lock.test_and_set(std::memory_order_acquire)) {}
@@ -138,7 +138,7 @@ bool IntegralPatches::Find(std::size_t slot, std::uint64_t key, Patch& patch) co
     return patch.key == key;
 }
 
-void IntegralPatches::Store(std::size_t slot, const Patch& patch)
+void IntegralShadingCache::Store(std::size_t slot, const Patch& patch)
 {
     std::atomic_flag& lock = locks[slot / row_length];
     while (lock.test_and_set(std::memory_order_acquire)) {}
@@ -146,12 +146,12 @@ void IntegralPatches::Store(std::size_t slot, const Patch& patch)
     lock.clear(std::memory_order_release);
 }
 
-IntegralSurfaces::IntegralSurfaces(IntegralPatches& patches, IntegralTally& tally, TraceThreadData *thread)
+IntegralCachedShading::IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally, TraceThreadData *thread)
     : patches(patches), tally(tally), thread(thread)
 {
 }
 
-bool IntegralSurfaces::Pays(const SceneData& scene)
+bool IntegralCachedShading::Pays(const SceneData& scene)
 {
     constexpr double enough = 2;
     double shadow_rays = 0;
@@ -163,7 +163,7 @@ bool IntegralSurfaces::Pays(const SceneData& scene)
     return scene.radiositySettings.radiosityEnabled || shadow_rays >= enough;
 }
 
-void IntegralSurfaces::Count(bool worked_out)
+void IntegralCachedShading::Count(bool worked_out)
 {
     tally.shared_shadings.Add(1);
     tally.patch_shadings.Add(worked_out);
@@ -199,7 +199,7 @@ static bool Is_Lit(const RGBColour& colour)
     return colour.red() != 0 || colour.green() != 0 || colour.blue() != 0;
 }
 
-IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const TEXTURE *texture)
+IntegralCachedShading::Kind IntegralCachedShading::Kind_Of(const TEXTURE *texture)
 {
     Kind kind = steady;
     for (const TEXTURE *layer = texture; layer != NULL; layer = static_cast<const TEXTURE *>(layer->Next))
@@ -227,13 +227,13 @@ IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const TEXTURE *texture)
     return texture == NULL ? own : kind;
 }
 
-IntegralSurfaces::Kind IntegralSurfaces::Known_Kind_Of(const TEXTURE *texture)
+IntegralCachedShading::Kind IntegralCachedShading::Known_Kind_Of(const TEXTURE *texture)
 {
     const auto known = kinds.find(texture);
     return known != kinds.end() ? known->second : kinds.emplace(texture, Kind_Of(texture)).first->second;
 }
 
-IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const Intersection& isect, bool inside)
+IntegralCachedShading::Kind IntegralCachedShading::Kind_Of(const Intersection& isect, bool inside)
 {
     const ObjectBase *object = isect.Object;
     if (!Test_Flag(object, MULTITEXTURE_FLAG) && object->Texture != NULL)
@@ -249,7 +249,7 @@ IntegralSurfaces::Kind IntegralSurfaces::Kind_Of(const Intersection& isect, bool
     return kind;
 }
 
-bool IntegralSurfaces::May_Share(const Ray& ray)
+bool IntegralCachedShading::May_Share(const Ray& ray)
 {
     if (ray.IsShadowTestRay() || ray.IsPhotonRay() || ray.IsRadiosityRay() || ray.IsPretraceRay() || ray.IsMonochromaticRay()
         || ray.IsSubsurfaceRay())
@@ -262,7 +262,7 @@ bool IntegralSurfaces::May_Share(const Ray& ray)
 }
 
 /// Whether it is the inside; and the normal, as shading takes it.
-bool IntegralSurfaces::Side_Seen(Intersection& isect, const Ray& ray, VECTOR normal) const
+bool IntegralCachedShading::Side_Seen(Intersection& isect, const Ray& ray, VECTOR normal) const
 {
     isect.Object->Normal(normal, &isect, thread);
     Turn_Out(normal, isect.Object);
@@ -270,7 +270,7 @@ bool IntegralSurfaces::Side_Seen(Intersection& isect, const Ray& ray, VECTOR nor
 }
 
 /// `coarser`: steps of the scale by which patches are larger than for colours.
-bool IntegralSurfaces::Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser, Place& place) const
+bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser, Place& place) const
 {
     place.inside = inside;
     place.axis = std::fabs(normal[X]) >= std::fabs(normal[Y]) ? X : Y;
@@ -278,7 +278,7 @@ bool IntegralSurfaces::Locate(const Intersection& isect, const VECTOR normal, bo
         place.axis = Z;
     place.positive = (normal[place.axis] > 0) != place.inside;
     const int level = patches.Level(isect.IPoint) + coarser;
-    place.size = IntegralPatches::Size(level);
+    place.size = IntegralShadingCache::Size(level);
     std::uint64_t spot = level * 16 + place.axis * 4 + place.positive * 2 + place.inside, row = spot;
     place.column = 0;
     for (int k = 0; k < 3; k++)
@@ -302,7 +302,7 @@ bool IntegralSurfaces::Locate(const Intersection& isect, const VECTOR normal, bo
 }
 
 /// Where the same patch keeps what it gets of a light: in another row, at the same point.
-IntegralSurfaces::Place IntegralSurfaces::Of_Light(const Place& place, int light)
+IntegralCachedShading::Place IntegralCachedShading::Of_Light(const Place& place, int light)
 {
     Place of_light = place;
     of_light.key = integral::random_bits(place.key, std::uint64_t(light) + 1) | 1;
@@ -310,20 +310,20 @@ IntegralSurfaces::Place IntegralSurfaces::Of_Light(const Place& place, int light
     return of_light;
 }
 
-float IntegralSurfaces::Height_Of(const Intersection& at, const Place& place)
+float IntegralCachedShading::Height_Of(const Intersection& at, const Place& place)
 {
     return float((at.IPoint[place.axis] - place.centre[place.axis]) / place.size);
 }
 
 /// The patch's point may be on another fold of the surface.
-bool IntegralSurfaces::On_Patch(const IntegralPatches::Patch& patch, const Place& place, const Intersection& isect)
+bool IntegralCachedShading::On_Patch(const IntegralShadingCache::Patch& patch, const Place& place, const Intersection& isect)
 {
     constexpr float far = 2.5f;
     return std::fabs(Height_Of(isect, place) - patch.height) <= far;
 }
 
 /// The patch's point: where a line along its axis, at a random place of it, first meets the side that is seen. `ray` becomes that line.
-bool IntegralSurfaces::Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const
+bool IntegralCachedShading::Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const
 {
     const double sign = place.positive ? 1 : -1;
     const double reach = (0.5 * height_steps + 2) * place.size;
@@ -343,6 +343,122 @@ bool IntegralSurfaces::Put(const Place& place, const Intersection& isect, Trace&
     VECTOR normal;
     const bool inside = Side_Seen(at, ray, normal);
     return inside == place.inside && (normal[place.axis] > 0) != inside == place.positive;
+}
+
+template <class Look>
+bool IntegralCachedShading::Take(const Place& place, const Intersection& isect, Trace& trace, IntegralShadingCache::Patch& patch, Look look)
+{
+    const std::size_t slot = patches.Slot(place.row, place.column);
+    bool worked_out = false;
+    if (!patches.Find(slot, place.key, patch))
+    {
+        Ray from;
+        Intersection at;
+        patch.key = place.key;
+        patch.height = std::numeric_limits<float>::quiet_NaN();
+        if (Put(place, isect, trace, from, at))
+        {
+            worked_out = true;
+            if (look(from, at))
+                patch.height = Height_Of(at, place);
+        }
+        patches.Store(slot, patch);
+    }
+    if (!On_Patch(patch, place, isect))
+        return false;
+    Count(worked_out);
+    return true;
+}
+
+template <class Shade>
+bool IntegralCachedShading::Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade)
+{
+    if (!May_Share(ray))
+        return false;
+    VECTOR normal;
+    const bool inside = Side_Seen(isect, ray, normal);
+    if (Kind_Of(isect, inside) == own)
+    {
+        lit.isect = isect;
+        lit.located = Locate(isect, normal, inside, patches.Coarser_For_Lights(), lit.place);
+        return false;
+    }
+    Place place;
+    if (!Locate(isect, normal, inside, 0, place))
+        return false;
+    IntegralShadingCache::Patch patch;
+    const auto look = [&](const Ray& from, Intersection& at)
+    {
+        Colour seen;
+        seen.clear();
+        shade(at, from, seen);
+        patch.red = seen.red();
+        patch.green = seen.green();
+        patch.blue = seen.blue();
+        return seen.filter() == 0 && seen.transm() == 0;
+    };
+    if (!Take(place, isect, trace, patch, look))
+        return false;
+    colour.red() += patch.red;
+    colour.green() += patch.green;
+    colour.blue() += patch.blue;
+    return true;
+}
+
+template <class Test>
+bool IntegralCachedShading::Light_Of(int light, const Vector3d& point, const ObjectBase *object, Trace& trace, RGBColour& colour, Test test)
+{
+    if (!lit.located || object != lit.isect.Object || point[X] != lit.isect.IPoint[X] || point[Y] != lit.isect.IPoint[Y]
+        || point[Z] != lit.isect.IPoint[Z])
+        return false;
+    const Place place = Of_Light(lit.place, light);
+    IntegralShadingCache::Patch patch;
+    const auto look = [&](const Ray&, Intersection& at)
+    {
+        RGBColour full, left;
+        test(Vector3d(at.IPoint), full, left);
+        const auto part = [](float whole, float some) { return whole != 0 ? some / whole : 1.0f; };
+        patch.red = part(full.red(), left.red());
+        patch.green = part(full.green(), left.green());
+        patch.blue = part(full.blue(), left.blue());
+        return true;
+    };
+    if (!Take(place, lit.isect, trace, patch, look))
+        return false;
+    colour *= RGBColour(patch.red, patch.green, patch.blue);
+    return true;
+}
+
+bool Trace::ComputeCachedTextureColour(Intersection& isect, Colour& colour, const Ray& ray, TraceTicket& ticket)
+{
+    const auto shade = [&](Intersection& at, const Ray& from, Colour& seen)
+    {
+        Forget_Shadow_Casters();
+        ComputeTextureColour(at, seen, from, 1.0, false, ticket);
+    };
+    return integralShading->Colour_Of(isect, ray, *this, colour, shade);
+}
+
+bool Trace::ComputeCachedShadow(const LightSource& light, int light_index, const Vector3d& point, ConstObjectPtr object,
+                                const Ray& eye, RGBColour& colour, TraceTicket& ticket)
+{
+    const auto test = [&](const Vector3d& at, RGBColour& full, RGBColour& left)
+    {
+        double distance = 0;
+        Ray to_light(eye);
+        ComputeOneLightRay(light, distance, to_light, at, full);
+        left = full;
+        Forget_Shadow_Casters();
+        TraceShadowRay(light, distance, to_light, at, left, ticket);
+    };
+    return integralShading->Light_Of(light_index, point, object, *this, colour, test);
+}
+
+/// What cast the last shadow is tried first. A patch must not depend on which ray was traced before.
+void Trace::Forget_Shadow_Casters()
+{
+    lightSourceLevel1ShadowCache.assign(lightSourceLevel1ShadowCache.size(), NULL);
+    lightSourceOtherShadowCache.assign(lightSourceOtherShadowCache.size(), NULL);
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Whether a point is inside of all parts of an intersection or difference: those that can tell soon are asked first.
-#ifndef POVRAY_BACKEND_INTEGRALINSIDE_H
-#define POVRAY_BACKEND_INTEGRALINSIDE_H
+// Whether a point is inside of all parts of an intersection or difference. Simple parts are asked before compound ones.
+#ifndef POVRAY_BACKEND_INSIDEALL_H
+#define POVRAY_BACKEND_INSIDEALL_H
 
 #include <vector>
 
@@ -11,9 +11,9 @@
 namespace pov
 {
 
-/// Whether a point is inside of each of `parts` but for `but`. Parts that have parts themselves are asked last: of the points that are
-/// asked about, most are outside of a simple one. A light is asked only if it has a looks_like.
-inline bool Integral_Inside_All(const std::vector<ObjectPtr>& parts, const ObjectBase *but, const VECTOR point, TraceThreadData *thread)
+/// Whether a point is inside of each of `parts`, `but` excepted (NULL: none). Compound parts are asked last: they are slow to
+/// answer, and most points are outside of a simple part already. A light counts as a part only if it has a looks_like.
+inline bool Inside_All(const std::vector<ObjectPtr>& parts, const ObjectBase *but, const VECTOR point, TraceThreadData *thread)
 {
     bool compounds = false;
     for (const ObjectPtr part : parts)

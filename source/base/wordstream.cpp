@@ -2,7 +2,7 @@
 
 // configbase.h must always be the first POV file included within base *.cpp files
 #include "configbase.h"
-#include "base/integralstream.h"
+#include "base/wordstream.h"
 
 #include <cstdint>
 #include <cstring>
@@ -13,7 +13,7 @@
 namespace pov_base
 {
 
-bool Copy_Integral_Words(const void *from, void *to, int count, const int order[4], int *left)
+bool Copy_Words(const void *from, void *to, int count, const int order[4], int *left)
 {
     bool same = true, turned = true;
     for (int k = 0; k < 4; k++)
