@@ -23,28 +23,6 @@
 namespace pov
 {
 
-/// Puts the words of Integral_Camera= in the place of the camera's own.
-void IntegralGrammar::Apply_Option(IntegralBlock& block)
-{
-    const integral::CameraParameters& from = option->parameters;
-    integral::CameraParameters& to = block.parameters;
-    const auto given = [&](const char* word) { return option->given.count(word) > 0; };
-    if (given("lens_sheet")) to.sheet = from.sheet;
-    if (given("film")) to.film = from.film;
-    if (given("sheet_distance")) to.sheet_distance = from.sheet_distance;
-    if (given("capture_aperture")) to.capture_aperture = from.capture_aperture;
-    if (given("aperture_shape")) to.aperture_shape = from.aperture_shape;
-    if (given("lens_model")) to.model = from.model;
-    if (given("lens_mapping")) to.mapping = from.mapping;
-    if (given("beam_samples")) to.beam_samples = from.beam_samples;
-    if (given("pixel_samples")) to.pixel_samples = from.pixel_samples;
-    if (given("display_prefilter")) to.display_prefilter = from.display_prefilter;
-    if (given("pseudoscopic")) to.pseudoscopic = from.pseudoscopic;
-    if (given("depth_range")) to.depth_range = from.depth_range;
-    block.given.insert(option->given.begin(), option->given.end());
-    block.integral = true;
-}
-
 void IntegralGrammar::Note_Look_At(Camera& camera)
 {
     if ((option || (camera.Integral && camera.Integral->integral)) && camera.Look_At[X] != HUGE_VAL)
@@ -62,17 +40,17 @@ void IntegralGrammar::Settle(Camera& camera)
     const bool integral = camera.Integral && camera.Integral->integral;
     if (!integral && !(option && camera.Type == PERSPECTIVE_CAMERA))
         return;
-    IntegralBlock& block = Edit(camera);
+    IntegralStatement& statement = Edit(camera);
     if (option)
-        Apply_Option(block);
+        Apply_Option(statement);
     DBL direction;
     VLength(direction, camera.Direction);
     if (!(direction > 0) || std::isinf(direction))
         parser.Error("An integral camera needs a direction that is finite and not zero; it follows from location, look_at "
                      "and direction.");
-    const double distance = block.parameters.sheet_distance ? *block.parameters.sheet_distance
-                          : block.look_at_distance > 0 ? block.look_at_distance : direction;
-    block.sheet_distance_ratio = distance / direction;
+    const double distance = statement.parameters.sheet_distance ? *statement.parameters.sheet_distance
+                          : statement.look_at_distance > 0 ? statement.look_at_distance : direction;
+    statement.sheet_distance_ratio = distance / direction;
 }
 
 /// Width and height of the picture, as the front end declares them to the scene.
@@ -92,7 +70,7 @@ void IntegralGrammar::Check(Camera& camera)
         return;
     if (camera.Integral->sheet_distance_ratio == 0)
         Settle(camera);
-    IntegralBlock& block = Edit(camera);
+    IntegralStatement& statement = Edit(camera);
     if (camera.Type != PERSPECTIVE_CAMERA)
         parser.Error("An integral camera starts from the perspective camera; no other type goes with it.");
     if (camera.Tnormal != NULL)
@@ -107,13 +85,13 @@ void IntegralGrammar::Check(Camera& camera)
         parser.Error("Focal blur (aperture, blur_samples) does not go with an integral camera: its depth is focused by "
                      "the eye that looks at the print.");
     for (const char* word : {"lens_sheet", "film"})
-        if (!block.given.count(word))
+        if (!statement.given.count(word))
             parser.Error("An integral camera needs %s { ... }.", word);
     int width, height;
     try
     {
         if (Frame_Size(width, height))
-            block.optics = Make_Integral_Optics(camera, width, height);
+            statement.optics = Make_Integral_Optics(camera, width, height);
     }
     catch (const std::invalid_argument& problem)
     {
@@ -133,31 +111,11 @@ void IntegralGrammar::Finish(Camera& camera)
     const bool integral = camera.Integral && camera.Integral->integral && camera.Integral->optics;
     pov_base::IntegralFrame::Set_Scene(UCS2toASCIIString(parser.sceneData->inputFile));
     pov_base::IntegralFrame::Expect(integral ? camera.Integral->optics.get() : NULL);
-    Choose_Bounding(integral ? camera.Integral.get() : NULL);
     if (!integral)
         return;
     if (!parser.sceneData->integralProblem.empty())
         parser.Error("%s.", parser.sceneData->integralProblem.c_str());
     Warn(camera);
-}
-
-/// A tree of the scene's space (+BM2) is left sooner than boxes in boxes by rays that start apart and go apart, as an integral camera's
-/// do; but it takes longer to build, and that has to pay.
-void IntegralGrammar::Choose_Bounding(const IntegralBlock *block)
-{
-    constexpr double least_objects = 200, rays_an_object = 60;
-    unsigned int& method = parser.sceneData->boundingMethod;
-    if (method != pov_base::integral_bounding_open)
-        return;
-    method = 1;
-    if (!block)
-        return;
-    const integral::IntegralCamera& optics = *block->optics;
-    const std::vector<ObjectPtr>& objects = parser.sceneData->objects;
-    const double finite = std::count_if(objects.begin(), objects.end(), [](const ObjectPtr object) { return !Test_Flag(object, INFINITE_FLAG); });
-    const double rays = double(optics.film.width) * optics.film.height * optics.pixel_samples * optics.beam_samples;
-    if (finite >= least_objects && rays >= rays_an_object * finite)
-        method = 2;
 }
 
 void IntegralGrammar::Warn(const Camera& camera)

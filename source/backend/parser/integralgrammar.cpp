@@ -21,18 +21,103 @@ namespace pov
 namespace
 {
 
-std::string List(const std::vector<std::string>& words)
+/// "a, b or c".
+template <class Words, class Name> std::string List(const Words& words, Name name)
 {
     std::string list;
-    for (size_t i = 0; i < words.size(); i++)
-        list += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
+    std::size_t left = std::size(words);
+    for (const auto& word : words)
+    {
+        list += std::string(list.empty() ? "" : left == 1 ? " or " : ", ") + name(word);
+        left--;
+    }
     return list;
 }
 
-const std::vector<std::string> camera_words = {
-    "lens_sheet", "film", "sheet_distance", "capture_aperture", "aperture_shape", "lens_model",
-    "lens_mapping", "beam_samples", "pixel_samples", "display_prefilter", "depth_range", "pseudoscopic" };
+/// What messages call the kinds of something.
+const char *What_Kind(integral::ApertureShape) { return "shape of an aperture"; }
+const char *What_Kind(integral::LensModel) { return "lens model"; }
+const char *What_Kind(integral::LensMapping) { return "lens mapping"; }
+const char *What_Kind(integral::Subpixels::Order) { return "kind of subpixels"; }
+const char *What_Kind(integral::CellPattern) { return "pattern of cells"; }
 
+}
+
+/// One of the words for the kinds of something, as files spell them.
+template <class Kind> Kind IntegralGrammar::Parse_Kind()
+{
+    const char *const of = What_Kind(Kind());
+    const std::string word = Next_Word(), legal = integral::legal_names<Kind>();
+    parser.Get_Token();
+    if (parser.Token.Token_Id == STRING_LITERAL_TOKEN)
+        parser.Error("A %s is written without quotes: %s expected.", of, legal.c_str());
+    const auto kind = integral::kind_named<Kind>(word);
+    if (!kind)
+        parser.Error("'%s' is not a %s: %s expected.", word.c_str(), of, legal.c_str());
+    return *kind;
+}
+
+/// A word of the camera statement: how its value is read, and how Integral_Camera= puts it in the place of the scene's.
+struct IntegralGrammar::Word
+{
+    using Parameters = integral::CameraParameters;
+
+    const char *name;
+    void (*parse)(IntegralGrammar& grammar, IntegralStatement& statement);
+    void (*replace)(const Parameters& from, Parameters& to);
+
+    /// A word that sets one field, to what `Read` returns.
+    template <auto Field, auto Read> static Word Value(const char *name) { return {name, Set<Field, Read>, Replace<Field>}; }
+    template <auto Field, auto Read> static void Set(IntegralGrammar& grammar, IntegralStatement& statement)
+    {
+        statement.parameters.*Field = (grammar.*Read)();
+    }
+    template <auto Field> static void Replace(const Parameters& from, Parameters& to) { to.*Field = from.*Field; }
+};
+
+/// All of them, in the order in which messages list them.
+const std::vector<IntegralGrammar::Word>& IntegralGrammar::Words()
+{
+    using P = integral::CameraParameters;
+    using G = IntegralGrammar;
+    static const std::vector<Word> words = {
+        {"lens_sheet", [](G& grammar, IntegralStatement& statement) { grammar.Parse_Lens_Sheet(statement); }, Word::Replace<&P::sheet>},
+        {"film", [](G& grammar, IntegralStatement& statement) { grammar.Parse_Film(statement); }, Word::Replace<&P::film>},
+        Word::Value<&P::sheet_distance, &G::Parse_Number>("sheet_distance"),
+        Word::Value<&P::capture_aperture, &G::Parse_Vector>("capture_aperture"),
+        Word::Value<&P::aperture_shape, &G::Parse_Kind<integral::ApertureShape>>("aperture_shape"),
+        Word::Value<&P::model, &G::Parse_Kind<integral::LensModel>>("lens_model"),
+        Word::Value<&P::mapping, &G::Parse_Kind<integral::LensMapping>>("lens_mapping"),
+        Word::Value<&P::beam_samples, &G::Parse_Count>("beam_samples"),
+        Word::Value<&P::pixel_samples, &G::Parse_Count>("pixel_samples"),
+        Word::Value<&P::display_prefilter, &G::Parse_Flag>("display_prefilter"),
+        Word::Value<&P::depth_range, &G::Parse_Vector>("depth_range"),
+        Word::Value<&P::pseudoscopic, &G::Parse_Flag>("pseudoscopic"),
+    };
+    return words;
+}
+
+const IntegralGrammar::Word *IntegralGrammar::Find_Word(const std::string& name)
+{
+    for (const Word& word : Words())
+        if (name == word.name)
+            return &word;
+    return nullptr;
+}
+
+std::string IntegralGrammar::List_Of_Words()
+{
+    return List(Words(), [](const Word& word) { return word.name; });
+}
+
+/// Puts the words of Integral_Camera= in the place of the camera's own.
+void IntegralGrammar::Apply_Option(IntegralStatement& statement)
+{
+    for (const Word& word : Words())
+        if (option->given.count(word.name))
+            word.replace(option->parameters, statement.parameters);
+    statement.given.insert(option->given.begin(), option->given.end());
+    statement.integral = true;
 }
 
 IntegralGrammar& IntegralGrammar::Of(Parser& parser)
@@ -63,13 +148,13 @@ bool IntegralGrammar::Accept(const char* word)
     return true;
 }
 
-/// The camera's block, as one that no other camera shares.
-IntegralBlock& IntegralGrammar::Edit(Camera& camera)
+/// The camera's statement, as one that no other camera shares.
+IntegralStatement& IntegralGrammar::Edit(Camera& camera)
 {
-    auto block = camera.Integral ? std::make_shared<IntegralBlock>(*camera.Integral)
-                                 : std::make_shared<IntegralBlock>();
-    camera.Integral = block;
-    return *block;
+    auto statement = camera.Integral ? std::make_shared<IntegralStatement>(*camera.Integral)
+                                 : std::make_shared<IntegralStatement>();
+    camera.Integral = statement;
+    return *statement;
 }
 
 void IntegralGrammar::Begin(Camera& camera)
@@ -95,26 +180,26 @@ bool IntegralGrammar::Parse_Modifier(Camera& camera)
     if (!camera.Integral || !camera.Integral->integral)
         return false;
     const std::string word = Next_Word();
-    if (std::find(camera_words.begin(), camera_words.end(), word) != camera_words.end())
+    if (Find_Word(word))
         return Parse_Word(Edit(camera));
     // POV-Ray would go on to say that it misses a '}', which is of little help
     if (parser.Token.Token_Id == IDENTIFIER_TOKEN)
         parser.Error("'%s' is not a word of an integral camera: %s, or one of the perspective camera's.",
-                     word.c_str(), List(camera_words).c_str());
+                     word.c_str(), List_Of_Words().c_str());
     return false;
 }
 
 /// Notes that a word is given, and refuses it a second time.
-void IntegralGrammar::Give(IntegralBlock& block, const std::string& word)
+void IntegralGrammar::Give(IntegralStatement& statement, const std::string& word)
 {
-    if (!block.given.insert(word).second)
+    if (!statement.given.insert(word).second)
         parser.Error("%s is given twice.", word.c_str());
 }
 
 /// Refuses a value as soon as it has been read, while the message can still name its line.
-void IntegralGrammar::Check_Value(const IntegralBlock& block)
+void IntegralGrammar::Check_Value(const IntegralStatement& statement)
 {
-    const std::vector<std::string> errors = integral::find_value_errors(block.parameters);
+    const std::vector<std::string> errors = integral::find_value_errors(statement.parameters);
     if (!errors.empty())
         parser.Error("Integral camera: %s.", errors.front().c_str());
 }
@@ -133,66 +218,37 @@ integral::Vec2 IntegralGrammar::Parse_Pair(bool promote)
 }
 
 /// A number of samples. Its range is checked with the other values'.
-int IntegralGrammar::Parse_Count(const char* word)
+int IntegralGrammar::Parse_Count()
 {
     const double count = parser.Parse_Float();
     if (!(std::fabs(count) < 1e9) || count != std::floor(count))
-        parser.Error("%s %g is not a whole number: 1 to 65536 expected.", word, count);
+        parser.Error("%s %g is not a whole number: 1 to 65536 expected.", reading, count);
     return int(count);
 }
 
-/// One of the words for the kinds of something, as files spell them.
-template <class Kind> Kind IntegralGrammar::Parse_Kind(const char* of)
-{
-    const std::string word = Next_Word(), legal = integral::legal_names<Kind>();
-    parser.Get_Token();
-    if (parser.Token.Token_Id == STRING_LITERAL_TOKEN)
-        parser.Error("A %s is written without quotes: %s expected.", of, legal.c_str());
-    const auto kind = integral::kind_named<Kind>(word);
-    if (!kind)
-        parser.Error("'%s' is not a %s: %s expected.", word.c_str(), of, legal.c_str());
-    return *kind;
-}
+double IntegralGrammar::Parse_Number() { return parser.Parse_Float(); }
 
-bool IntegralGrammar::Parse_Word(IntegralBlock& block)
+integral::Vec2 IntegralGrammar::Parse_Vector() { return Parse_Pair(false); }
+
+/// A word without a value.
+bool IntegralGrammar::Parse_Flag() { return true; }
+
+bool IntegralGrammar::Parse_Word(IntegralStatement& statement)
 {
-    integral::CameraParameters& p = block.parameters;
-    const std::string word = Next_Word();
-    if (std::find(camera_words.begin(), camera_words.end(), word) == camera_words.end())
+    const Word *const word = Find_Word(Next_Word());
+    if (!word)
         return false;
     parser.Get_Token();
-    Give(block, word);
-    if (word == "lens_sheet")
-        Parse_Lens_Sheet(block);
-    else if (word == "film")
-        Parse_Film(block);
-    else if (word == "sheet_distance")
-        p.sheet_distance = parser.Parse_Float();
-    else if (word == "capture_aperture")
-        p.capture_aperture = Parse_Pair(false);
-    else if (word == "aperture_shape")
-        p.aperture_shape = Parse_Kind<integral::ApertureShape>("shape of an aperture");
-    else if (word == "lens_model")
-        p.model = Parse_Kind<integral::LensModel>("lens model");
-    else if (word == "lens_mapping")
-        p.mapping = Parse_Kind<integral::LensMapping>("lens mapping");
-    else if (word == "beam_samples")
-        p.beam_samples = Parse_Count(word.c_str());
-    else if (word == "pixel_samples")
-        p.pixel_samples = Parse_Count(word.c_str());
-    else if (word == "display_prefilter")
-        p.display_prefilter = true;
-    else if (word == "depth_range")
-        p.depth_range = Parse_Pair(false);
-    else if (word == "pseudoscopic")
-        p.pseudoscopic = true;
-    Check_Value(block);
+    Give(statement, word->name);
+    reading = word->name;
+    word->parse(*this, statement);
+    Check_Value(statement);
     return true;
 }
 
-void IntegralGrammar::Parse_Lens_Sheet(IntegralBlock& block)
+void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
 {
-    integral::LensSheet& sheet = block.parameters.sheet;
+    integral::LensSheet& sheet = statement.parameters.sheet;
     std::set<std::string> given;
     const auto give = [&](const char* word) {
         if (!given.insert(word).second)
@@ -206,7 +262,7 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralBlock& block)
     const auto number = [&](const char* word, double& value) {
         give(word);
         value = parser.Parse_Float();
-        Check_Value(block);
+        Check_Value(statement);
     };
 
     parser.Parse_Begin();
@@ -223,7 +279,7 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralBlock& block)
         {
             give("offset");
             sheet.offset = Parse_Pair(false);
-            Check_Value(block);
+            Check_Value(statement);
         }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
             parser.Error("'%s' is not a word of lens_sheet: lenticular, square, hexagonal, pitch, thickness, "
@@ -240,9 +296,9 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralBlock& block)
             parser.Error("lens_sheet needs %s%s.", word, std::string(word) == "ior" ? "" : " (mm)");
 }
 
-void IntegralGrammar::Parse_Film(IntegralBlock& block)
+void IntegralGrammar::Parse_Film(IntegralStatement& statement)
 {
-    integral::FilmParameters& film = block.parameters.film;
+    integral::FilmParameters& film = statement.parameters.film;
     std::set<std::string> given;
     const auto give = [&](const char* word) {
         if (!given.insert(word).second)
@@ -280,7 +336,7 @@ void IntegralGrammar::Parse_Film(IntegralBlock& block)
             parser.Error("'%s' is not a word of film: dpi, pixel_pitch, units_per_mm or subpixels expected.", Next_Word().c_str());
         else
             break;
-        Check_Value(block);
+        Check_Value(statement);
     }
     parser.Parse_End();
 
@@ -291,11 +347,11 @@ void IntegralGrammar::Parse_Film(IntegralBlock& block)
 /// Stripes by their word, or the places of a pixel's colours: cells { PATTERN  <x, y> <x, y> <x, y> ... }.
 void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
 {
-    subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>("kind of subpixels"));
+    subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>());
     if (subpixels != integral::Subpixels::cells)
         return;
     parser.Parse_Begin();
-    subpixels.pattern = Parse_Kind<integral::CellPattern>("pattern of cells");
+    subpixels.pattern = Parse_Kind<integral::CellPattern>();
     while (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
     {
         if (subpixels.number == integral::Subpixels::most_cells)
@@ -333,13 +389,13 @@ void IntegralGrammar::Parse_Option()
     const auto version = parser.sceneData->languageVersion;
     const bool version_set = parser.sceneData->languageVersionSet;
 
-    option = std::make_shared<IntegralBlock>();
+    option = std::make_shared<IntegralStatement>();
     parser.Parse_Begin();
     while (Parse_Word(*option))
         ;
     if (Next_Word() != "}")
         parser.Error("'%s' is not a word of Integral_Camera: %s expected.", Next_Word().c_str(),
-                     List(camera_words).c_str());
+                     List_Of_Words().c_str());
     parser.Parse_End();
     if (parser.Skip_Spaces())
         parser.Error("Integral_Camera has a '}' too many.");

@@ -15,7 +15,7 @@ namespace pov
 
 class Camera;
 class Parser;
-struct IntegralBlock;
+struct IntegralStatement;
 
 class IntegralGrammar
 {
@@ -44,33 +44,40 @@ class IntegralGrammar
         void Check(Camera& camera);
 
         /// To be called once the scene is parsed, with the camera that is to be rendered: applies
-        /// Integral_Camera= to a scene without a camera, chooses how objects are bounded where the options leave it open,
-        /// and says what the user should know.
+        /// Integral_Camera= to a scene without a camera, and says what the user should know.
         void Finish(Camera& camera);
 
     private:
         explicit IntegralGrammar(Parser& parser) : parser(parser) {}
 
+        struct Word;
+        static const std::vector<Word>& Words();
+        static const Word *Find_Word(const std::string& name);
+        static std::string List_Of_Words();
+
         std::string Next_Word();
         bool Accept(const char* word);
-        IntegralBlock& Edit(Camera& camera);
+        IntegralStatement& Edit(Camera& camera);
         void Begin(Camera& camera);
-        bool Parse_Word(IntegralBlock& block);
-        void Parse_Lens_Sheet(IntegralBlock& block);
-        void Parse_Film(IntegralBlock& block);
+        bool Parse_Word(IntegralStatement& statement);
+        void Parse_Lens_Sheet(IntegralStatement& statement);
+        void Parse_Film(IntegralStatement& statement);
         void Parse_Subpixels(integral::Subpixels& subpixels);
-        void Give(IntegralBlock& block, const std::string& word);
-        void Check_Value(const IntegralBlock& block);
-        template <class Kind> Kind Parse_Kind(const char* of);
+        void Give(IntegralStatement& statement, const std::string& word);
+        void Check_Value(const IntegralStatement& statement);
+        template <class Kind> Kind Parse_Kind();
         integral::Vec2 Parse_Pair(bool promote);
-        int Parse_Count(const char* word);
-        void Apply_Option(IntegralBlock& block);
+        int Parse_Count();
+        double Parse_Number();
+        integral::Vec2 Parse_Vector();
+        bool Parse_Flag();
+        void Apply_Option(IntegralStatement& statement);
         bool Frame_Size(int& width, int& height);
-        void Choose_Bounding(const IntegralBlock *block);
         void Warn(const Camera& camera);
 
         Parser& parser;
-        std::shared_ptr<IntegralBlock> option; ///< the words of Integral_Camera=, or nothing
+        std::shared_ptr<IntegralStatement> option; ///< the words of Integral_Camera=, or nothing
+        const char *reading = "";              ///< the word whose value is being read
         int option_level = 0;                  ///< depth of its text among the include files, while it is read
 };
 

@@ -28,8 +28,8 @@ std::uint64_t Key(int x, int y) { return (std::uint64_t(std::uint32_t(y)) << 32)
 
 }
 
-IntegralAudit::IntegralAudit(const IntegralBlock& block, std::uint64_t seed)
-    : optics(block.optics), output(block.error.output), share(block.error.share), picture(block.error.picture), rows(block.rows),
+IntegralAudit::IntegralAudit(const IntegralView& view, std::uint64_t seed)
+    : optics(view.optics), output(view.error.output), share(view.error.share), picture(view.error.picture), rows(view.rows),
       seed(seed)
 {
     if (share == 0 && !picture.empty())
@@ -150,7 +150,7 @@ bool IntegralAudit::Write_Picture() const
 
 static IntegralAudit *Audit_Of(const Camera& camera)
 {
-    return camera.Integral ? camera.Integral->audit.get() : NULL;
+    return camera.Integral_View ? camera.Integral_View->audit.get() : NULL;
 }
 
 void Note_Integral_Pixels(const Camera& camera, const POVRect& rect, const std::vector<Colour>& pixels)
@@ -166,7 +166,7 @@ void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& pos
 }
 
 IntegralAuditTask::IntegralAuditTask(ViewData *view)
-    : IntegralTask(view, false), audit(view->GetCamera().Integral->audit)
+    : IntegralTask(view, false), audit(view->GetCamera().Integral_View->audit)
 {
 }
 

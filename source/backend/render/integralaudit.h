@@ -22,14 +22,14 @@ namespace pov
 {
 
 class Camera;
-struct IntegralBlock;
+struct IntegralView;
 
 /// The audit of one view. Its pixels are those of the smallest hashes of (seed, x, y): the same in whatever order
 /// the threads work.
 class IntegralAudit
 {
     public:
-        IntegralAudit(const IntegralBlock& block, std::uint64_t seed);
+        IntegralAudit(const IntegralView& view, std::uint64_t seed);
 
         /// Independent samples of each audited pixel.
         static constexpr int samples = 16;

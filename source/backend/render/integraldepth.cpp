@@ -19,9 +19,9 @@
 namespace pov
 {
 
-IntegralDepth::IntegralDepth(const IntegralBlock& block, const std::string& file)
-    : optics(block.optics),
-      sampler(block.sampler),
+IntegralDepth::IntegralDepth(const IntegralView& view, const std::string& file)
+    : optics(view.optics),
+      sampler(view.sampler),
       file(file),
       depths(std::size_t(optics->film.width) * optics->film.height, std::numeric_limits<float>::quiet_NaN())
 {
@@ -62,7 +62,7 @@ bool IntegralDepth::Write() const
 }
 
 IntegralDepthTask::IntegralDepthTask(ViewData *view)
-    : IntegralTask(view, false), depth(view->GetCamera().Integral->depth)
+    : IntegralTask(view, false), depth(view->GetCamera().Integral_View->depth)
 {
 }
 

@@ -16,14 +16,14 @@ namespace pov
 {
 
 class Camera;
-struct IntegralBlock;
+struct IntegralView;
 
 /// The depth frame of one view: of each pixel's centre, along the ray through its lens's pole. mm from the sheet's plane,
 /// greater than 0 behind it; infinite where there is no surface; NaN where the pixel images nothing.
 class IntegralDepth
 {
     public:
-        IntegralDepth(const IntegralBlock& block, const std::string& file);
+        IntegralDepth(const IntegralView& view, const std::string& file);
 
         /// A row that no thread has taken yet; false once there is none.
         bool Next_Row(int& row);

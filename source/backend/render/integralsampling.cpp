@@ -42,7 +42,7 @@ class ComparedEncoding
 
 IntegralSampling *Sampling_Of(const Camera& camera)
 {
-    return camera.Integral ? camera.Integral->sampling.get() : NULL;
+    return camera.Integral_View ? camera.Integral_View->sampling.get() : NULL;
 }
 
 }
@@ -91,7 +91,7 @@ IntegralFirstPassTask::IntegralFirstPassTask(ViewData *view, const GammaCurvePtr
 void IntegralFirstPassTask::Run()
 {
     ViewData& view = *GetViewData();
-    IntegralSampling& sampling = *view.GetCamera().Integral->sampling;
+    IntegralSampling& sampling = *view.GetCamera().Integral_View->sampling;
     const POVRect area = sampling.Needed(view.GetRenderArea());
     POVRect block;
     std::vector<Colour> pixels;
@@ -216,7 +216,7 @@ bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& tr
     if (!sampling)
         return false;
 
-    const pov_base::IntegralRows& rows = view.GetCamera().Integral->rows;
+    const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
     const POVRect sampled = sampling->Needed(view.GetRenderArea());
     BlockRefinement refinement(view, thread, trace, cooperate, options, *sampling);
     POVRect block;

@@ -18,29 +18,29 @@ namespace pov
 
 void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadData *of_thread)
 {
-    block = camera.Integral;
-    active = block && block->integral && block->optics && block->sampler;
+    view = camera.Integral_View;
+    active = view != nullptr;
     tally = nullptr;
     thread = of_thread;
     if (!active)
         return;
-    containers.Choose(*block->optics, scene, thread);
-    counts_error = block->error.wanted && !block->audit;
-    one_ray = block->sampler->gives_one_ray();
+    containers.Choose(*view->optics, scene, thread);
+    counts_error = view->error.wanted && !view->audit;
+    one_ray = view->sampler->gives_one_ray();
     runs.reset();
     if (one_ray)
-        runs.emplace(*block->optics);
+        runs.emplace(*view->optics);
     if (runs && !runs->possible())
         runs.reset();
     run_y = last_y = -1;
-    keeps_depth = block->sampling != nullptr;
-    std::lock_guard<std::mutex> lock(block->counts->mutex);
-    tally = &block->counts->tallies.emplace_back();
-    block->counts->containers = containers.Number();
-    block->counts->objects = int(scene.objects.size());
+    keeps_depth = view->sampling != nullptr;
+    std::lock_guard<std::mutex> lock(view->counts->mutex);
+    tally = &view->counts->tallies.emplace_back();
+    view->counts->containers = containers.Number();
+    view->counts->objects = int(scene.objects.size());
     shading.reset();
-    if (block->shading_cache && block->shading_cache->Of_Use() && (!block->shares_dear_shading_only || IntegralCachedShading::Pays(scene)))
-        shading.reset(new IntegralCachedShading(*block->shading_cache, *tally, thread));
+    if (view->shading_cache && view->shading_cache->Of_Use() && (!view->caches_dear_shading_only || IntegralCachedShading::Pays(scene)))
+        shading.reset(new IntegralCachedShading(*view->shading_cache, *tally, thread));
 }
 
 void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const
@@ -57,7 +57,7 @@ void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t tr
 /// Film point -> lens -> rays through its lens, into `rays`. False where the pixel images nothing.
 bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 {
-    const integral::PixelSampler& sampler = *block->sampler;
+    const integral::PixelSampler& sampler = *view->sampler;
     const integral::Vec2 centre{x + 0.5, y + 0.5};
     rays.clear();
     if (mode == audit)
@@ -107,7 +107,7 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
     }
     else if (place >= 0 && run.empty[place])
         outcome.film_points = outcome.outside_aperture = 1;
-    else if (const auto seen = block->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
+    else if (const auto seen = view->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
         Make_Ray(ray, *seen, pretrace, length);
     imaged = outcome.imaged > 0;
     lens = outcome.lens;
@@ -119,7 +119,7 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
 void IntegralTracer::Refine(int x, int y, bool alike, double depth)
 {
     mode = refinement;
-    beam = block->sampler->beam({x + 0.5, y + 0.5}, alike, depth);
+    beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, depth);
     refined = Light();
 }
 
@@ -136,14 +136,14 @@ void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pr
 
 void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const
 {
-    Make_Ray(ray, integral::sight_line(*block->optics, beam), pretrace, length);
+    Make_Ray(ray, integral::sight_line(*view->optics, beam), pretrace, length);
 }
 
 void IntegralTracer::Keep_Depth(const Ray& ray, DBL distance)
 {
     last_depth = HUGE_VAL;
     if (distance < HUGE_VAL)
-        last_depth = integral::sheet_from_scene(block->optics->placement, From_POV(ray.Origin) + distance * From_POV(ray.Direction)).z;
+        last_depth = integral::sheet_from_scene(view->optics->placement, From_POV(ray.Origin) + distance * From_POV(ray.Direction)).z;
 }
 
 void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)
@@ -182,10 +182,10 @@ Colour IntegralTracer::Light::Mean(int half) const
 
 void IntegralTracer::Count_Error(DBL y, const Light& light)
 {
-    if (!block->rows.Have(int(y)) || light.rays[0] == 0 || light.rays[1] == 0)
+    if (!view->rows.Have(int(y)) || light.rays[0] == 0 || light.rays[1] == 0)
         return;
     const Colour first = light.Mean(0), second = light.Mean(1);
-    tally->errors.add(integral::halves_error(block->error.output, {first.red(), first.green(), first.blue()},
+    tally->errors.add(integral::halves_error(view->error.output, {first.red(), first.green(), first.blue()},
                                              {second.red(), second.green(), second.blue()}, light.rays[0], light.rays[1]));
 }
 

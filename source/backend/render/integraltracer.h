@@ -21,7 +21,7 @@ class Camera;
 class Ray;
 class SceneData;
 class TraceThreadData;
-struct IntegralBlock;
+struct IntegralView;
 struct IntegralTally;
 
 class IntegralTracer
@@ -88,11 +88,11 @@ class IntegralTracer
         void Met(const Ray& ray, DBL distance) { if (keeps_depth && mode == camera_rays) Keep_Depth(ray, distance); }
         void Keep_Depth(const Ray& ray, DBL distance);
 
-        std::shared_ptr<const IntegralBlock> block;
+        std::shared_ptr<const IntegralView> view;
         IntegralContainers containers;
         std::unique_ptr<IntegralCachedShading> shading;
         TraceThreadData *thread = nullptr;
-        IntegralTally *tally = nullptr; ///< in the block's counts, if it keeps any
+        IntegralTally *tally = nullptr; ///< in the view's counts, if it keeps any
         std::vector<integral::PixelRay> rays; ///< of the pixel, or sample, that is being traced
         integral::LensIndex lens;             ///< whose rays they are
         bool imaged = false;                  ///< whether there are any

@@ -8,6 +8,8 @@
 #include "backend/render/integralsampling.h"
 #include "backend/render/integralshading.h"
 #include "backend/scene/camera.h"
+#include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
 #include "backend/scene/view.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
@@ -25,11 +27,11 @@ namespace pov
 
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera, int width, int height)
 {
-    const IntegralBlock& block = *camera.Integral;
+    const IntegralStatement& statement = *camera.Integral;
     const integral::ViewFrame view = {From_POV(camera.Location), From_POV(camera.Direction),
                                       From_POV(camera.Right), From_POV(camera.Up),
-                                      block.sheet_distance_ratio};
-    return std::make_shared<integral::IntegralCamera>(integral::make_camera(block.parameters, view, width, height));
+                                      statement.sheet_distance_ratio};
+    return std::make_shared<integral::IntegralCamera>(integral::make_camera(statement.parameters, view, width, height));
 }
 
 /// Patches enough that what they leave out is little against what so many samples miss. Of the samples at the sharpest edges a quarter will do:
@@ -41,81 +43,97 @@ static double Patches_In_Beam(const integral::IntegralCamera& optics, const pov_
     return given.patches_in_beam > 0 ? given.patches_in_beam : std::max(least, samples);
 }
 
+void Choose_Integral_Bounding(SceneData& scene)
+{
+    constexpr double least_objects = 200, rays_an_object = 60;
+    if (scene.boundingMethod != pov_base::integral_bounding_open)
+        return;
+    scene.boundingMethod = 1;
+    const IntegralStatement *const statement = scene.parsedCamera.Integral.get();
+    if (!statement || !statement->integral || !statement->optics)
+        return;
+    const integral::IntegralCamera& optics = *statement->optics;
+    const auto is_finite = [](const ObjectPtr object) { return !Test_Flag(object, INFINITE_FLAG); };
+    const double finite = std::count_if(scene.objects.begin(), scene.objects.end(), is_finite);
+    const double rays = double(optics.film.width) * optics.film.height * optics.pixel_samples * optics.beam_samples;
+    if (finite >= least_objects && rays >= rays_an_object * finite)
+        scene.boundingMethod = 2;
+}
+
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)
 {
+    camera.Integral_View.reset();
     if (!camera.Integral || !camera.Integral->integral)
     {
         pov_base::IntegralFrame::Forget();
         return;
     }
-    auto block = std::make_shared<IntegralBlock>(*camera.Integral);
+    const auto view = std::make_shared<IntegralView>();
+    view->counts = std::make_shared<IntegralCounts>();
     try
     {
-        block->optics = Make_Integral_Optics(camera, width, height);
+        view->optics = Make_Integral_Optics(camera, width, height);
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options);
-        block->sampler = std::make_shared<integral::PixelSampler>(*block->optics, given.seed);
-        block->rows = given.rows;
-        block->error = {given.audit, given.audit_share, given.output, given.error_picture};
-        block->shading_cache.reset();
-        block->shares_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
-        if (given.sharing == pov_base::IntegralSharing::on || (block->shares_dear_shading_only && given.antialias))
-            block->shading_cache = std::make_shared<IntegralShadingCache>(*block->optics, Patches_In_Beam(*block->optics, given));
-        block->sampling.reset();
+        view->sampler = std::make_shared<integral::PixelSampler>(*view->optics, given.seed);
+        view->rows = given.rows;
+        view->error = {given.audit, given.audit_share, given.output, given.error_picture};
+        view->caches_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
+        if (given.sharing == pov_base::IntegralSharing::on || (view->caches_dear_shading_only && given.antialias))
+            view->shading_cache = std::make_shared<IntegralShadingCache>(*view->optics, Patches_In_Beam(*view->optics, given));
         if (given.antialias && given.light_field)
-            block->sampling = std::make_shared<IntegralSampling>(*block->optics, given.rows, given.block_side);
-        block->depth.reset();
+            view->sampling = std::make_shared<IntegralSampling>(*view->optics, given.rows, given.block_side);
         if (!given.depth_picture.empty())
-            block->depth = std::make_shared<IntegralDepth>(*block, given.depth_picture);
+            view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
         // the halves know nothing of the samples that anti-aliasing adds, and make no picture
-        block->audit.reset();
-        if (given.audit && (given.antialias || !given.error_picture.empty() || !block->sampler->halves_tell_error()))
-            block->audit = std::make_shared<IntegralAudit>(*block, given.seed);
+        if (given.audit && (given.antialias || !given.error_picture.empty() || !view->sampler->halves_tell_error()))
+            view->audit = std::make_shared<IntegralAudit>(*view, given.seed);
     }
     catch (const std::invalid_argument& problem)
     {
         throw POV_EXCEPTION(kParamErr, problem.what());
     }
-    block->counts = std::make_shared<IntegralCounts>();
-    camera.Integral = block;
-    pov_base::IntegralFrame::Begin(*block->optics);
+    camera.Integral_View = view;
+    pov_base::IntegralFrame::Begin(*view->optics);
 }
 
 /// The error of the frame, as far as it was asked for and there is a picture to tell it by.
-static std::optional<integral::ErrorEstimate> Error_Of(const IntegralBlock& block)
+static std::optional<integral::ErrorEstimate> Error_Of(const IntegralView& view)
 {
-    if (block.audit)
-        return block.audit->Result();
+    if (view.audit)
+        return view.audit->Result();
     integral::ErrorSums sums;
-    for (const IntegralTally& tally : block.counts->tallies)
+    for (const IntegralTally& tally : view.counts->tallies)
         sums.add(tally.errors);
     auto error = integral::estimate(sums, integral::ErrorMethod::split_halves);
     if (error)
     {
         error->lit_pixels = sums.pixels;
-        error->samples = block.optics->pixel_samples * block.optics->beam_samples;
+        error->samples = view.optics->pixel_samples * view.optics->beam_samples;
     }
     return error;
 }
 
 int Integral_Final_Tasks(const Camera& camera, int threads)
 {
-    return camera.Integral ? threads * ((camera.Integral->depth ? 1 : 0) + (camera.Integral->audit ? 1 : 0)) : 0;
+    const IntegralView *const view = camera.Integral_View.get();
+    return view ? threads * ((view->depth ? 1 : 0) + (view->audit ? 1 : 0)) : 0;
 }
 
 RenderTask *New_Integral_Final_Task(ViewData *view, int index)
 {
-    const IntegralBlock& block = *view->GetCamera().Integral;
+    const IntegralView& settings = *view->GetCamera().Integral_View;
     // every other one, if there are both kinds
-    if (block.depth && (index % 2 == 0 || !block.audit))
+    if (settings.depth && (index % 2 == 0 || !settings.audit))
         return new IntegralDepthTask(view);
     return new IntegralAuditTask(view);
 }
 
 void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
 {
-    if (!camera.Integral || !camera.Integral->counts)
+    if (!camera.Integral_View)
         return;
-    IntegralCounts& counts = *camera.Integral->counts;
+    const IntegralView& view = *camera.Integral_View;
+    IntegralCounts& counts = *view.counts;
     std::lock_guard<std::mutex> lock(counts.mutex);
     const auto set_total = [&](POVMSType key, OwnCount IntegralTally::*count) {
         long long sum = 0;
@@ -135,13 +153,13 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetInt(kIntegralAttrib_Containers, counts.containers);
     statistics.SetInt(kIntegralAttrib_Objects, counts.objects);
 
-    const auto error = Error_Of(*camera.Integral);
+    const auto error = Error_Of(view);
     pov_base::IntegralFrame::End(error);
     statistics.SetFloat(kIntegralAttrib_Seconds, pov_base::IntegralFrame::Seconds());
-    if (camera.Integral->audit && camera.Integral->audit->Picture_Failed())
-        statistics.SetString(kIntegralAttrib_ErrorPicture, camera.Integral->error.picture.c_str());
-    if (camera.Integral->depth && !camera.Integral->depth->Write())
-        statistics.SetString(kIntegralAttrib_DepthPicture, camera.Integral->depth->File().c_str());
+    if (view.audit && view.audit->Picture_Failed())
+        statistics.SetString(kIntegralAttrib_ErrorPicture, view.error.picture.c_str());
+    if (view.depth && !view.depth->Write())
+        statistics.SetString(kIntegralAttrib_DepthPicture, view.depth->File().c_str());
     if (error)
     {
         statistics.SetFloat(kIntegralAttrib_Error, error->rms);

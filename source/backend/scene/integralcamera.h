@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The integral camera as a scene carries it: what the camera statement said, and the optics made
-// of it. Camera holds a pointer to one of these; a camera without is POV-Ray's own.
+// The integral camera as a scene carries it: what its statement says, and the view that is rendered by it. Camera holds a
+// pointer to each; one without is POV-Ray's own.
 #ifndef POVRAY_BACKEND_INTEGRALCAMERA_H
 #define POVRAY_BACKEND_INTEGRALCAMERA_H
 
@@ -28,6 +28,7 @@ class IntegralDepth;
 class IntegralShadingCache;
 class IntegralSampling;
 class RenderTask;
+class SceneData;
 class ViewData;
 
 inline integral::Vec3 From_POV(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
@@ -71,30 +72,40 @@ struct IntegralErrorOptions
     std::string picture;                ///< file of the error picture; empty: none
 };
 
-/// Immutable once the camera statement has been parsed; copies of a camera share it.
-struct IntegralBlock
+/// What a camera statement, or Integral_Camera=, says. It does not change once it is parsed; copies of a camera share it.
+struct IntegralStatement
 {
     bool integral = false;                 ///< false: only notes for Integral_Camera= to use
     integral::CameraParameters parameters;
     std::set<std::string> given;           ///< the words that have been given, to refuse a second
     double look_at_distance = 0;           ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0;       ///< sheet distance / |direction|; 0: not known yet
-    std::shared_ptr<const integral::IntegralCamera> optics; ///< of the camera's last transform
-    // of a view that is being rendered:
+    std::shared_ptr<const integral::IntegralCamera> optics; ///< by the camera's last transform; nothing: no frame size yet
+};
+
+/// A view that is being rendered: its optics, and what its threads share.
+struct IntegralView
+{
+    std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const integral::PixelSampler> sampler;
     std::shared_ptr<IntegralCounts> counts;
     std::shared_ptr<IntegralShadingCache> shading_cache; ///< nothing: each ray's shading is its own
-    bool shares_dear_shading_only = false;      ///< in them
-    std::shared_ptr<IntegralSampling> sampling; ///< nothing: no anti-aliasing
-    std::shared_ptr<IntegralAudit> audit;  ///< nothing: no error is estimated by an audit
-    std::shared_ptr<IntegralDepth> depth;       ///< nothing: no depth frame
+    bool caches_dear_shading_only = false;               ///< if there is a cache
+    std::shared_ptr<IntegralSampling> sampling;          ///< nothing: no anti-aliasing
+    std::shared_ptr<IntegralAudit> audit;                ///< nothing: no audit estimates the error
+    std::shared_ptr<IntegralDepth> depth;                ///< nothing: no depth frame
     IntegralErrorOptions error;
-    pov_base::IntegralRows rows;                ///< that count
+    pov_base::IntegralRows rows;                         ///< the rows that count
 };
 
-/// The block's optics for a frame of width x height pixels, from the vectors of `camera`.
+/// The statement's optics for a frame of width x height pixels, from the vectors of `camera`.
 /// Throws std::invalid_argument with a sentence for the user.
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera, int width, int height);
+
+/// To be called once a scene is parsed: chooses how its objects are bounded, where the options leave that open. A tree of the scene's
+/// space (+BM2) is left sooner than boxes in boxes by rays that start apart and go apart, as an integral camera's do; but it
+/// takes longer to build, and that has to pay. Other cameras get POV-Ray's own way.
+void Choose_Integral_Bounding(SceneData& scene);
 
 /// To be called once a view's camera and size are settled: gives it optics and a sampler of its own and fresh
 /// counts, and announces its geometry to whoever writes the picture. No effect on other cameras.
