@@ -54,6 +54,7 @@ unit_sources = \
   tests/unit/batch_strips.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
+  tests/unit/io_rows.cpp \
   tests/unit/lightfield_depth_range.cpp \
   tests/unit/lightfield_error_estimate.cpp \
   tests/unit/lightfield_image.cpp \
