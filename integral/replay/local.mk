@@ -19,6 +19,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/replay.h \
   integral/replay/replay_page.cpp \
   integral/replay/replay_page.h \
+  integral/replay/similarity.cpp \
+  integral/replay/similarity.h \
   integral/replay/tolerances.cpp \
   integral/replay/tolerances.h
 
