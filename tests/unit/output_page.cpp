@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(a_page_is_its_picture_on_white)
     for (const bool mirrored : {false, true}) {
         request.mirrored = mirrored;
         const Page page = lay_out(m, m.film.pixel_pitch, request)[0];
-        const Image sheet = rasterized(page, picture);
+        const Image sheet = rasterized(page, picture, rows_in(picture));
         BOOST_TEST(sheet.width == 80);
         for (int y = 0; y < sheet.height; ++y)
             for (int x = 0; x < sheet.width; ++x) {
