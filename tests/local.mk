@@ -130,7 +130,7 @@ build_tests_depths_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
 test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/tests/scan build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
-  build/bench/error_against_time build/bench/eyes $(cups_programs) $(screen_programs)
+  build/bench/error_against_time build/bench/eyes build/bench/large_frames $(cups_programs) $(screen_programs)
 
 .PHONY: check-long
 check-local: $(test_programs) pristine
