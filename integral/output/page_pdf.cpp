@@ -153,15 +153,20 @@ void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form
     const auto font = pdf.makeIndirectObject(
         QPDFObjectHandle::parse("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>"));
 
+    std::exception_ptr failure; // of reading the picture
     QPDFPageDocumentHelper document(pdf);
     for (const Page& page : pages) {
         auto image = QPDFObjectHandle::newStream(&pdf);
-        const auto provide = [&,
-                              of = &page](Pipeline* pipeline) { // called when the page is written
-            draw_part(*of, form, picture, [&](const Image& rows) {
-                std::vector<unsigned char> bytes = samples_of(rows);
-                pipeline->write(bytes.data(), bytes.size());
-            });
+        const auto provide = [&, of = &page](Pipeline* pipeline) { // called when the page is written
+            try {
+                draw_part(*of, form, picture, [&](const Image& rows) {
+                    std::vector<unsigned char> bytes = samples_of(rows);
+                    pipeline->write(bytes.data(), bytes.size());
+                });
+            } catch (...) { // QPDF would make an error of its own of it
+                failure = std::current_exception();
+                throw;
+            }
             pipeline->finish();
         };
         image.replaceStreamData(provide, QPDFObjectHandle::newNull(), QPDFObjectHandle::newNull());
@@ -202,7 +207,9 @@ void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form
         writer.setDeterministicID(true);
         writer.write();
     } catch (...) {
-        stream.check(); // the cause
+        if (failure)
+            std::rethrow_exception(failure);
+        stream.check();
         throw;
     }
     std::fflush(stream.file());
