@@ -13,6 +13,15 @@ EXTRA_PROGRAMS += build/bench/interlace_speed
 build_bench_interlace_speed_SOURCES = bench/interlace_speed.cpp
 build_bench_interlace_speed_LDADD = $(LIBINTEGRAL_LIBS)
 
+# What commands take for a frame of 12000 x 8400 pixels, seconds and memory: minutes, and gigabytes of disk. Its test takes a small one.
+check_PROGRAMS += build/bench/large_frames
+build_bench_large_frames_SOURCES = bench/large_frames.cpp bench/program.h
+build_bench_large_frames_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+
+.PHONY: large-frames
+large-frames: all build/bench/large_frames
+	build/bench/large_frames
+
 # What of a quilt is read, and what a panel's image costs natively and of views (doc/panels.md): minutes.
 EXTRA_PROGRAMS += build/bench/quilt_use
 build_bench_quilt_use_SOURCES = bench/quilt_use.cpp

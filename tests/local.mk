@@ -54,6 +54,7 @@ unit_sources = \
   tests/unit/batch_strips.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
+  tests/unit/io_rows.cpp \
   tests/unit/lightfield_depth_range.cpp \
   tests/unit/lightfield_error_estimate.cpp \
   tests/unit/lightfield_image.cpp \
@@ -129,7 +130,7 @@ build_tests_depths_LDADD = $(FRAME_LIBS)
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
 test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/tests/scan build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
-  build/bench/error_against_time build/bench/eyes $(cups_programs) $(screen_programs)
+  build/bench/error_against_time build/bench/eyes build/bench/large_frames $(cups_programs) $(screen_programs)
 
 .PHONY: check-long
 check-local: $(test_programs) pristine

@@ -11,8 +11,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace integral {
 namespace {
@@ -68,6 +70,43 @@ std::string as_json(const Comparison& comparison, bool passed)
     return json.dump(2) + "\n";
 }
 
+/// Compares two pictures, some rows at a time, and writes their difference if `output` is not
+/// empty.
+Comparison compare_rows(FrameReader& a, FrameReader& b, const std::string& name_of_b,
+                        const std::string& output, double gain)
+{
+    const Image &form_a = a.frame().image, &form_b = b.frame().image;
+    std::optional<Comparer> comparer;
+    try {
+        comparer.emplace(a.frame(), b.frame());
+    } catch (const std::invalid_argument& error) {
+        throw InputError(name_of_b + ": " + error.what());
+    }
+    std::optional<PictureWriter> difference;
+    if (!output.empty())
+        difference.emplace(
+            PictureWriter::of_frame(output, difference_form(form_a, form_b), std::nullopt));
+    const int most = std::min(rows_of_a_band(form_a), rows_of_a_band(form_b));
+    Image rows_a, rows_b;
+    for (int y = 0; y < form_a.height; y += most) {
+        stop_if_interrupted();
+        const int rows = std::min(most, form_a.height - y);
+        if (rows_a.height != rows) {
+            rows_a = blank_like(form_a, form_a.width, rows);
+            rows_b = blank_like(form_b, form_b.width, rows);
+        }
+        a.read(rows_a);
+        b.read(rows_b);
+        comparer->add(rows_a, rows_b);
+        if (difference)
+            difference->write(difference_picture(rows_a, rows_b, gain));
+    }
+    stop_if_interrupted();
+    if (difference)
+        difference->finish();
+    return comparer->result();
+}
+
 int run(const options::variables_map& arguments)
 {
     if (given(arguments, "suite"))
@@ -84,17 +123,8 @@ int run(const options::variables_map& arguments)
         check_writable(output);
     }
     const std::string sheet = text_of(arguments, "sheet");
-    const Frame a = read_frame(inputs[0], sheet), b = read_frame(inputs[1], sheet);
-    stop_if_interrupted();
-    Comparison comparison;
-    try {
-        comparison = compare(a, b);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(inputs[1] + ": " + error.what());
-    }
-    stop_if_interrupted();
-    if (!output.empty())
-        write_frame(output, Frame{difference_picture(a.image, b.image, gain), std::nullopt});
+    FrameReader a(inputs[0], sheet), b(inputs[1], sheet);
+    const Comparison comparison = compare_rows(a, b, inputs[1], output, gain);
 
     const auto missed = missed_limits(limits, comparison);
     const std::string figures =

@@ -84,19 +84,23 @@ std::string strip_text(const std::string& input, const FrameMetadata& m)
     return text;
 }
 
-/// Three channels over white paper, 8 or 16 bits, sRGB. A frame of that form is not touched.
-Image printable(const Image& frame, int bits)
+/// Three channels over white paper, 8 or 16 bits, sRGB. A picture of that form is not touched.
+Image printable(Image picture, int bits)
 {
     const Encoding srgb;
-    if (frame.channels == 3)
-        return sample_bits(frame) == bits && same_encoding(frame.encoding, srgb) ? frame : converted(frame, bits, srgb, false);
-    Image page = bits == 8 ? make_image<std::uint8_t>(frame.width, frame.height, 3, srgb) : make_image<std::uint16_t>(frame.width, frame.height, 3, srgb);
-    const LinearReader light(frame);
-    for (int y = 0; y < frame.height; ++y)
-        for (int x = 0; x < frame.width; ++x) {
+    if (picture.channels == 3)
+        return sample_bits(picture) == bits && same_encoding(picture.encoding, srgb)
+                   ? std::move(picture)
+                   : converted(picture, bits, srgb, false);
+    Image page = blank_like(form_of(bits, picture.width, picture.height, 3, srgb), picture.width,
+                            picture.height);
+    const LinearReader light(picture);
+    for_each_row(picture.height, 0, [&](int y) {
+        for (int x = 0; x < picture.width; ++x) {
             const Color c = light(x, y);
             store_linear(page, x, y, {c.r + 1 - c.a, c.g + 1 - c.a, c.b + 1 - c.a, 1});
         }
+    });
     return page;
 }
 
@@ -126,13 +130,14 @@ void refuse_given(const options::variables_map& arguments, std::initializer_list
 }
 
 /// Prints pages and waits for them.
-void send(const options::variables_map& arguments, const std::vector<Image>& pages, Vec2 pixel_pitch, const std::string& title)
+void send(const options::variables_map& arguments, std::vector<Image> pages, Vec2 pixel_pitch,
+          const std::string& title)
 {
     SpoolJob job;
     job.printer = text_of(arguments, "printer");
     job.title = title;
-    for (const Image& page : pages)
-        job.pages.push_back(printable(page, 8));
+    for (Image& page : pages)
+        job.pages.push_back(printable(std::move(page), 8));
     job.dpi = {mm_per_inch / pixel_pitch.x, mm_per_inch / pixel_pitch.y};
     job.medium = text_of(arguments, "medium");
     if (given(arguments, "copies"))
@@ -150,83 +155,156 @@ void send(const options::variables_map& arguments, const std::vector<Image>& pag
     std::cout << job.printer << ": job " << *number << " is printed\n";
 }
 
-/// A frame's pages, ready to be written.
-struct Print {
+/// A frame's pages, ready to be written. Only some rows of the frame are in memory at a time.
+class Print {
+public:
+    explicit Print(const options::variables_map& arguments);
+
+    /// Rows of the picture in the colours of the profile. Rows that have been passed are read from
+    /// the file again.
+    Image rows(int first, int count);
+
     FrameMetadata metadata;
     std::vector<Page> pages;
-    Image picture; ///< 8 or 16 bits, in the colours of the profile
+    Image form; ///< of the picture: 8 or 16 bits
     Vec2 pixel_pitch;
     std::string profile, title;
+
+private:
+    FrameReader reader_;
+    int next_ = 0; ///< the row that the reader is at
+    std::optional<ProfileTransform> transform_;
 };
 
-Print prepare(const options::variables_map& arguments)
+Print::Print(const options::variables_map& arguments)
+    : reader_(inputs_of(arguments)[0], text_of(arguments, "sheet"))
 {
     const std::string input = inputs_of(arguments)[0];
     const Intent intent = parse_intent(arguments);
     if (given(arguments, "bits") && arguments["bits"].as<int>() != 8 && arguments["bits"].as<int>() != 16)
         throw UsageError("--bits " + std::to_string(arguments["bits"].as<int>()) + ": 8 or 16 is expected");
-    const Frame frame = read_frame_with_metadata(input, text_of(arguments, "sheet"));
-    stop_if_interrupted();
-
-    Print print;
-    print.metadata = *frame.metadata;
-    print.title = strip_text(input, print.metadata);
-    print.pixel_pitch = printer_pitch(arguments, print.metadata.film);
-    PageRequest request = parse_request(arguments, print.metadata.film);
+    reader_.require_metadata();
+    const Image& frame = reader_.frame().image;
+    metadata = *reader_.frame().metadata;
+    title = strip_text(input, metadata);
+    pixel_pitch = printer_pitch(arguments, metadata.film);
+    PageRequest request = parse_request(arguments, metadata.film);
     if (arguments["strip"].as<bool>())
-        request.strip = print.title;
+        request.strip = title;
     try {
-        print.pages = lay_out(print.metadata, print.pixel_pitch, request);
+        pages = lay_out(metadata, pixel_pitch, request);
     } catch (const std::invalid_argument& error) {
         throw UsageError(input + ": " + error.what());
     }
-    const int bits = given(arguments, "bits") ? arguments["bits"].as<int>() : std::min(16, sample_bits(frame.image));
-    print.picture = printable(frame.image, bits);
-    print.profile = srgb_profile();
-    if (given(arguments, "icc")) {
-        print.profile = read_file(text_of(arguments, "icc"));
-        try {
-            print.picture = in_profile(print.picture, print.profile, intent);
-        } catch (const std::runtime_error& error) {
-            throw InputError(text_of(arguments, "icc") + ": " + error.what());
-        }
+    const int bits =
+        given(arguments, "bits") ? arguments["bits"].as<int>() : std::min(16, sample_bits(frame));
+    form = form_of(bits, frame.width, frame.height, 3, Encoding());
+    profile = srgb_profile();
+    if (!given(arguments, "icc"))
+        return;
+    profile = read_file(text_of(arguments, "icc"));
+    try {
+        transform_.emplace(profile, bits, intent);
+    } catch (const std::runtime_error& error) {
+        throw InputError(text_of(arguments, "icc") + ": " + error.what());
     }
-    stop_if_interrupted();
-    return print;
 }
 
-void write_pdf(const Print& print, const std::string& output)
+Image Print::rows(int first, int count)
 {
-    std::string bytes;
-    try {
-        bytes = pdf_of(print.pages, print.picture, print.profile, print.title);
-    } catch (const std::exception& error) {
-        throw OutputError(output + ": " + error.what());
+    const Image& frame = reader_.frame().image;
+    const auto read = [&](int rows) {
+        stop_if_interrupted();
+        Image band = blank_like(frame, frame.width, rows);
+        reader_.read(band);
+        next_ += rows;
+        return band;
+    };
+    if (first < next_) {
+        reader_.restart();
+        next_ = 0;
     }
-    write_file(output, bytes);
+    while (next_ < first)
+        read(std::min(rows_of_a_band(frame), first - next_));
+    Image picture = printable(read(count), sample_bits(form));
+    if (transform_)
+        transform_->apply(picture);
+    return picture;
 }
 
-Image page_image(const Print& print, const Page& page)
+PictureRows rows_of(Print& print)
+{
+    return [&print](int first, int count) { return print.rows(first, count); };
+}
+
+/// What `draw` does, whose errors are those of a page that cannot be drawn.
+template <class Draw> auto drawn(const Page& page, Draw draw)
 {
     try {
-        return rasterized(page, print.picture);
+        return draw();
+    } catch (const InputError&) {
+        throw;
+    } catch (const OutputError&) {
+        throw;
+    } catch (const Interrupted&) {
+        throw;
     } catch (const std::runtime_error& error) {
         throw UsageError("a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) + " pixels: " + error.what());
     }
 }
 
-void write_pages(const Print& print, const std::string& output)
+void write_as_pdf(Print& print, const std::string& output)
+{
+    OutputFile file(output);
+    try {
+        write_pdf(file, print.pages, print.form, rows_of(print), print.profile, print.title);
+    } catch (const InputError&) {
+        throw;
+    } catch (const OutputError&) {
+        throw;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw OutputError(output + ": " + error.what());
+    }
+    file.finish();
+}
+
+/// The file of a page, with its geometry where the page can be replayed.
+PictureWriter page_writer(const Print& print, const Page& page, const std::string& path)
+{
+    std::optional<FrameMetadata> geometry;
+    if (const auto g = geometry_of(page, print.metadata)) {
+        geometry = g->metadata;
+        geometry->encoding = Encoding();
+    }
+    Image form = print.form;
+    form.width = page.width;
+    form.height = page.height;
+    return PictureWriter::of_page(path, form, print.pixel_pitch, print.profile, geometry);
+}
+
+void write_pages(Print& print, const std::string& output)
 {
     const Progress bar = progress_bar("print");
     const int count = int(print.pages.size());
-    for (int k = 0; k < count; ++k) {
-        std::optional<FrameMetadata> geometry;
-        if (const auto g = geometry_of(print.pages[k], print.metadata)) {
-            geometry = g->metadata;
-            geometry->encoding = Encoding();
-        }
-        write_page(count == 1 ? output : numbered(output, k + 1, count), page_image(print, print.pages[k]), print.pixel_pitch, print.profile, geometry);
-        if (!bar(k + 1, count) && k + 1 < count)
+    for (int begin = 0; begin < count;) { // a row of tiles
+        const int end = begin + print.pages[std::size_t(begin)].columns;
+        const std::vector<Page> pages(print.pages.begin() + begin, print.pages.begin() + end);
+        std::vector<PictureWriter> files;
+        for (int k = begin; k < end; ++k)
+            files.push_back(page_writer(print, print.pages[std::size_t(k)],
+                                        count == 1 ? output : numbered(output, k + 1, count)));
+        drawn(pages[0], [&] {
+            draw_pages(pages, print.form, rows_of(print), [&](std::size_t k, const Image& rows) {
+                stop_if_interrupted();
+                files[k].write(rows);
+            });
+        });
+        for (PictureWriter& file : files)
+            file.finish();
+        begin = end;
+        if (!bar(begin, count) && begin < count)
             throw Interrupted();
     }
 }
@@ -242,18 +320,20 @@ int print_frame(const options::variables_map& arguments)
         page_format(output);
         check_writable(output);
     }
-    const Print print = prepare(arguments);
+    Print print(arguments);
+    stop_if_interrupted();
     if (output == "-" && print.pages.size() > 1)
         throw UsageError("-o -: " + std::to_string(print.pages.size()) + " pages go to a .pdf or to files with numbers");
     if (!output.empty() && page_format(output) == PageFormat::pdf)
-        write_pdf(print, output);
+        write_as_pdf(print, output);
     else if (!output.empty())
         write_pages(print, output);
     if (given(arguments, "printer")) {
         std::vector<Image> pages;
         for (const Page& page : print.pages)
-            pages.push_back(page_image(print, page));
-        send(arguments, pages, print.pixel_pitch, print.title);
+            pages.push_back(
+                drawn(page, [&] { return rasterized(page, print.form, rows_of(print)); }));
+        send(arguments, std::move(pages), print.pixel_pitch, print.title);
     }
     return exit_done;
 }

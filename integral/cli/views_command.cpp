@@ -9,7 +9,6 @@
 #include "integral/io/image_file.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
-#include "integral/replay/compare.h"
 #include "integral/replay/parallel_views.h"
 
 #include <algorithm>
@@ -96,24 +95,64 @@ std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, PixelSize si
     return views;
 }
 
-std::vector<Image> views_of_frame(const Frame& frame, ViewGrid grid, int threads)
-{
-    auto views = parallel_views(frame, grid, threads, progress_bar("views"));
-    if (!views)
-        throw Interrupted();
-    return std::move(*views);
-}
-
 /// Says what is lost on the way there and back, where something is.
-void state_loss(const Frame& frame, const std::vector<Image>& views, ViewGrid grid, int threads)
+void state_loss(const Frame& frame, ViewGrid grid, int threads)
 {
     if (views_are_exact(*frame.metadata, grid))
         return;
-    const auto back = frame_from_views(views, *frame.metadata, grid, threads, progress_bar("there and back"));
-    if (!back)
+    const auto psnr = psnr_there_and_back(frame, grid, threads, progress_bar("there and back"));
+    if (!psnr)
         throw Interrupted();
-    std::fprintf(stderr, "integral views: the views are interpolated between the film's pixels: made into a frame again, PSNR %.1f dB\n",
-                 compare(Frame{frame.image, std::nullopt}, Frame{*back, std::nullopt}).psnr);
+    std::fprintf(stderr,
+                 "integral views: the views are interpolated between the film's pixels: made into "
+                 "a frame again, PSNR %.1f dB\n",
+                 *psnr);
+}
+
+/// Makes some rows, which draw(row) does, in `threads` threads.
+template <class Draw> void draw_rows(int rows, int threads, Draw draw)
+{
+    stop_if_interrupted();
+    for_each_row(rows, threads, draw);
+}
+
+/// The quilt of parallel views, some rows at a time.
+void write_quilt(const std::string& path, const Frame& frame, const ParallelViews& views,
+                 ViewGrid grid, const FrameMetadata& metadata, int threads)
+{
+    Image form = form_of(frame.image);
+    form.width = grid.columns * views.width();
+    form.height = grid.rows * views.height();
+    PictureWriter file = PictureWriter::of_frame(path, form, metadata);
+    const Progress bar = progress_bar("views");
+    const int most = rows_of_a_band(form);
+    for (int first = 0; first < form.height; first += most) {
+        Image band = blank_like(form, form.width, std::min(most, form.height - first));
+        draw_rows(band.height, threads, [&](int y) {
+            const int row = grid.rows - 1 - (first + y) / views.height(); // view 0 is at the bottom
+            for (int column = 0; column < grid.columns; ++column)
+                views.draw(row * grid.columns + column, (first + y) % views.height(), band,
+                           column * views.width(), y);
+        });
+        file.write(band);
+        bar(first + band.height, form.height);
+    }
+    stop_if_interrupted();
+    file.finish();
+}
+
+/// Parallel views as files of their own.
+void write_views(PictureSeries& series, const Frame& frame, const ParallelViews& views,
+                 ViewGrid grid, FrameMetadata metadata, int threads)
+{
+    const Progress bar = progress_bar("views");
+    for (int k = 0; k < grid.count(); ++k) {
+        Image view = blank_like(frame.image, views.width(), views.height());
+        draw_rows(view.height, threads, [&](int y) { views.draw(k, y, view, 0, y); });
+        metadata.quilt->view = k;
+        series.add(std::move(view), metadata);
+        bar(k + 1, grid.count());
+    }
 }
 
 /// Row by row upwards, the even rows from the left, the odd ones from the right: each view beside the one before.
@@ -170,30 +209,36 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     if (!series)
         check_quilt_size(grid, of_a_view.width, of_a_view.height);
 
-    const std::vector<Image> views = eyes    ? views_of_eyes(frame, grid, size, threads)
-                                   : upright ? upright_views(frame, grid, size, threads)
-                                             : views_of_frame(frame, grid, threads);
-    if (!eyes && !upright)
-        state_loss(frame, views, grid, threads);
-    std::optional<FrameMetadata> of_views = metadata;
-    of_views->quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
-    if (eyes)
-        of_views->quilt->eyes = EyeGrid{viewing_zone(metadata, metadata.aperture.distance), metadata.aperture.distance};
-    if (upright)
-        of_views.reset(); // to look at; there is no way back from them
-    if (animated) {
-        play(*series, views, grid);
-    } else if (files) {
-        for (int k = 0; k < grid.count(); ++k) {
-            if (of_views)
-                of_views->quilt->view = k;
-            series->add(views[k], of_views);
-        }
+    FrameMetadata of_views = metadata;
+    of_views.quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
+    if (!eyes && !upright) {
+        state_loss(frame, grid, threads);
+        const ParallelViews views(frame, grid);
+        if (files)
+            write_views(*series, frame, views, grid, of_views, threads);
+        else
+            write_quilt(path, frame, views, grid, of_views, threads);
     } else {
-        write_frame(path, Frame{quilt_of_views(views, grid), of_views});
-        if (path != output)
-            std::cout << path << '\n';
+        std::vector<Image> views = eyes ? views_of_eyes(frame, grid, size, threads)
+                                        : upright_views(frame, grid, size, threads);
+        if (eyes)
+            of_views.quilt->eyes = EyeGrid{viewing_zone(metadata, metadata.aperture.distance),
+                                           metadata.aperture.distance};
+        const auto about = [&](std::optional<int> view) -> std::optional<FrameMetadata> {
+            if (upright)
+                return std::nullopt; // to look at; there is no way back from them
+            of_views.quilt->view = view;
+            return of_views;
+        };
+        if (animated)
+            play(*series, views, grid);
+        for (int k = 0; k < (files ? grid.count() : 0); ++k)
+            series->add(std::move(views[std::size_t(k)]), about(k));
+        if (!series)
+            write_frame(path, Frame{quilt_of_views(std::move(views), grid), about(std::nullopt)});
     }
+    if (!series && path != output)
+        std::cout << path << '\n';
     return exit_done;
 }
 

@@ -3,6 +3,7 @@
 // pixelAspectRatio; samples are linear and premultiplied by alpha.
 #include "integral/io/codecs.h"
 #include "integral/io/exr_header.h"
+#include "integral/io/memory.h"
 
 #include "integral/optics/film.h"
 
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 namespace integral {
@@ -28,43 +30,39 @@ constexpr int largest_side = 1000000;
 
 using Offset = decltype(std::declval<Imf::IStream&>().tellg()); // its name changed with OpenEXR 3
 
-class ByteSource : public Imf::IStream {
+class ExrSource : public Imf::IStream {
 public:
-    explicit ByteSource(const std::string& bytes) : Imf::IStream("image"), bytes_(bytes) {}
+    explicit ExrSource(const InputFile& file) : Imf::IStream("image"), file_(file) {}
     bool read(char data[], int count) override
     {
-        if (count < 0 || position_ > bytes_.size() ||
-            std::size_t(count) > bytes_.size() - position_)
+        if (count < 0)
             throw std::runtime_error("the file ends too early");
-        std::memcpy(data, bytes_.data() + position_, std::size_t(count));
-        position_ += std::size_t(count);
-        return position_ < bytes_.size();
+        file_.read(position_, data, std::size_t(count));
+        position_ += std::uint64_t(count);
+        return position_ < file_.size();
     }
     Offset tellg() override { return position_; }
     void seekg(Offset position) override { position_ = position; }
 
 private:
-    const std::string& bytes_;
-    std::size_t position_ = 0;
+    const InputFile& file_;
+    std::uint64_t position_ = 0;
 };
 
-class ByteSink : public Imf::OStream {
+class ExrSink : public Imf::OStream {
 public:
-    explicit ByteSink(std::string& bytes) : Imf::OStream("image"), bytes_(bytes) {}
+    explicit ExrSink(ByteSink& sink) : Imf::OStream("image"), sink_(sink) {}
     void write(const char data[], int count) override
     {
-        const std::size_t end = position_ + std::size_t(count);
-        if (end > bytes_.size())
-            bytes_.resize(end);
-        std::memcpy(&bytes_[position_], data, std::size_t(count));
-        position_ = end;
+        sink_.write(position_, data, std::size_t(count));
+        position_ += std::uint64_t(count);
     }
     Offset tellp() override { return position_; }
     void seekp(Offset position) override { position_ = position; }
 
 private:
-    std::string& bytes_;
-    std::size_t position_ = 0;
+    ByteSink& sink_;
+    std::uint64_t position_ = 0;
 };
 
 /// Names of the file's channels that give R, G, B (a grey Y three times) and alpha.
@@ -87,10 +85,10 @@ std::vector<const char*> channel_names(const Imf::ChannelList& channels)
     return names;
 }
 
-/// The slice of one interleaved channel.
-Imf::Slice slice(Image& image, int channel, const Imath::Box2i& window)
+/// The slice of one interleaved channel of rows that stand at `window` in the file.
+Imf::Slice slice(const Image& image, int channel, const Imath::Box2i& window)
 {
-    auto& samples = std::get<std::vector<float>>(image.samples);
+    const auto& samples = std::get<std::vector<float>>(image.samples);
     const std::size_t step = sizeof(float) * std::size_t(image.channels);
     return Imf::Slice::Make(Imf::FLOAT, samples.data() + channel, window, step,
                             step * std::size_t(image.width));
@@ -111,73 +109,28 @@ std::string document_of(const Imf::Header& header)
     return text ? text->value() : "";
 }
 
-DecodedImage decode_picture(const std::string& bytes)
+/// The file, whose header has been looked at.
+const InputFile& checked(const InputFile& input)
 {
-    Imf::Header::setMaxImageSize(largest_side, largest_side);
-    ByteSource source(bytes);
-    Imf::InputFile file(source);
-    const Imf::Header& header = file.header();
-    const auto names = channel_names(header.channels());
-    const Imath::Box2i window = header.dataWindow();
-    const int width = width_of(window), height = height_of(window);
-    const int channels = int(names.size());
-    check_plausible_size(double(width) * rows_kept(header, height) * channels * 2, double(bytes.size()), greatest_ratio);
-
-    DecodedImage picture;
-    picture.image =
-        make_image<float>(width, height, channels, Encoding{Encoding::Kind::linear, 1});
-    picture.image.premultiplied = true;
-    Imf::FrameBuffer target;
-    for (int c = 0; c < channels; ++c)
-        target.insert(names[c], slice(picture.image, c, window));
-    file.setFrameBuffer(target);
-    file.readPixels(window.min.y, window.max.y);
-
-    if (std::strcmp(names[0], "Y") == 0) { // three slices of one name: only the last was filled
-        auto& samples = std::get<std::vector<float>>(picture.image.samples);
-        for (std::size_t i = 0; i < samples.size(); i += std::size_t(channels))
-            samples[i] = samples[i + 1] = samples[i + 2];
-    }
-    picture.document = document_of(header);
-    if (Imf::hasXDensity(header) && Imf::xDensity(header) > 0 && header.pixelAspectRatio() > 0) {
-        const double pitch = mm_per_inch / Imf::xDensity(header);
-        picture.pixel_pitch = Vec2{pitch, pitch / header.pixelAspectRatio()};
-    }
-    return picture;
+    check_exr_header(input);
+    return input;
 }
 
-DecodedDepths decode_z(const std::string& bytes)
-{
-    Imf::Header::setMaxImageSize(largest_side, largest_side);
-    ByteSource source(bytes);
-    Imf::InputFile file(source);
-    const Imf::Header& header = file.header();
-    for (const char* name : {"Z", "A"}) {
-        const auto* channel = header.channels().findChannel(name);
-        if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
-            throw std::runtime_error("it is no depth frame: it has no channels Z and A");
+struct ExrFile {
+    explicit ExrFile(const InputFile& input) : source(checked(input))
+    {
+        Imf::Header::setMaxImageSize(largest_side, largest_side);
+        file.emplace(source);
     }
-    const Imath::Box2i window = header.dataWindow();
-    DecodedDepths depths{width_of(window), height_of(window), {}, {}, document_of(header)};
-    const double pixels = double(depths.width) * depths.height;
-    check_plausible_size(double(depths.width) * rows_kept(header, depths.height) * 2 * sizeof(float), double(bytes.size()), greatest_ratio);
-    Imf::FrameBuffer target;
-    const std::size_t step = sizeof(float), row = step * std::size_t(depths.width);
-    for (auto* channel : {&depths.depth, &depths.imaged}) {
-        channel->resize(std::size_t(pixels));
-        target.insert(channel == &depths.depth ? "Z" : "A", Imf::Slice::Make(Imf::FLOAT, channel->data(), window, step, row));
-    }
-    file.setFrameBuffer(target);
-    file.readPixels(window.min.y, window.max.y);
-    return depths;
-}
+    ExrSource source;
+    std::optional<Imf::InputFile> file;
+};
 
-/// What `decode` makes of the bytes; errors as the header says.
-template <class Decode> auto guarded(Decode decode, const std::string& bytes)
+/// What `work` returns; its errors as the header says.
+template <class Work> auto guarded(Work work)
 {
     try {
-        check_exr_header(bytes);
-        return decode(bytes);
+        return work();
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
@@ -190,37 +143,138 @@ template <class Decode> auto guarded(Decode decode, const std::string& bytes)
     }
 }
 
+class ExrReader : public RowReader {
+public:
+    explicit ExrReader(const InputFile& input) : exr_(input)
+    {
+        const Imf::Header& header = exr_.file->header();
+        names_ = channel_names(header.channels());
+        window_ = header.dataWindow();
+        head_.image = form_of(32, width_of(window_), height_of(window_), int(names_.size()),
+                              Encoding{Encoding::Kind::linear, 1});
+        head_.image.premultiplied = true;
+        head_.document = document_of(header);
+        if (Imf::hasXDensity(header) && Imf::xDensity(header) > 0 &&
+            header.pixelAspectRatio() > 0) {
+            const double pitch = mm_per_inch / Imf::xDensity(header);
+            head_.pixel_pitch = Vec2{pitch, pitch / header.pixelAspectRatio()};
+        }
+        const double packed_row =
+            double(head_.image.width) * head_.image.channels * 2; // half floats
+        check_plausible_size(packed_row * rows_kept(header, head_.image.height),
+                             double(input.size()), greatest_ratio);
+    }
+
+    void read(Image& band) override
+    {
+        guarded([&] { read_rows(band); });
+    }
+
+private:
+    void read_rows(Image& band)
+    {
+        Imath::Box2i rows = window_;
+        rows.min.y = window_.min.y + next_;
+        rows.max.y = rows.min.y + band.height - 1;
+        Imf::FrameBuffer target;
+        for (int c = 0; c < band.channels; ++c)
+            target.insert(names_[c], slice(band, c, rows));
+        exr_.file->setFrameBuffer(target);
+        exr_.file->readPixels(rows.min.y, rows.max.y);
+        next_ += band.height;
+        if (std::strcmp(names_[0], "Y") != 0)
+            return;
+        // Three slices of one name: only the last was filled.
+        auto& samples = std::get<std::vector<float>>(band.samples);
+        for (std::size_t i = 0; i < samples.size(); i += std::size_t(band.channels))
+            samples[i] = samples[i + 1] = samples[i + 2];
+    }
+
+    ExrFile exr_;
+    std::vector<const char*> names_;
+    Imath::Box2i window_;
+    int next_ = 0;
+};
+
+class ExrWriter : public RowWriter {
+public:
+    ExrWriter(ByteSink& sink, const DecodedImage& head) : sink_(sink)
+    {
+        const Image& form = head.image;
+        Imf::Header header(form.width, form.height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        for (int c = 0; c < form.channels; ++c)
+            header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+        if (!head.document.empty())
+            header.insert(attribute, Imf::StringAttribute(head.document));
+        if (head.pixel_pitch) {
+            Imf::addXDensity(header, float(mm_per_inch / head.pixel_pitch->x));
+            header.pixelAspectRatio() = float(head.pixel_pitch->x / head.pixel_pitch->y);
+        }
+        file_.emplace(sink_, header);
+    }
+    void write(const Image& band) override
+    {
+        const Imath::Box2i rows({0, next_}, {band.width - 1, next_ + band.height - 1});
+        Imf::FrameBuffer source;
+        for (int c = 0; c < band.channels; ++c)
+            source.insert(names[c], slice(band, c, rows));
+        file_->setFrameBuffer(source);
+        file_->writePixels(band.height);
+        next_ += band.height;
+    }
+    void finish() override { file_.reset(); } // its destructor completes the file
+
+private:
+    static constexpr const char* names[] = {"R", "G", "B", "A"};
+    ExrSink sink_;
+    std::optional<Imf::OutputFile> file_;
+    int next_ = 0;
+};
+
+DecodedDepths decode_z(const InputFile& input)
+{
+    ExrFile exr(input);
+    const Imf::Header& header = exr.file->header();
+    for (const char* name : {"Z", "A"}) {
+        const auto* channel = header.channels().findChannel(name);
+        if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
+            throw std::runtime_error("it is no depth frame: it has no channels Z and A");
+    }
+    const Imath::Box2i window = header.dataWindow();
+    DecodedDepths depths{width_of(window), height_of(window), {}, {}, document_of(header)};
+    const double pixels = double(depths.width) * depths.height;
+    const double row_bytes = double(depths.width) * 2 * sizeof(float);
+    check_plausible_size(row_bytes * rows_kept(header, depths.height), double(input.size()),
+                         greatest_ratio);
+    check_memory(row_bytes * depths.height);
+    Imf::FrameBuffer target;
+    const std::size_t step = sizeof(float), row = step * std::size_t(depths.width);
+    for (auto* channel : {&depths.depth, &depths.imaged}) {
+        channel->resize(std::size_t(pixels));
+        target.insert(channel == &depths.depth ? "Z" : "A",
+                      Imf::Slice::Make(Imf::FLOAT, channel->data(), window, step, row));
+    }
+    exr.file->setFrameBuffer(target);
+    exr.file->readPixels(window.min.y, window.max.y);
+    return depths;
+}
+
 } // namespace
 
-DecodedImage decode_exr(const std::string& bytes) { return guarded(decode_picture, bytes); }
-
-DecodedDepths decode_depths(const std::string& bytes) { return guarded(decode_z, bytes); }
-
-std::string encode_exr(const DecodedImage& picture)
+std::unique_ptr<RowReader> read_exr(const InputFile& file)
 {
-    const Image& image = picture.image;
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    static const char* const names[] = {"R", "G", "B", "A"};
-    Imf::FrameBuffer source;
-    for (int c = 0; c < image.channels; ++c) {
-        header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-        source.insert(names[c], slice(const_cast<Image&>(image), c, header.dataWindow()));
-    }
-    if (!picture.document.empty())
-        header.insert(attribute, Imf::StringAttribute(picture.document));
-    if (picture.pixel_pitch) {
-        Imf::addXDensity(header, float(mm_per_inch / picture.pixel_pitch->x));
-        header.pixelAspectRatio() = float(picture.pixel_pitch->x / picture.pixel_pitch->y);
-    }
-    std::string output;
-    {
-        ByteSink sink(output);
-        Imf::OutputFile file(sink, header);
-        file.setFrameBuffer(source);
-        file.writePixels(image.height);
-    } // the file's destructor completes it
-    return output;
+    return guarded([&] { return std::make_unique<ExrReader>(file); });
+}
+
+DecodedDepths decode_depths(const std::string& bytes)
+{
+    return guarded([&] { return decode_z(InputFile::of_bytes(bytes)); });
+}
+
+std::unique_ptr<RowWriter> write_exr(ByteSink& sink, const DecodedImage& head)
+{
+    return std::make_unique<ExrWriter>(sink, head);
 }
 
 } // namespace integral

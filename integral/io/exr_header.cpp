@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/exr_header.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 namespace integral {
 namespace {
@@ -15,13 +17,13 @@ constexpr struct { const char* type; std::size_t size; } sizes[] = {
 
 [[noreturn]] void fail(const char* what) { throw std::runtime_error(what); }
 
-/// Reads bytes [at, end).
+/// Reads bytes [at, end) of a file.
 struct Reader {
-    const std::string& bytes;
-    std::size_t at, end;
+    const InputFile& file;
+    std::uint64_t at, end;
 
-    bool has(std::size_t count) const { return count <= end - at; }
-    void skip(std::size_t count)
+    bool has(std::uint64_t count) const { return count <= end - at; }
+    void skip(std::uint64_t count)
     {
         if (!has(count))
             fail("the file ends too early");
@@ -29,19 +31,28 @@ struct Reader {
     }
     std::uint32_t number() // little-endian
     {
+        const std::uint64_t begin = at;
         skip(4);
-        std::uint32_t value = 0;
-        for (std::size_t k = 1; k <= 4; ++k)
-            value = value << 8 | static_cast<unsigned char>(bytes[at - k]);
-        return value;
+        unsigned char bytes[4];
+        file.read(begin, bytes, sizeof bytes);
+        return std::uint32_t(bytes[3]) << 24 | bytes[2] << 16 | bytes[1] << 8 | bytes[0];
     }
     std::string text() // up to a zero byte
     {
-        const std::size_t begin = at, zero = bytes.find('\0', at);
-        if (zero >= end) // npos, too
-            fail("the file ends too early");
-        at = zero + 1;
-        return bytes.substr(begin, zero - begin);
+        std::string all;
+        for (char piece[64];;) {
+            const std::size_t count = std::size_t(std::min<std::uint64_t>(sizeof piece, end - at));
+            if (count == 0)
+                fail("the file ends too early");
+            file.read(at, piece, count);
+            const std::size_t length = std::size_t(std::find(piece, piece + count, '\0') - piece);
+            all.append(piece, length);
+            at += length;
+            if (length < count) {
+                ++at;
+                return all;
+            }
+        }
     }
 };
 
@@ -80,24 +91,26 @@ void check_tiles(Reader description)
 
 } // namespace
 
-void check_exr_header(const std::string& bytes)
+void check_exr_header(const InputFile& file)
 {
     constexpr std::size_t magic_and_version = 8;
-    Reader header{bytes, 0, bytes.size()};
+    Reader header{file, 0, file.size()};
     header.skip(magic_and_version);
-    const bool has_parts = bytes[5] & 0x10; // an empty header then follows the last one
+    char version[2];
+    file.read(4, version, sizeof version);
+    const bool has_parts = version[1] & 0x10; // an empty header then follows the last one
     for (;;) {
         int attributes = 0;
         for (std::string name = header.text(); !name.empty(); name = header.text(), ++attributes) {
             const std::string type = header.text();
-            const std::size_t size = header.number(), begin = header.at;
+            const std::uint64_t size = header.number(), begin = header.at;
             if (!header.has(size))
                 fail("an attribute of its header is longer than the file");
             header.skip(size);
-            if (!is_whole(type, {bytes, begin, begin + size}))
+            if (!is_whole(type, {file, begin, begin + size}))
                 fail("an attribute of its header is not as long as its type");
             if (type == "tiledesc")
-                check_tiles({bytes, begin, begin + size});
+                check_tiles({file, begin, begin + size});
         }
         if (!has_parts || attributes == 0)
             return;

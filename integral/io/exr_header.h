@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_IO_EXR_HEADER_H
 #define INTEGRAL_IO_EXR_HEADER_H
 
-#include <string>
+#include "integral/io/input_file.h"
 
 namespace integral {
 
@@ -11,7 +11,7 @@ namespace integral {
 /// are. OpenEXR reads most types without looking at the length that stands before them, and takes what follows for the next attribute;
 /// and it makes room for an attribute before it looks whether the file holds it, and for a tile: up to 2 GB and more, which bytes of a
 /// picture can ask for. So tiles have at most 4096 x 4096 pixels.
-void check_exr_header(const std::string& bytes);
+void check_exr_header(const InputFile& file);
 
 } // namespace integral
 

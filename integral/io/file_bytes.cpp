@@ -36,23 +36,18 @@ public:
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int get() const { return fd_; }
-    int release()
-    {
-        const int fd = fd_;
-        fd_ = -1;
-        return fd;
-    }
 
 private:
     int fd_;
 };
 
-/// Returns 0 or errno.
-int write_all(int fd, const std::string& bytes)
+/// Writes one piece after another by `write`, which is given the bytes that are left and how many
+/// they are, and returns as write(2) does. Returns 0 or errno.
+template <class Write> int write_all(const std::string& bytes, Write write)
 {
     std::size_t done = 0;
     while (done < bytes.size()) {
-        const ssize_t n = write(fd, bytes.data() + done, bytes.size() - done);
+        const ssize_t n = write(bytes.data() + done, bytes.size() - done);
         if (n < 0 && errno == EINTR)
             continue;
         if (n < 0)
@@ -108,7 +103,10 @@ void write_straight(const std::string& path, const std::string& bytes)
     Descriptor file(path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY));
     if (file.get() < 0)
         fail_to_write(path, errno);
-    if (const int error = write_all(file.get(), bytes))
+    const auto to_file = [&](const char* from, std::size_t count) {
+        return write(file.get(), from, count);
+    };
+    if (const int error = write_all(bytes, to_file))
         fail_to_write(path, error);
 }
 
@@ -165,28 +163,120 @@ void write_file(const std::string& path, const std::string& bytes)
 {
     if (path == "-" || is_special(path))
         return write_straight(path, bytes);
-    const std::string target = target_of(path);
-    const std::string random = "XXXXXX", name = unfinished_name(random);
-    std::string beside = folder_of(target) + "/" + name;
-    Descriptor file(mkstemps(&beside[0], int(name.size() - name.find(random) - random.size())));
-    if (file.get() < 0)
-        fail_to_write(path, errno);
+    OutputFile file(path);
+    file.write(0, bytes.data(), bytes.size());
+    file.finish();
+}
 
-    int error = write_all(file.get(), bytes);
-    if (!error && fchmod(file.get(), mode_for(target)) != 0)
+void ByteString::write(std::uint64_t at, const void* from, std::size_t count)
+{
+    if (at + count > bytes.size())
+        bytes.resize(std::size_t(at) + count);
+    std::memcpy(&bytes[std::size_t(at)], from, count);
+}
+
+std::size_t ByteString::read(std::uint64_t at, void* to, std::size_t count)
+{
+    if (at >= bytes.size())
+        return 0;
+    count = std::min(count, bytes.size() - std::size_t(at));
+    std::memcpy(to, bytes.data() + at, count);
+    return count;
+}
+
+OutputFile::OutputFile(const std::string& path) : path_(path)
+{
+    if (path == "-" || is_special(path))
+        return;
+    target_ = target_of(path);
+    const std::string random = "XXXXXX", name = unfinished_name(random);
+    beside_ = folder_of(target_) + "/" + name;
+    file_ = mkostemps(&beside_[0], int(name.size() - name.find(random) - random.size()), O_CLOEXEC);
+    if (file_ < 0)
+        fail_to_write(path, errno);
+}
+
+OutputFile::~OutputFile()
+{
+    if (file_ < 0)
+        return;
+    close(file_);
+    unlink(beside_.c_str());
+}
+
+void OutputFile::fail(int error)
+{
+    error_ = error;
+    fail_to_write(path_, error);
+}
+
+void OutputFile::flush()
+{
+    std::uint64_t at = buffer_at_;
+    const auto to_file = [&](const char* from, std::size_t count) {
+        const ssize_t n = pwrite(file_, from, count, off_t(at));
+        at += n > 0 ? std::uint64_t(n) : 0;
+        return n;
+    };
+    const int error = write_all(buffer_, to_file);
+    buffer_at_ += buffer_.size();
+    buffer_.clear();
+    if (error)
+        fail(error);
+}
+
+void OutputFile::write(std::uint64_t at, const void* bytes, std::size_t count)
+{
+    if (file_ < 0)
+        return kept_.write(at, bytes, count);
+    if (error_)
+        fail(error_);
+    constexpr std::size_t most = 1 << 20;
+    const char* from = static_cast<const char*>(bytes);
+    if (at != buffer_at_ + buffer_.size())
+        flush();
+    if (buffer_.empty())
+        buffer_at_ = at;
+    for (std::size_t done = 0; done < count;) {
+        const std::size_t piece = std::min(count - done, most - buffer_.size());
+        buffer_.append(from + done, piece);
+        done += piece;
+        if (buffer_.size() == most)
+            flush();
+    }
+    size_ = std::max(size_, at + count);
+}
+
+std::size_t OutputFile::read(std::uint64_t at, void* bytes, std::size_t count)
+{
+    if (file_ < 0)
+        return kept_.read(at, bytes, count);
+    flush();
+    const ssize_t n = pread(file_, bytes, count, off_t(at));
+    return n > 0 ? std::size_t(n) : 0;
+}
+
+std::uint64_t OutputFile::size() const { return file_ < 0 ? kept_.size() : size_; }
+
+void OutputFile::finish()
+{
+    if (file_ < 0)
+        return write_straight(path_, kept_.bytes);
+    if (error_)
+        fail(error_);
+    flush();
+    int error = fchmod(file_, mode_for(target_)) != 0 || fsync(file_) != 0 ? errno : 0;
+    if (close(file_) != 0 && !error)
         error = errno;
-    if (!error && fsync(file.get()) != 0)
-        error = errno;
-    if (close(file.release()) != 0 && !error)
-        error = errno;
-    if (!error && rename(beside.c_str(), target.c_str()) != 0)
+    file_ = -1;
+    if (!error && rename(beside_.c_str(), target_.c_str()) != 0)
         error = errno;
     if (error) {
-        unlink(beside.c_str());
-        fail_to_write(path, error);
+        unlink(beside_.c_str());
+        fail(error);
     }
     // The name is only safe once its folder is on disk; where that cannot be had, go without.
-    const Descriptor folder(open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY));
+    const Descriptor folder(open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY));
     if (folder.get() >= 0 && fsync(folder.get()) != 0)
         errno = 0;
 }

@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_IO_FILE_BYTES_H
 #define INTEGRAL_IO_FILE_BYTES_H
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -35,6 +36,58 @@ std::string read_file(const std::string& path);
 /// that was there stays whole until the new one is. Devices, pipes and "-" (standard output) are
 /// written straight. Throws OutputError.
 void write_file(const std::string& path, const std::string& bytes);
+
+/// Where an encoder writes its bytes: one after another, or over ones that it has written.
+class ByteSink {
+public:
+    virtual ~ByteSink() = default;
+    /// Writes at `at`, which is not beyond the end. Throws OutputError or std::bad_alloc.
+    virtual void write(std::uint64_t at, const void* bytes, std::size_t count) = 0;
+    /// Reads back at most `count` written bytes from `at` on; returns how many there are.
+    virtual std::size_t read(std::uint64_t at, void* bytes, std::size_t count) = 0;
+    virtual std::uint64_t size() const = 0;
+};
+
+/// Bytes written to memory.
+class ByteString : public ByteSink {
+public:
+    void write(std::uint64_t at, const void* bytes, std::size_t count) override;
+    std::size_t read(std::uint64_t at, void* bytes, std::size_t count) override;
+    std::uint64_t size() const override { return bytes.size(); }
+
+    std::string bytes;
+};
+
+/// A file that is written piece by piece and appears whole or not at all: as write_file does it.
+/// What devices, pipes and "-" get is kept in memory until finish() writes it.
+class OutputFile : public ByteSink {
+public:
+    /// Throws OutputError where the file cannot be made.
+    explicit OutputFile(const std::string& path);
+    /// Takes away what is unfinished.
+    ~OutputFile() override;
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::uint64_t at, const void* bytes, std::size_t count) override;
+    std::size_t read(std::uint64_t at, void* bytes, std::size_t count) override;
+    std::uint64_t size() const override;
+
+    /// Gives the file its name, once it is on disk. Throws OutputError, too where a write before
+    /// has failed: then what was at the path is unharmed.
+    void finish();
+
+private:
+    void flush();
+    [[noreturn]] void fail(int error);
+
+    std::string path_, target_, beside_; ///< as given, what it means, the unfinished file's name
+    int file_ = -1;                      ///< below 0: kept in memory
+    int error_ = 0;                      ///< of the first write that failed
+    ByteString kept_;
+    std::string buffer_; ///< not yet written
+    std::uint64_t buffer_at_ = 0, size_ = 0;
+};
 
 /// This machine's name.
 std::string host_name();

@@ -5,37 +5,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <new>
-#include <sstream>
 #include <unistd.h>
 
 namespace integral {
 namespace {
 
-bool begins_with(const std::string& bytes, const std::string& magic)
-{
-    return bytes.compare(0, magic.size(), magic) == 0;
-}
-
-DecodedImage decode_any(const std::string& bytes)
-{
-    using namespace std::string_literals;
-    if (begins_with(bytes, "\x89PNG"))
-        return decode_png(bytes);
-    if (begins_with(bytes, "\x76\x2f\x31\x01"))
-        return decode_exr(bytes);
-    if (begins_with(bytes, "II*\0"s) || begins_with(bytes, "MM\0*"s) ||
-        begins_with(bytes, "II+\0"s) || begins_with(bytes, "MM\0+"s))
-        return decode_tiff(bytes);
-    throw std::runtime_error(bytes.empty() ? "it is empty"
-                                           : "it is no PNG, OpenEXR or TIFF; convert it first");
-}
-
 /// A message that is one line, whatever a library or file put into it.
-std::string one_line(std::string text)
+std::string without_breaks(std::string text)
 {
     for (char& c : text)
         if (std::iscntrl(static_cast<unsigned char>(c)))
@@ -45,21 +22,39 @@ std::string one_line(std::string text)
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what)
 {
-    throw InputError(display_name(path, "standard input") + ": " + one_line(what));
+    throw InputError(display_name(path, "standard input") + ": " + without_breaks(what));
 }
 
-/// What `decode` makes of a file.
-template <class Decode> auto decoded(const std::string& path, Decode decode)
+/// What `read` returns, of a file whose errors it throws.
+template <class Read> auto guarded(const std::string& path, Read read)
 {
-    const std::string bytes = read_file(path);
     try {
-        return decode(bytes);
+        return read();
+    } catch (const InputError&) {
+        throw;
     } catch (const std::bad_alloc&) {
         refuse(path, "it needs more memory than there is");
     } catch (const std::exception& error) {
         refuse(path, std::string("it cannot be read: ") + error.what());
     }
 }
+
+/// A picture's file, of which what stands beside the pixels has been read.
+struct OpenPicture {
+    explicit OpenPicture(const std::string& path)
+        : path(path), file(path), rows(guarded(path, [&] { return read_any(file); }))
+    {
+    }
+    const DecodedImage& head() const { return rows->head(); }
+    Image whole()
+    {
+        return guarded(path, [&] { return whole_picture(*rows).image; });
+    }
+
+    std::string path;
+    InputFile file;
+    std::unique_ptr<RowReader> rows;
+};
 
 FrameMetadata parse(const std::string& path, const std::string& document, const char* help)
 {
@@ -99,13 +94,14 @@ std::optional<FrameMetadata> geometry_for(const std::string& path, const std::st
     return std::nullopt;
 }
 
-Image in_form_of(ImageFormat format, Image image, bool has_metadata)
+/// The form in which a format holds a picture.
+Image form_in(ImageFormat format, const Image& form, bool has_metadata)
 {
     const Encoding linear{Encoding::Kind::linear, 1}, srgb;
-    const bool is_linear = image.encoding.kind == Encoding::Kind::linear;
-    int bits = sample_bits(image);
-    Encoding encoding = image.encoding;
-    bool premultiplied = image.premultiplied;
+    const bool is_linear = form.encoding.kind == Encoding::Kind::linear;
+    int bits = sample_bits(form);
+    Encoding encoding = form.encoding;
+    bool premultiplied = form.premultiplied;
     if (format == ImageFormat::exr) {
         bits = 32;
         encoding = linear;
@@ -119,35 +115,19 @@ Image in_form_of(ImageFormat format, Image image, bool has_metadata)
     } else if (!has_metadata) { // a TIFF without a document is taken for linear floats or sRGB
         encoding = bits == 32 ? linear : srgb;
     }
-    if (bits == sample_bits(image) && same_encoding(encoding, image.encoding) &&
-        (image.channels == 3 || premultiplied == image.premultiplied)) {
-        image.premultiplied = premultiplied;
-        return image;
-    }
-    return converted(image, bits, encoding, premultiplied);
+    Image result = form_of(bits, form.width, form.height, form.channels, encoding);
+    result.premultiplied = premultiplied;
+    return result;
+}
+
+/// Whether samples of the one form are samples of the other.
+bool same_samples(const Image& a, const Image& b)
+{
+    return sample_bits(a) == sample_bits(b) && same_encoding(a.encoding, b.encoding) &&
+           (a.channels == 3 || a.premultiplied == b.premultiplied);
 }
 
 } // namespace
-
-void check_plausible_size(double raw_bytes, double file_bytes, double ratio)
-{
-    std::ostringstream text;
-    text.precision(3);
-    text << "its header promises " << raw_bytes << " bytes of pixels, more than the file can hold";
-    if (raw_bytes > file_bytes * ratio)
-        throw std::runtime_error(text.str());
-    check_memory(raw_bytes);
-}
-
-void check_memory(double bytes)
-{
-    const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-    std::ostringstream text;
-    text.precision(3);
-    text << "it needs " << bytes / 1e9 << " GB, more memory than this machine has";
-    if (memory > 0 && bytes > memory)
-        throw std::runtime_error(text.str());
-}
 
 ImageFormat format_for(const std::string& path)
 {
@@ -164,47 +144,83 @@ ImageFormat format_for(const std::string& path)
                       ".png, .exr or .tiff");
 }
 
-namespace {
+struct FrameReader::Source {
+    Source(const std::string& path, const std::string& sheet_file) : picture(path)
+    {
+        frame.image = picture.head().image;
+        const auto metadata = geometry_for(path, sheet_file, picture.head().document);
+        if (!metadata)
+            return;
+        if (sheet_file.empty()) // a document for other frames says nothing of this one's encoding
+            frame.image.encoding = metadata->encoding;
+        holds_views = metadata->quilt.has_value();
+        if (holds_views)
+            return;
+        try {
+            set_metadata(frame, *metadata);
+        } catch (const std::invalid_argument& error) {
+            refuse(path, std::string(error.what()) +
+                             (sheet_file.empty()
+                                  ? give_sheet
+                                  : "; leave film.width and film.height out of " + sheet_file));
+        }
+    }
 
-/// A picture, its encoding as read_frame's comment has it, and its geometry.
-Views read_with_geometry(const std::string& path, const std::string& sheet_file)
+    OpenPicture picture;
+    Frame frame;
+    bool holds_views = false; ///< their geometry is then not the frame's
+};
+
+FrameReader::FrameReader(const std::string& path, const std::string& sheet_file)
+    : source_(std::make_unique<Source>(path, sheet_file))
 {
-    DecodedImage picture = decoded(path, decode_any);
-    Views views{std::move(picture.image), geometry_for(path, sheet_file, picture.document)};
-    if (views.metadata && sheet_file.empty()) // a document for other frames says nothing of this one's encoding
-        views.image.encoding = views.metadata->encoding;
-    return views;
 }
 
-Frame frame_of(const std::string& path, const std::string& sheet_file, Views picture)
+FrameReader::~FrameReader() = default;
+
+const Frame& FrameReader::frame() const { return source_->frame; }
+
+void FrameReader::require_metadata() const
 {
-    Frame frame{std::move(picture.image), std::nullopt};
-    if (!picture.metadata || picture.metadata->quilt)
-        return frame;
-    try {
-        set_metadata(frame, *picture.metadata);
-    } catch (const std::invalid_argument& error) {
-        refuse(path, std::string(error.what()) +
-                         (sheet_file.empty() ? give_sheet
-                                             : "; leave film.width and film.height out of " +
-                                                   sheet_file));
-    }
+    const std::string& path = source_->picture.path;
+    if (source_->holds_views)
+        refuse(path,
+               "it holds views of a frame, not a frame; integral views --to-frame makes one of "
+               "them");
+    if (!source_->frame.metadata)
+        refuse(path, std::string("it carries no `integral` metadata") + give_sheet +
+                         " (integral sheet --json writes one)");
+}
+
+void FrameReader::read(Image& band)
+{
+    guarded(source_->picture.path, [&] { source_->picture.rows->read(band); });
+}
+
+Frame FrameReader::whole()
+{
+    Frame frame = source_->frame;
+    frame.image.samples = source_->picture.whole().samples;
     return frame;
 }
 
-} // namespace
+void FrameReader::restart()
+{
+    OpenPicture& picture = source_->picture;
+    picture.rows = guarded(picture.path, [&] { return read_any(picture.file); });
+}
 
 Frame read_frame(const std::string& path, const std::string& sheet_file)
 {
-    return frame_of(path, sheet_file, read_with_geometry(path, sheet_file));
+    return FrameReader(path, sheet_file).whole();
 }
 
 Views read_views(const std::string& path, bool needs_geometry)
 {
-    DecodedImage picture = decoded(path, decode_any);
-    Views views{std::move(picture.image), std::nullopt};
+    OpenPicture picture(path);
+    Views views{picture.whole(), std::nullopt};
     try {
-        views.metadata = geometry_for(path, "", picture.document);
+        views.metadata = geometry_for(path, "", picture.head().document);
     } catch (const InputError&) {
         if (needs_geometry)
             throw;
@@ -218,66 +234,52 @@ Views read_views(const std::string& path, bool needs_geometry)
 
 std::pair<int, int> picture_size(const std::string& path)
 {
-    // The signature, then the first chunk: its length and name, width and height, four bytes each, the highest first.
-    std::string start(24, '\0');
-    std::ifstream file(path, std::ios::binary);
-    if (file.read(&start[0], std::streamsize(start.size())) && begins_with(start, "\x89PNG") && start.compare(12, 4, "IHDR") == 0) {
-        const auto number = [&](int at) {
-            std::uint32_t value = 0;
-            for (int k = at; k < at + 4; ++k)
-                value = value << 8 | static_cast<unsigned char>(start[std::size_t(k)]);
-            return int(std::min<std::uint32_t>(value, 0x7fffffff));
-        };
-        return {number(16), number(20)};
-    }
-    const DecodedImage picture = decoded(path, decode_any);
-    return {picture.image.width, picture.image.height};
+    const OpenPicture picture(path);
+    return {picture.head().image.width, picture.head().image.height};
 }
 
 Scan read_scan(const std::string& path)
 {
-    DecodedImage picture = decoded(path, decode_any);
-    return {std::move(picture.image), picture.pixel_pitch};
+    OpenPicture picture(path);
+    return {picture.whole(), picture.head().pixel_pitch};
 }
 
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file)
 {
-    Views picture = read_with_geometry(path, sheet_file);
-    if (!picture.metadata)
-        refuse(path, std::string("it carries no `integral` metadata") + give_sheet +
-                         " (integral sheet --json writes one)");
-    if (picture.metadata->quilt)
-        refuse(path, "it holds views of a frame, not a frame; integral views --to-frame makes one of them");
-    return frame_of(path, sheet_file, std::move(picture));
+    FrameReader reader(path, sheet_file);
+    reader.require_metadata();
+    return reader.whole();
 }
 
 FrameMetadata read_metadata(const std::string& path)
 {
-    const std::string bytes = read_file(path);
-    const auto first = bytes.find_first_not_of(" \t\r\n");
-    FrameMetadata geometry;
-    if (first != std::string::npos && bytes[first] == '{') {
-        geometry = parse(path, bytes, "");
-        geometry.quilt.reset();
-        return geometry;
-    }
-    DecodedImage picture;
+    const InputFile file(path);
+    std::string document;
+    std::optional<FrameMetadata> metadata;
     try {
-        picture = decode_any(bytes);
+        constexpr std::size_t some = 4096;
+        const std::string beginning = file.beginning(some);
+        const auto first = beginning.find_first_not_of(" \t\r\n");
+        if (first != std::string::npos && beginning[first] == '{')
+            metadata = parse(path, file.beginning(file.size()), "");
+        else
+            document = read_any(file)->head().document;
+    } catch (const InputError&) {
+        throw;
     } catch (const std::exception& error) {
         refuse(path, std::string("it is neither a JSON document nor a frame: ") + error.what());
     }
-    const auto metadata = geometry_for(path, "", picture.document);
+    if (!metadata)
+        metadata = geometry_for(path, "", document);
     if (!metadata)
         refuse(path, "it carries no `integral` metadata");
-    geometry = *metadata;
-    geometry.quilt.reset();
-    return geometry;
+    metadata->quilt.reset();
+    return *metadata;
 }
 
 DepthFrame read_depths(const std::string& path)
 {
-    DecodedDepths file = decoded(path, decode_depths);
+    DecodedDepths file = guarded(path, [&] { return decode_depths(read_file(path)); });
     if (file.document.empty())
         refuse(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes depth frames that do");
     DepthFrame frame{std::move(file.depth), std::move(file.imaged), parse(path, file.document, "")};
@@ -286,55 +288,107 @@ DepthFrame read_depths(const std::string& path)
     return frame;
 }
 
-namespace {
-
-/// A picture in a format's bytes; errors as OutputError.
-template <class Prepare> void write_encoded(const std::string& path, Prepare prepare)
-{
-    const ImageFormat format = format_for(path);
-    std::string bytes;
-    try {
-        const DecodedImage picture = prepare(format);
-        bytes = format == ImageFormat::png   ? encode_png(picture)
-                : format == ImageFormat::exr ? encode_exr(picture)
-                                             : encode_tiff(picture);
-    } catch (const std::bad_alloc&) {
-        throw OutputError(path + ": it needs more memory than there is");
-    } catch (const std::exception& error) {
-        throw OutputError(path + ": " + one_line(error.what()));
+struct PictureWriter::Target {
+    /// `head` is in the file's own form, `given` the form of the bands.
+    Target(const std::string& path, const DecodedImage& head, const Image& given)
+        : path(path), file(path), head(head)
+    {
+        const ImageFormat format = format_for(path);
+        const auto write = format == ImageFormat::png   ? write_png
+                           : format == ImageFormat::exr ? write_exr
+                                                        : write_tiff;
+        as_given = same_samples(head.image, given);
+        guarded([&] { rows = write(file, head); });
     }
-    write_file(path, bytes);
-}
 
-} // namespace
-
-void write_frame(const std::string& path, Frame frame)
-{
-    write_encoded(path, [&](ImageFormat format) {
-        DecodedImage picture;
-        picture.image = in_form_of(format, std::move(frame.image), frame.metadata.has_value());
-        if (frame.metadata) {
-            FrameMetadata metadata = *frame.metadata;
-            metadata.encoding = picture.image.encoding;
-            picture.document = to_json(metadata);
-            if (!metadata.quilt)
-                picture.pixel_pitch = metadata.film.pixel_pitch;
+    /// Does `work`, whose errors become OutputErrors.
+    template <class Work> void guarded(Work work)
+    {
+        try {
+            work();
+        } catch (const OutputError&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            throw OutputError(path + ": it needs more memory than there is");
+        } catch (const std::exception& error) {
+            throw OutputError(path + ": " + without_breaks(error.what()));
         }
-        return picture;
+    }
+
+    std::string path;
+    OutputFile file;
+    DecodedImage head;
+    std::unique_ptr<RowWriter> rows;
+    bool as_given; ///< bands need not be converted
+};
+
+PictureWriter::PictureWriter(std::unique_ptr<Target> target) : target_(std::move(target)) {}
+PictureWriter::PictureWriter(PictureWriter&&) noexcept = default;
+PictureWriter::~PictureWriter() = default;
+
+PictureWriter PictureWriter::of_frame(const std::string& path, const Image& form,
+                                      const std::optional<FrameMetadata>& metadata)
+{
+    DecodedImage head;
+    head.image = form_in(format_for(path), form, metadata.has_value());
+    if (metadata) {
+        FrameMetadata document = *metadata;
+        document.encoding = head.image.encoding;
+        head.document = to_json(document);
+        if (!document.quilt)
+            head.pixel_pitch = document.film.pixel_pitch;
+    }
+    return PictureWriter(std::make_unique<Target>(path, head, form));
+}
+
+PictureWriter PictureWriter::of_page(const std::string& path, const Image& form, Vec2 pixel_pitch,
+                                     const std::string& profile,
+                                     const std::optional<FrameMetadata>& geometry)
+{
+    DecodedImage head;
+    head.image = form_of(form);
+    if (geometry)
+        head.document = to_json(*geometry);
+    head.pixel_pitch = pixel_pitch;
+    head.profile = profile;
+    return PictureWriter(std::make_unique<Target>(path, head, form));
+}
+
+void PictureWriter::write(const Image& band)
+{
+    Target& t = *target_;
+    const Image& form = t.head.image;
+    t.guarded([&] {
+        if (t.as_given) {
+            t.rows->write(band);
+            return;
+        }
+        const int most = rows_of_a_band(form_of(band));
+        for (int y = 0; y < band.height; y += most)
+            t.rows->write(converted(rows_of(band, y, std::min(most, band.height - y)),
+                                    sample_bits(form), form.encoding, form.premultiplied));
     });
 }
 
-void write_page(const std::string& path, Image page, Vec2 pixel_pitch, const std::string& profile, const std::optional<FrameMetadata>& geometry)
+void PictureWriter::finish()
 {
-    write_encoded(path, [&](ImageFormat) {
-        DecodedImage picture;
-        picture.image = std::move(page);
-        if (geometry)
-            picture.document = to_json(*geometry);
-        picture.pixel_pitch = pixel_pitch;
-        picture.profile = profile;
-        return picture;
-    });
+    target_->guarded([&] { target_->rows->finish(); });
+    target_->file.finish();
+}
+
+void write_frame(const std::string& path, const Frame& frame)
+{
+    PictureWriter writer = PictureWriter::of_frame(path, frame.image, frame.metadata);
+    writer.write(frame.image);
+    writer.finish();
+}
+
+void write_page(const std::string& path, const Image& page, Vec2 pixel_pitch,
+                const std::string& profile, const std::optional<FrameMetadata>& geometry)
+{
+    PictureWriter writer = PictureWriter::of_page(path, page, pixel_pitch, profile, geometry);
+    writer.write(page);
+    writer.finish();
 }
 
 } // namespace integral

@@ -4,6 +4,7 @@
 build_lib_libintegral_a_SOURCES += \
   integral/io/animation.cpp \
   integral/io/animation.h \
+  integral/io/codecs.cpp \
   integral/io/codecs.h \
   integral/io/exr_codec.cpp \
   integral/io/exr_header.cpp \
@@ -12,10 +13,14 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/file_bytes.h \
   integral/io/image_file.cpp \
   integral/io/image_file.h \
+  integral/io/input_file.cpp \
+  integral/io/input_file.h \
   integral/io/lined_json.cpp \
   integral/io/lined_json.h \
   integral/io/markup.cpp \
   integral/io/markup.h \
+  integral/io/memory.cpp \
+  integral/io/memory.h \
   integral/io/plot.cpp \
   integral/io/plot.h \
   integral/io/plot_axis.cpp \

@@ -9,6 +9,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <stdexcept>
 
 namespace integral {
@@ -18,15 +19,23 @@ constexpr char keyword[] = "integral";
 constexpr double mm_per_metre = 1000;
 constexpr double greatest_deflate_ratio = 1100; // 1032 is deflate's
 
+/// Bytes of a file that are read one after another.
+struct Span {
+    std::uint64_t at = 0, count = 0;
+};
+
 /// What libpng's callbacks need. libpng leaves by longjmp: the functions below that set its
 /// target hold no object that would have to be destroyed.
 struct Session {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    const std::string* input = nullptr;
-    std::size_t position = 0;
-    std::string* output = nullptr;
-    std::size_t row_bytes = 0; ///< of the file's rows, before they are expanded
+    const InputFile* input = nullptr;
+    std::vector<Span> spans;          ///< of the input, in the order in which libpng gets them
+    std::vector<unsigned char> ahead; ///< read from the input, not yet taken by libpng
+    std::size_t taken = 0;            ///< of `ahead`
+    ByteSink* output = nullptr;
+    std::exception_ptr failure; ///< of the sink
+    std::size_t row_bytes = 0;  ///< of the file's rows, before they are expanded
     char message[160] = "";
 };
 
@@ -39,26 +48,52 @@ void on_error(png_structp png, png_const_charp message)
 
 void on_warning(png_structp, png_const_charp) {}
 
+/// Reads on in the input. Returns nothing, or why it cannot.
+const char* read_ahead(Session& s)
+{
+    constexpr std::uint64_t most = 1 << 16;
+    while (!s.spans.empty() && s.spans.front().count == 0)
+        s.spans.erase(s.spans.begin());
+    if (s.spans.empty())
+        return "the file ends too early";
+    Span& span = s.spans.front();
+    const std::uint64_t count = std::min(span.count, most);
+    try { // no exception may pass through libpng
+        s.ahead.resize(std::size_t(count));
+        s.input->read(span.at, s.ahead.data(), s.ahead.size());
+    } catch (const std::exception&) {
+        return "the file cannot be read to its end";
+    }
+    span = {span.at + count, span.count - count};
+    s.taken = 0;
+    return nullptr;
+}
+
 void on_read(png_structp png, png_bytep data, png_size_t count)
 {
     auto* session = static_cast<Session*>(png_get_io_ptr(png));
-    if (count > session->input->size() - session->position)
-        png_error(png, "the file ends too early");
-    std::memcpy(data, session->input->data() + session->position, count);
-    session->position += count;
+    while (count > 0) {
+        if (session->taken == session->ahead.size())
+            if (const char* why = read_ahead(*session))
+                png_error(png, why);
+        const std::size_t n = std::min(count, session->ahead.size() - session->taken);
+        std::memcpy(data, session->ahead.data() + session->taken, n);
+        session->taken += n;
+        data += n;
+        count -= n;
+    }
 }
 
 void on_write(png_structp png, png_bytep data, png_size_t count)
 {
     auto* session = static_cast<Session*>(png_get_io_ptr(png));
-    bool full = false; // no exception may pass through libpng
-    try {
-        session->output->append(reinterpret_cast<const char*>(data), count);
-    } catch (const std::exception&) {
-        full = true;
+    try { // no exception may pass through libpng
+        session->output->write(session->output->size(), data, count);
+    } catch (...) {
+        session->failure = std::current_exception();
     }
-    if (full)
-        png_error(png, "not enough memory");
+    if (session->failure)
+        png_error(png, "it cannot be written");
 }
 
 void on_flush(png_structp) {}
@@ -71,20 +106,60 @@ bool little_endian()
     return first == 1;
 }
 
-/// libpng makes room for some chunks before it looks whether the file holds them: up to 2 GB.
-void check_chunks(const std::string& bytes)
+bool is_text(const char* type)
 {
-    constexpr std::size_t signature = 8, around = 12; // of a chunk: its length and type before its data, a checksum behind
-    for (std::size_t at = signature; at + around <= bytes.size();) {
-        std::size_t length = 0;
-        for (std::size_t k = 0; k < 4; ++k)
-            length = length << 8 | static_cast<unsigned char>(bytes[at + k]);
-        if (length > bytes.size() - at - around)
-            throw std::runtime_error("it ends too early, or a chunk of it is not as long as it says");
-        if (bytes.compare(at + 4, 4, "IEND") == 0)
-            return;
+    return std::memcmp(type, "iTXt", 4) == 0 || std::memcmp(type, "tEXt", 4) == 0 ||
+           std::memcmp(type, "zTXt", 4) == 0;
+}
+
+/// A file's chunks as libpng shall see them: text that stands behind the pixels comes before them,
+/// so that the document is known before any pixel is read. Throws where a chunk is longer than the
+/// file, as libpng makes room for some chunks, up to 2 GB, before it looks whether the file holds
+/// them; not `whole`: the file may end anywhere, and is not looked through behind the first pixels.
+std::vector<Span> spans_of(const InputFile& file, bool whole)
+{
+    constexpr std::uint64_t signature = 8;
+    constexpr std::uint64_t around =
+        12; // a chunk's length and type before its data, a checksum behind
+    std::uint64_t first_pixels = 0;
+    std::vector<Span> behind; // text behind the pixels
+    for (std::uint64_t at = signature; at + around <= file.size();) {
+        unsigned char head[8];
+        file.read(at, head, sizeof head);
+        const char* type = reinterpret_cast<const char*>(head + 4);
+        const std::uint64_t length =
+            std::uint64_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3];
+        if (length > file.size() - at - around) {
+            if (!whole)
+                break;
+            throw std::runtime_error(
+                "it ends too early, or a chunk of it is not as long as it says");
+        }
+        if (std::memcmp(type, "IEND", 4) == 0)
+            break;
+        if (std::memcmp(type, "IDAT", 4) == 0) {
+            if (!whole)
+                break;
+            behind.clear(); // what stands between pixels stays there, which is an error
+            first_pixels = first_pixels ? first_pixels : at;
+        } else if (first_pixels && is_text(type)) {
+            behind.push_back({at, around + length});
+        }
         at += around + length;
     }
+    std::vector<Span> spans;
+    std::uint64_t at = 0;
+    if (!behind.empty()) {
+        spans.push_back({0, first_pixels});
+        spans.insert(spans.end(), behind.begin(), behind.end());
+        at = first_pixels;
+        for (const Span& text : behind) {
+            spans.push_back({at, text.at - at});
+            at = text.at + text.count;
+        }
+    }
+    spans.push_back({at, file.size() - at});
+    return spans;
 }
 
 bool read_header(Session& s)
@@ -104,7 +179,19 @@ bool read_header(Session& s)
     return true;
 }
 
-bool read_rows(Session& s, png_bytepp rows)
+/// Reads rows, the last of which is the file's last if `last`. Returns whether that was possible.
+bool read_rows(Session& s, png_bytep first, std::size_t step, int rows, bool last)
+{
+    if (setjmp(png_jmpbuf(s.png)))
+        return false;
+    for (int y = 0; y < rows; ++y)
+        png_read_row(s.png, first + std::size_t(y) * step, nullptr);
+    if (last)
+        png_read_end(s.png, s.info);
+    return true;
+}
+
+bool read_interlaced(Session& s, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(s.png)))
         return false;
@@ -113,7 +200,7 @@ bool read_rows(Session& s, png_bytepp rows)
     return true;
 }
 
-bool write_all(Session& s, const DecodedImage& picture, png_bytepp rows)
+bool write_header(Session& s, const DecodedImage& picture)
 {
     if (setjmp(png_jmpbuf(s.png)))
         return false;
@@ -123,7 +210,8 @@ bool write_all(Session& s, const DecodedImage& picture, png_bytepp rows)
                  sample_bits(image), image.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (!picture.profile.empty())
-        png_set_iCCP(s.png, s.info, "printer", PNG_COMPRESSION_TYPE_BASE, reinterpret_cast<png_const_bytep>(picture.profile.data()),
+        png_set_iCCP(s.png, s.info, "printer", PNG_COMPRESSION_TYPE_BASE,
+                     reinterpret_cast<png_const_bytep>(picture.profile.data()),
                      png_uint_32(picture.profile.size()));
     else if (image.encoding.kind == Encoding::Kind::srgb)
         png_set_sRGB_gAMA_and_cHRM(s.png, s.info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -149,7 +237,22 @@ bool write_all(Session& s, const DecodedImage& picture, png_bytepp rows)
     png_write_info(s.png, s.info);
     if (sample_bits(image) == 16 && little_endian())
         png_set_swap(s.png);
-    png_write_image(s.png, rows);
+    return true;
+}
+
+bool write_rows(Session& s, png_const_bytep first, std::size_t step, int rows)
+{
+    if (setjmp(png_jmpbuf(s.png)))
+        return false;
+    for (int y = 0; y < rows; ++y)
+        png_write_row(s.png, first + std::size_t(y) * step);
+    return true;
+}
+
+bool write_end(Session& s)
+{
+    if (setjmp(png_jmpbuf(s.png)))
+        return false;
     png_write_end(s.png, s.info);
     return true;
 }
@@ -201,71 +304,119 @@ std::string document_of(const Session& s)
     return "";
 }
 
-std::vector<png_bytep> row_pointers(Image& image)
+std::optional<Vec2> pixel_pitch_of(const Session& s)
 {
-    std::vector<png_bytep> rows;
-    std::visit(
-        [&](auto& samples) {
-            for (int y = 0; y < image.height; ++y)
-                rows.push_back(reinterpret_cast<png_bytep>(
-                    samples.data() + std::size_t(y) * image.width * image.channels));
-        },
-        image.samples);
-    return rows;
+    png_uint_32 x = 0, y = 0;
+    int unit = 0;
+    if (png_get_pHYs(s.png, s.info, &x, &y, &unit) && unit == PNG_RESOLUTION_METER && x && y)
+        return Vec2{mm_per_metre / x, mm_per_metre / y};
+    return std::nullopt;
 }
+
+std::size_t bytes_a_row(const Image& form)
+{
+    return std::size_t(form.width) * form.channels * (sample_bits(form) / 8);
+}
+
+class PngReader : public RowReader {
+public:
+    PngReader(const InputFile& file, bool whole)
+    {
+        s_.input = &file;
+        s_.spans = spans_of(file, whole);
+        if (!read_header(s_))
+            throw std::runtime_error(s_.message);
+        const int channels = png_get_channels(s_.png, s_.info);
+        const int bits = png_get_bit_depth(s_.png, s_.info);
+        if ((channels != 3 && channels != 4) || (bits != 8 && bits != 16))
+            throw std::runtime_error("it is a kind of PNG that cannot be read");
+        head_.image =
+            form_of(bits, int(png_get_image_width(s_.png, s_.info)),
+                    int(png_get_image_height(s_.png, s_.info)), channels, encoding_of(s_));
+        head_.document = document_of(s_);
+        head_.pixel_pitch = pixel_pitch_of(s_);
+        interlaced_ = png_get_interlace_type(s_.png, s_.info) != PNG_INTERLACE_NONE;
+        if (whole)
+            check_plausible_size(double(s_.row_bytes) * head_.image.height, double(file.size()),
+                                 greatest_deflate_ratio);
+    }
+
+    void read(Image& band) override
+    {
+        const int end = next_ + band.height;
+        if (interlaced_) {
+            read_all();
+            for (int y = 0; y < band.height; ++y)
+                std::memcpy(row_bytes(band, y), row_bytes(all_, next_ + y), bytes_a_row(band));
+        } else if (!read_rows(s_, row_bytes(band, 0), bytes_a_row(band), band.height,
+                              end == head_.image.height)) {
+            throw std::runtime_error(s_.message);
+        }
+        next_ = end;
+    }
+
+private:
+    void read_all()
+    {
+        if (all_.height > 0)
+            return;
+        Image all = whole_blank(head_.image);
+        std::vector<png_bytep> rows;
+        for (int y = 0; y < all.height; ++y)
+            rows.push_back(row_bytes(all, y));
+        if (!read_interlaced(s_, rows.data()))
+            throw std::runtime_error(s_.message);
+        all_ = std::move(all);
+    }
+
+    ReadSession s_;
+    bool interlaced_ = false;
+    Image all_; ///< if interlaced
+    int next_ = 0;
+};
+
+class PngWriter : public RowWriter {
+public:
+    PngWriter(ByteSink& sink, const DecodedImage& head)
+    {
+        s_.output = &sink;
+        check(write_header(s_, head));
+    }
+    void write(const Image& band) override
+    {
+        check(write_rows(s_, row_bytes(band, 0), bytes_a_row(band), band.height));
+    }
+    void finish() override { check(write_end(s_)); }
+
+private:
+    void check(bool done)
+    {
+        if (s_.failure)
+            std::rethrow_exception(s_.failure);
+        if (!done)
+            throw std::runtime_error(s_.message);
+    }
+
+    WriteSession s_;
+};
 
 } // namespace
 
 PngHeader decode_png_header(const std::string& bytes)
 {
-    ReadSession s;
-    s.input = &bytes;
-    if (!read_header(s))
-        throw std::runtime_error(s.message);
-    return {int(png_get_image_width(s.png, s.info)), int(png_get_image_height(s.png, s.info)), document_of(s)};
+    const InputFile file = InputFile::of_bytes(bytes);
+    const PngReader reader(file, false);
+    return {reader.head().image.width, reader.head().image.height, reader.head().document};
 }
 
-DecodedImage decode_png(const std::string& bytes)
+std::unique_ptr<RowReader> read_png(const InputFile& file)
 {
-    check_chunks(bytes);
-    ReadSession s;
-    s.input = &bytes;
-    if (!read_header(s))
-        throw std::runtime_error(s.message);
-
-    const auto width = png_get_image_width(s.png, s.info);
-    const auto height = png_get_image_height(s.png, s.info);
-    const int channels = png_get_channels(s.png, s.info), bits = png_get_bit_depth(s.png, s.info);
-    check_plausible_size(double(s.row_bytes) * height, double(bytes.size()), greatest_deflate_ratio);
-    check_memory(double(width) * height * channels * (bits / 8));
-    if ((channels != 3 && channels != 4) || (bits != 8 && bits != 16))
-        throw std::runtime_error("it is a kind of PNG that cannot be read");
-
-    DecodedImage picture;
-    picture.image =
-        bits == 16 ? make_image<std::uint16_t>(int(width), int(height), channels, encoding_of(s))
-                   : make_image<std::uint8_t>(int(width), int(height), channels, encoding_of(s));
-    auto rows = row_pointers(picture.image);
-    if (!read_rows(s, rows.data()))
-        throw std::runtime_error(s.message);
-    picture.document = document_of(s);
-
-    png_uint_32 x = 0, y = 0;
-    int unit = 0;
-    if (png_get_pHYs(s.png, s.info, &x, &y, &unit) && unit == PNG_RESOLUTION_METER && x && y)
-        picture.pixel_pitch = Vec2{mm_per_metre / x, mm_per_metre / y};
-    return picture;
+    return std::make_unique<PngReader>(file, true);
 }
 
-std::string encode_png(const DecodedImage& picture)
+std::unique_ptr<RowWriter> write_png(ByteSink& sink, const DecodedImage& head)
 {
-    WriteSession s;
-    std::string output;
-    s.output = &output;
-    auto rows = row_pointers(const_cast<Image&>(picture.image)); // libpng only reads them
-    if (!write_all(s, picture, rows.data()))
-        throw std::runtime_error(s.message);
-    return output;
+    return std::make_unique<PngWriter>(sink, head);
 }
 
 } // namespace integral

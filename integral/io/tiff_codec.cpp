@@ -11,6 +11,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -43,62 +44,70 @@ void on_warning(const char*, const char* format, va_list arguments)
     throw std::runtime_error(last_error[0] ? last_error : otherwise);
 }
 
-/// A file in memory, as libtiff's callbacks see it: `output` if it is being written.
-struct Memory {
-    const std::string* input = nullptr;
-    std::string* output = nullptr;
-    std::size_t position = 0;
-    std::size_t size() const { return output ? output->size() : input->size(); }
+/// A file, as libtiff's callbacks see it: `output` if it is being written.
+struct Stream {
+    const InputFile* input = nullptr;
+    ByteSink* output = nullptr;
+    std::uint64_t position = 0;
+    std::exception_ptr failure = nullptr; ///< of the output
+    std::uint64_t size() const { return output ? output->size() : input->size(); }
 };
 
 tmsize_t on_read(thandle_t handle, void* data, tmsize_t count)
 {
-    auto& memory = *static_cast<Memory*>(handle);
-    const char* bytes = memory.output ? memory.output->data() : memory.input->data();
-    if (count <= 0 || memory.position >= memory.size())
+    auto& stream = *static_cast<Stream*>(handle);
+    if (count <= 0 || stream.position >= stream.size())
         return 0;
-    const auto n = std::min(std::size_t(count), memory.size() - memory.position);
-    std::memcpy(data, bytes + memory.position, n);
-    memory.position += n;
+    auto n = std::size_t(std::min<std::uint64_t>(count, stream.size() - stream.position));
+    try { // no exception may pass through libtiff
+        if (stream.output)
+            n = stream.output->read(stream.position, data, n);
+        else
+            stream.input->read(stream.position, data, n);
+    } catch (const std::exception&) {
+        return 0;
+    }
+    stream.position += n;
     return tmsize_t(n);
 }
 
 tmsize_t on_write(thandle_t handle, void* data, tmsize_t count)
 {
-    auto& memory = *static_cast<Memory*>(handle);
+    auto& stream = *static_cast<Stream*>(handle);
     try {
-        if (memory.position + std::size_t(count) > memory.output->size())
-            memory.output->resize(memory.position + std::size_t(count));
-    } catch (const std::exception&) { // must not pass through libtiff
+        stream.output->write(stream.position, data, std::size_t(count));
+    } catch (...) {
+        stream.failure = std::current_exception();
         return 0;
     }
-    std::memcpy(&(*memory.output)[memory.position], data, std::size_t(count));
-    memory.position += std::size_t(count);
+    stream.position += std::uint64_t(count);
     return count;
 }
 
 toff_t on_seek(thandle_t handle, toff_t offset, int whence)
 {
-    auto& memory = *static_cast<Memory*>(handle);
-    const toff_t base = whence == SEEK_CUR ? memory.position : whence == SEEK_END ? memory.size() : 0;
-    memory.position = std::size_t(base + offset);
-    return memory.position;
+    auto& stream = *static_cast<Stream*>(handle);
+    const toff_t base = whence == SEEK_CUR   ? stream.position
+                        : whence == SEEK_END ? stream.size()
+                                             : 0;
+    stream.position = base + offset;
+    return stream.position;
 }
 
 int on_close(thandle_t) { return 0; }
-toff_t on_size(thandle_t handle) { return static_cast<Memory*>(handle)->size(); }
+toff_t on_size(thandle_t handle) { return static_cast<Stream*>(handle)->size(); }
 
 struct Closer {
     void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
 using TiffHandle = std::unique_ptr<TIFF, Closer>;
 
-TiffHandle open_tiff(Memory& memory, const char* mode)
+TiffHandle open_tiff(Stream& stream, const char* mode)
 {
     last_error[0] = '\0';
     TIFFSetErrorHandler(on_error);
     TIFFSetWarningHandler(on_warning);
-    TiffHandle tiff(TIFFClientOpen("image", mode, &memory, on_read, on_write, on_seek, on_close,
+    TiffHandle tiff(TIFFClientOpen("image", mode, &stream, on_read, on_write, on_seek, on_close,
                                    on_size, nullptr, nullptr));
     if (!tiff || last_error[0])
         fail("it cannot be opened as a TIFF");
@@ -155,22 +164,20 @@ Layout layout_of(TIFF* tiff)
     return l;
 }
 
-/// Reads all rows into `image`, whose samples are of type Sample.
-template <class Sample> void read_rows(TIFF* tiff, const Layout& l, Image& image)
+/// Reads as many rows as `band` has, whose samples are of type Sample, from row `first` on.
+template <class Sample> void read_rows(TIFF* tiff, const Layout& l, int first, Image& band)
 {
-    auto& samples = std::get<std::vector<Sample>>(image.samples);
+    auto& samples = std::get<std::vector<Sample>>(band.samples);
     const int planes = l.planar == PLANARCONFIG_SEPARATE ? l.samples : 1;
     const std::size_t per_pixel = l.planar == PLANARCONFIG_SEPARATE ? 1 : l.samples;
-    const std::size_t row_bytes = per_pixel * l.width * sizeof(Sample);
-    if (TIFFScanlineSize64(tiff) != row_bytes)
-        throw std::runtime_error("its rows are not as long as its size says");
     std::vector<Sample> row(per_pixel * l.width);
     for (int plane = 0; plane < planes; ++plane)
-        for (std::uint32_t y = 0; y < l.height; ++y) {
-            if (TIFFReadScanline(tiff, row.data(), y, std::uint16_t(plane)) < 0)
+        for (int y = 0; y < band.height; ++y) {
+            if (TIFFReadScanline(tiff, row.data(), std::uint32_t(first + y), std::uint16_t(plane)) <
+                0)
                 fail("it ends too early");
-            Sample* out = samples.data() + std::size_t(y) * l.width * image.channels;
-            for (std::uint32_t x = 0; x < l.width; ++x, out += image.channels)
+            Sample* out = samples.data() + std::size_t(y) * l.width * band.channels;
+            for (std::uint32_t x = 0; x < l.width; ++x, out += band.channels)
                 for (std::size_t s = 0; s < per_pixel; ++s) {
                     const int from = int(s) + plane;
                     const Sample value = row[x * per_pixel + s];
@@ -182,7 +189,7 @@ template <class Sample> void read_rows(TIFF* tiff, const Layout& l, Image& image
         }
     if (l.colours == 3)
         return;
-    for (std::size_t i = 0; i < samples.size(); i += std::size_t(image.channels)) {
+    for (std::size_t i = 0; i < samples.size(); i += std::size_t(band.channels)) {
         if (l.photometric == PHOTOMETRIC_MINISWHITE)
             samples[i] = Sample(std::numeric_limits<Sample>::max() - samples[i]);
         samples[i + 1] = samples[i + 2] = samples[i];
@@ -202,47 +209,74 @@ std::optional<Vec2> pixel_pitch_of(TIFF* tiff)
     return Vec2{mm / x, mm / y};
 }
 
-} // namespace
-
-DecodedImage decode_tiff(const std::string& bytes)
-{
-    Memory memory;
-    memory.input = &bytes;
-    const TiffHandle tiff = open_tiff(memory, "rm"); // m: do not map
-    const Layout l = layout_of(tiff.get());
-    check_plausible_size(double(l.width) * l.height * l.samples * (l.bits / 8),
-                         double(bytes.size()), greatest_ratio);
-
-    DecodedImage picture;
-    const int channels = l.alpha ? 4 : 3, width = int(l.width), height = int(l.height);
-    if (l.bits == 8) {
-        picture.image = make_image<std::uint8_t>(width, height, channels, {});
-        read_rows<std::uint8_t>(tiff.get(), l, picture.image);
-    } else if (l.bits == 16) {
-        picture.image = make_image<std::uint16_t>(width, height, channels, {});
-        read_rows<std::uint16_t>(tiff.get(), l, picture.image);
-    } else {
-        picture.image = make_image<float>(width, height, channels, {Encoding::Kind::linear, 1});
-        read_rows<float>(tiff.get(), l, picture.image);
-    }
-    picture.image.premultiplied = l.premultiplied;
-    const char* text = nullptr;
-    if (TIFFGetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, &text) && text && text[0] == '{')
-        picture.document = text; // other programs' descriptions are not JSON
-    picture.pixel_pitch = pixel_pitch_of(tiff.get());
-    return picture;
-}
-
-std::string encode_tiff(const DecodedImage& picture)
-{
-    const Image& image = picture.image;
-    const int bits = sample_bits(image);
-    std::string output;
-    Memory memory;
-    memory.output = &output;
+class TiffReader : public RowReader {
+public:
+    explicit TiffReader(const InputFile& file)
     {
-        const TiffHandle handle = open_tiff(memory, "w");
-        TIFF* tiff = handle.get();
+        stream_.input = &file;
+        tiff_ = open_tiff(stream_, "rm"); // m: do not map
+        TIFF* tiff = tiff_.get();
+        layout_ = layout_of(tiff);
+        const Layout& l = layout_;
+        check_plausible_size(double(l.width) * l.height * l.samples * (l.bits / 8),
+                             double(file.size()), greatest_ratio);
+        const std::size_t per_pixel = l.planar == PLANARCONFIG_SEPARATE ? 1 : l.samples;
+        if (TIFFScanlineSize64(tiff) != per_pixel * l.width * (l.bits / 8))
+            throw std::runtime_error("its rows are not as long as its size says");
+        head_.image = form_of(l.bits, int(l.width), int(l.height), l.alpha ? 4 : 3,
+                              l.bits == 32 ? Encoding{Encoding::Kind::linear, 1} : Encoding{});
+        head_.image.premultiplied = l.premultiplied;
+        const char* text = nullptr;
+        if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) && text && text[0] == '{')
+            head_.document = text; // other programs' descriptions are not JSON
+        head_.pixel_pitch = pixel_pitch_of(tiff);
+    }
+
+    void read(Image& band) override
+    {
+        last_error[0] = '\0';
+        if (layout_.planar == PLANARCONFIG_SEPARATE && band.height < head_.image.height) {
+            if (all_.height == 0) { // a channel after the other
+                Image all = whole_blank(head_.image);
+                read_from(0, all);
+                all_ = std::move(all);
+            }
+            const std::size_t row = std::size_t(band.width) * band.channels * (layout_.bits / 8);
+            for (int y = 0; y < band.height; ++y)
+                std::memcpy(row_bytes(band, y), row_bytes(all_, next_ + y), row);
+        } else {
+            read_from(next_, band);
+        }
+        next_ += band.height;
+    }
+
+private:
+    void read_from(int first, Image& band)
+    {
+        std::visit(
+            [&](const auto& samples) {
+                using Sample = typename std::decay_t<decltype(samples)>::value_type;
+                read_rows<Sample>(tiff_.get(), layout_, first, band);
+            },
+            head_.image.samples);
+    }
+
+    Stream stream_;
+    TiffHandle tiff_;
+    Layout layout_;
+    Image all_; ///< if its channels stand apart
+    int next_ = 0;
+};
+
+class TiffWriter : public RowWriter {
+public:
+    TiffWriter(ByteSink& sink, const DecodedImage& head)
+    {
+        stream_.output = &sink;
+        tiff_ = open_tiff(stream_, "w");
+        TIFF* tiff = tiff_.get();
+        const Image& image = head.image;
+        const int bits = sample_bits(image);
         TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, image.width);
         TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, image.height);
         TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
@@ -261,33 +295,61 @@ std::string encode_tiff(const DecodedImage& picture)
                 image.premultiplied ? EXTRASAMPLE_ASSOCALPHA : EXTRASAMPLE_UNASSALPHA;
             TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &kind);
         }
-        if (picture.pixel_pitch) {
+        if (head.pixel_pitch) {
             TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-            TIFFSetField(tiff, TIFFTAG_XRESOLUTION, mm_per_inch / picture.pixel_pitch->x);
-            TIFFSetField(tiff, TIFFTAG_YRESOLUTION, mm_per_inch / picture.pixel_pitch->y);
+            TIFFSetField(tiff, TIFFTAG_XRESOLUTION, mm_per_inch / head.pixel_pitch->x);
+            TIFFSetField(tiff, TIFFTAG_YRESOLUTION, mm_per_inch / head.pixel_pitch->y);
         }
-        if (!picture.profile.empty())
-            TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(picture.profile.size()), picture.profile.data());
-        if (!picture.document.empty())
-            TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, picture.document.c_str());
+        if (!head.profile.empty())
+            TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(head.profile.size()),
+                         head.profile.data());
+        if (!head.document.empty())
+            TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, head.document.c_str());
+    }
 
-        std::visit(
-            [&](const auto& samples) {
-                using Sample = typename std::decay_t<decltype(samples)>::value_type;
-                const std::size_t length = std::size_t(image.width) * image.channels;
-                std::vector<Sample> row(length); // libtiff's predictor works in place
-                for (int y = 0; y < image.height; ++y) {
-                    const Sample* from = samples.data() + std::size_t(y) * length;
-                    std::copy(from, from + length, row.begin());
-                    if (TIFFWriteScanline(tiff, row.data(), std::uint32_t(y)) < 0)
-                        fail("it cannot be encoded");
-                }
-            },
-            image.samples);
-        if (!TIFFFlush(tiff))
+    void write(const Image& band) override
+    {
+        const std::size_t length =
+            std::size_t(band.width) * band.channels * (sample_bits(band) / 8);
+        row_.resize(length); // libtiff's predictor works in place
+        for (int y = 0; y < band.height; ++y, ++next_) {
+            std::memcpy(row_.data(), row_bytes(band, y), length);
+            check(TIFFWriteScanline(tiff_.get(), row_.data(), next_) >= 0);
+        }
+    }
+
+    void finish() override
+    {
+        check(TIFFFlush(tiff_.get()));
+        tiff_.reset();
+        check(true);
+    }
+
+private:
+    void check(bool done) const
+    {
+        if (stream_.failure)
+            std::rethrow_exception(stream_.failure);
+        if (!done)
             fail("it cannot be encoded");
     }
-    return output;
+
+    Stream stream_;
+    TiffHandle tiff_;
+    std::vector<unsigned char> row_;
+    std::uint32_t next_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<RowReader> read_tiff(const InputFile& file)
+{
+    return std::make_unique<TiffReader>(file);
+}
+
+std::unique_ptr<RowWriter> write_tiff(ByteSink& sink, const DecodedImage& head)
+{
+    return std::make_unique<TiffWriter>(sink, head);
 }
 
 } // namespace integral

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/image.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <limits>
 
@@ -176,6 +178,53 @@ void store_linear(Image& image, int x, int y, Color linear)
     store_pixel(image, x, y, encoded(linear, image.encoding));
 }
 
+Image form_of(int bits, int width, int height, int channels, Encoding encoding)
+{
+    Image form = bits == 8    ? make_image<std::uint8_t>(0, 0, channels, encoding)
+                 : bits == 16 ? make_image<std::uint16_t>(0, 0, channels, encoding)
+                              : make_image<float>(0, 0, channels, encoding);
+    form.width = width;
+    form.height = height;
+    return form;
+}
+
+Image form_of(const Image& image)
+{
+    Image form =
+        form_of(sample_bits(image), image.width, image.height, image.channels, image.encoding);
+    form.premultiplied = image.premultiplied;
+    return form;
+}
+
+double size_in_bytes(const Image& form)
+{
+    return double(form.width) * form.height * form.channels * (sample_bits(form) / 8);
+}
+
+int rows_of_a_band(const Image& form)
+{
+    constexpr double most_bytes = 4 << 20;
+    constexpr int block = 16; // OpenEXR packs 16 rows at a time
+    const double row = size_in_bytes(form) / std::max(1, form.height);
+    const int rows = int(std::min(most_bytes / std::max(1.0, row), double(form.height)));
+    return rows >= block ? rows / block * block : std::max(1, rows);
+}
+
+const unsigned char* row_bytes(const Image& image, int y)
+{
+    return std::visit(
+        [&](const auto& samples) {
+            const auto* row = samples.data() + first_sample(image, 0, y);
+            return reinterpret_cast<const unsigned char*>(row);
+        },
+        image.samples);
+}
+
+unsigned char* row_bytes(Image& image, int y)
+{
+    return const_cast<unsigned char*>(row_bytes(const_cast<const Image&>(image), y));
+}
+
 bool same_form(const Image& a, const Image& b)
 {
     return a.width == b.width && a.height == b.height && a.channels == b.channels && a.samples.index() == b.samples.index()
@@ -191,12 +240,17 @@ Image blank_like(const Image& like, int width, int height)
     return image;
 }
 
+Image rows_of(const Image& picture, int first, int rows)
+{
+    return part_of(picture, 0, first, picture.width, rows);
+}
+
 Image part_of(const Image& picture, int x, int y, int width, int height)
 {
     Image part = blank_like(picture, width, height);
+    const std::size_t pixel = std::size_t(picture.channels) * (sample_bits(picture) / 8);
     for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i)
-            store_pixel(part, i, j, stored_pixel(picture, x + i, y + j));
+        std::memcpy(row_bytes(part, j), row_bytes(picture, y + j) + pixel * x, pixel * width);
     return part;
 }
 

@@ -43,6 +43,23 @@ template <class Sample> Image make_image(int width, int height, int channels, En
     return image;
 }
 
+/// A picture's form: a picture of that size whose samples are left out. `bits` is 8, 16, or 32 for
+/// floats. blank_like makes rows of it.
+Image form_of(int bits, int width, int height, int channels, Encoding encoding);
+
+/// The form of a picture.
+Image form_of(const Image& image);
+
+/// Bytes of a picture of that form.
+double size_in_bytes(const Image& form);
+
+/// As many rows of that form as are worked on at a time: some megabytes, and at least one.
+int rows_of_a_band(const Image& form);
+
+/// The samples of a row, as bytes.
+unsigned char* row_bytes(Image& image, int y);
+const unsigned char* row_bytes(const Image& image, int y);
+
 /// Whether two pictures are alike in all but their samples' values and the encoding.
 bool same_form(const Image& a, const Image& b);
 
@@ -51,6 +68,9 @@ Image blank_like(const Image& like, int width, int height);
 
 /// The rectangle of a picture whose top left pixel is (x, y); it must be inside.
 Image part_of(const Image& picture, int x, int y, int width, int height);
+
+/// Rows [first, first + rows) of a picture.
+Image rows_of(const Image& picture, int first, int rows);
 
 /// The pictures, all of one size and form, row by row from the top left, `columns` in a row, with `border` pixels of black
 /// (opaque) between them. Throws std::invalid_argument where they differ, or are none.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/colour_profile.h"
 
+#include "integral/lightfield/parallel.h"
+
 #include <lcms2.h>
 
 #include <cstring>
@@ -14,10 +16,6 @@ struct CloseProfile {
     void operator()(void* profile) const { cmsCloseProfile(profile); }
 };
 using Profile = std::unique_ptr<void, CloseProfile>;
-
-struct DeleteTransform {
-    void operator()(void* transform) const { cmsDeleteTransform(transform); }
-};
 
 } // namespace
 
@@ -36,9 +34,10 @@ std::string srgb_profile()
     return bytes;
 }
 
-Image in_profile(const Image& picture, const std::string& bytes, Intent intent)
+ProfileTransform::ProfileTransform(const std::string& bytes, int bits, Intent intent)
 {
-    const Profile source(cmsCreate_sRGBProfile()), target(cmsOpenProfileFromMem(bytes.data(), cmsUInt32Number(bytes.size())));
+    const Profile source(cmsCreate_sRGBProfile());
+    const Profile target(cmsOpenProfileFromMem(bytes.data(), cmsUInt32Number(bytes.size())));
     if (!target)
         throw std::runtime_error("it is no ICC profile");
     const cmsProfileClassSignature kind = cmsGetDeviceClass(target.get());
@@ -46,18 +45,29 @@ Image in_profile(const Image& picture, const std::string& bytes, Intent intent)
         throw std::runtime_error("it is no printer's profile");
     if (cmsGetColorSpace(target.get()) != cmsSigRgbData)
         throw std::runtime_error("it is the profile of a device that takes no RGB");
-    const cmsUInt32Number type = sample_bits(picture) == 8 ? TYPE_RGB_8 : TYPE_RGB_16;
-    constexpr cmsUInt32Number intents[] = {INTENT_PERCEPTUAL, INTENT_RELATIVE_COLORIMETRIC, INTENT_SATURATION, INTENT_ABSOLUTE_COLORIMETRIC};
+    const cmsUInt32Number type = bits == 8 ? TYPE_RGB_8 : TYPE_RGB_16;
+    constexpr cmsUInt32Number intents[] = {INTENT_PERCEPTUAL, INTENT_RELATIVE_COLORIMETRIC,
+                                           INTENT_SATURATION, INTENT_ABSOLUTE_COLORIMETRIC};
     const cmsUInt32Number flags = intent == Intent::relative ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0;
-    const std::unique_ptr<void, DeleteTransform> transform(
-        cmsCreateTransform(source.get(), type, target.get(), type, intents[int(intent)], flags | cmsFLAGS_NOCACHE));
+    void* transform = cmsCreateTransform(source.get(), type, target.get(), type,
+                                         intents[int(intent)], flags | cmsFLAGS_NOCACHE);
     if (!transform)
         throw std::runtime_error("it is no profile that colours can be converted to");
-    Image result = picture;
-    std::visit([&](auto& samples) {
-        cmsDoTransform(transform.get(), samples.data(), samples.data(), cmsUInt32Number(picture.width) * cmsUInt32Number(picture.height));
-    }, result.samples);
-    return result;
+    transform_.reset(transform, cmsDeleteTransform);
+}
+
+void ProfileTransform::apply(Image& picture) const
+{
+    for_each_row(picture.height, 0, [&](int y) {
+        unsigned char* row = row_bytes(picture, y);
+        cmsDoTransform(transform_.get(), row, row, cmsUInt32Number(picture.width));
+    });
+}
+
+Image in_profile(Image picture, const std::string& profile, Intent intent)
+{
+    ProfileTransform(profile, sample_bits(picture), intent).apply(picture);
+    return picture;
 }
 
 } // namespace integral

@@ -2,13 +2,18 @@
 #include "integral/output/page_pdf.h"
 
 #include "integral/lightfield/number_text.h"
-#include "integral/output/page_raster.h"
 
 #define POINTERHOLDER_TRANSITION 4 // the pointers of QPDF 11
+#include <qpdf/Pipeline.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFWriter.hh>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <vector>
 
 namespace integral {
 namespace {
@@ -31,19 +36,61 @@ struct Points {
 };
 
 /// The picture's samples as PDF wants them: 16 bits with the high byte first.
-std::string samples_of(const Image& image)
+std::vector<unsigned char> samples_of(const Image& image)
 {
-    std::string bytes;
+    std::vector<unsigned char> bytes;
     std::visit([&](const auto& samples) {
         bytes.reserve(samples.size() * (sample_bits(image) / 8));
         for (const auto sample : samples) {
             if constexpr (sizeof sample == 2)
-                bytes += char(sample >> 8);
-            bytes += char(static_cast<unsigned>(sample) & 0xff);
+                bytes.push_back(static_cast<unsigned char>(sample >> 8));
+            bytes.push_back(static_cast<unsigned char>(static_cast<unsigned>(sample) & 0xff));
         }
     }, image.samples);
     return bytes;
 }
+
+/// A sink as a C stream, which QPDF writes to.
+class SinkStream {
+public:
+    explicit SinkStream(ByteSink& sink) : sink_(sink)
+    {
+        cookie_io_functions_t functions{};
+        functions.write = on_write;
+        file_ = fopencookie(this, "w", functions);
+        if (!file_)
+            throw std::bad_alloc();
+    }
+    ~SinkStream() { std::fclose(file_); }
+    SinkStream(const SinkStream&) = delete;
+    SinkStream& operator=(const SinkStream&) = delete;
+
+    std::FILE* file() { return file_; }
+
+    /// Throws what the sink threw, if it did.
+    void check() const
+    {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+private:
+    static ssize_t on_write(void* self, const char* bytes, std::size_t count)
+    {
+        auto& stream = *static_cast<SinkStream*>(self);
+        try { // no exception may pass through the C library
+            stream.sink_.write(stream.sink_.size(), bytes, count);
+        } catch (...) {
+            stream.failure_ = std::current_exception();
+            return 0;
+        }
+        return ssize_t(count);
+    }
+
+    ByteSink& sink_;
+    std::FILE* file_ = nullptr;
+    std::exception_ptr failure_;
+};
 
 /// UTF-8 as a PDF string in WinAnsiEncoding, which has Latin letters; every other letter becomes a question mark.
 std::string quoted(const std::string& text)
@@ -92,7 +139,8 @@ std::string content_of(const Page& page)
 
 } // namespace
 
-std::string pdf_of(const std::vector<Page>& pages, const Image& picture, const std::string& profile, const std::string& title)
+void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
+               const PictureRows& picture, const std::string& profile, const std::string& title)
 {
     QPDF pdf;
     pdf.emptyPDF();
@@ -105,16 +153,29 @@ std::string pdf_of(const std::vector<Page>& pages, const Image& picture, const s
     const auto font = pdf.makeIndirectObject(
         QPDFObjectHandle::parse("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>"));
 
+    std::exception_ptr failure; // of reading the picture
     QPDFPageDocumentHelper document(pdf);
     for (const Page& page : pages) {
-        const Image part = picture_on(page, picture);
-        auto image = QPDFObjectHandle::newStream(&pdf, samples_of(part));
+        auto image = QPDFObjectHandle::newStream(&pdf);
+        const auto provide = [&, of = &page](Pipeline* pipeline) { // called when the page is written
+            try {
+                draw_part(*of, form, picture, [&](const Image& rows) {
+                    std::vector<unsigned char> bytes = samples_of(rows);
+                    pipeline->write(bytes.data(), bytes.size());
+                });
+            } catch (...) { // QPDF would make an error of its own of it
+                failure = std::current_exception();
+                throw;
+            }
+            pipeline->finish();
+        };
+        image.replaceStreamData(provide, QPDFObjectHandle::newNull(), QPDFObjectHandle::newNull());
         auto about = image.getDict();
         about.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
         about.replaceKey("/Subtype", QPDFObjectHandle::newName("/Image"));
-        about.replaceKey("/Width", QPDFObjectHandle::newInteger(part.width));
-        about.replaceKey("/Height", QPDFObjectHandle::newInteger(part.height));
-        about.replaceKey("/BitsPerComponent", QPDFObjectHandle::newInteger(sample_bits(part)));
+        about.replaceKey("/Width", QPDFObjectHandle::newInteger(page.part.width));
+        about.replaceKey("/Height", QPDFObjectHandle::newInteger(page.part.height));
+        about.replaceKey("/BitsPerComponent", QPDFObjectHandle::newInteger(sample_bits(form)));
         about.replaceKey("/ColorSpace", space);
         about.replaceKey("/Interpolate", QPDFObjectHandle::newBool(false));
 
@@ -137,14 +198,22 @@ std::string pdf_of(const std::vector<Page>& pages, const Image& picture, const s
     about.replaceKey("/Producer", QPDFObjectHandle::newString("povray-integral"));
     pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(about));
 
-    QPDFWriter writer(pdf);
-    writer.setOutputMemory();
-    writer.setMinimumPDFVersion("1.6");
-    writer.setCompressStreams(true);
-    writer.setDeterministicID(true);
-    writer.write();
-    const auto buffer = writer.getBufferSharedPointer();
-    return std::string(reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize());
+    SinkStream stream(sink);
+    try {
+        QPDFWriter writer(pdf);
+        writer.setOutputFile("the PDF", stream.file(), false);
+        writer.setMinimumPDFVersion("1.6");
+        writer.setCompressStreams(true);
+        writer.setDeterministicID(true);
+        writer.write();
+    } catch (...) {
+        if (failure)
+            std::rethrow_exception(failure);
+        stream.check();
+        throw;
+    }
+    std::fflush(stream.file());
+    stream.check();
 }
 
 } // namespace integral

@@ -3,18 +3,23 @@
 #ifndef INTEGRAL_OUTPUT_PAGE_PDF_H
 #define INTEGRAL_OUTPUT_PAGE_PDF_H
 
+#include "integral/io/file_bytes.h"
 #include "integral/lightfield/image.h"
-#include "integral/output/page.h"
+#include "integral/output/page_raster.h"
 
 #include <string>
 
 namespace integral {
 
-/// The bytes of a PDF 1.6 of all pages of a picture (8 or 16 bits, three channels) whose colours `profile` (an ICC file's bytes) describes. Each page
-/// holds its part of the picture as one image, packed without loss and not to be smoothed, at whole printer pixels from the page's top left
-/// corner (to a thousandth of one); marks and strip are lines and text. MediaBox: the paper, in whole printer pixels; BleedBox: the picture; TrimBox: what is left after
-/// cutting. Viewers are asked not to scale. The same bytes for the same pages. Throws std::exception with the reason.
-std::string pdf_of(const std::vector<Page>& pages, const Image& picture, const std::string& profile, const std::string& title);
+/// Writes a PDF 1.6 of all pages of a picture (`form`: 8 or 16 bits, three channels) whose colours
+/// `profile` (an ICC file's bytes) describes. Each page holds its part of the picture as one image,
+/// packed without loss and not to be smoothed, at whole printer pixels from the page's top left
+/// corner (to a thousandth of one); marks and strip are lines and text. MediaBox: the paper, in
+/// whole printer pixels; BleedBox: the picture; TrimBox: what is left after cutting. Viewers are
+/// asked not to scale. The same bytes for the same pages. One page's packed image is kept in memory
+/// at a time. Throws std::exception with the reason, and what `picture` and `sink` throw.
+void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
+               const PictureRows& picture, const std::string& profile, const std::string& title);
 
 } // namespace integral
 

@@ -1,104 +1,205 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/page_raster.h"
 
-#include "integral/io/codecs.h"
+#include "integral/io/memory.h"
 
 #include <cairo.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 
 namespace integral {
 namespace {
 
-/// Marks and strip: of each pixel, row by row, whether it is black. Not mirrored.
-std::vector<bool> ink_of(const Page& page)
+struct Release {
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+
+/// Whether what is drawn from `top` to `bottom`, in pixels of the page, may touch the rows.
+bool touches(double top, double bottom, int first, int rows)
 {
-    const auto release = [](auto* object) {
-        if constexpr (std::is_same_v<decltype(object), cairo_t*>)
-            cairo_destroy(object);
-        else
-            cairo_surface_destroy(object);
-    };
-    const std::unique_ptr<cairo_surface_t, decltype(release)> surface(
-        cairo_image_surface_create(CAIRO_FORMAT_A8, page.width, page.height), release);
-    const std::unique_ptr<cairo_t, decltype(release)> cairo(cairo_create(surface.get()), release);
-    cairo_t* c = cairo.get();
-    cairo_set_antialias(c, CAIRO_ANTIALIAS_NONE);
-    cairo_set_line_width(c, 1);
-    cairo_set_line_cap(c, CAIRO_LINE_CAP_SQUARE);
+    constexpr double margin = 2; // of lines' width and ends
+    return bottom >= first - margin && top <= first + rows + margin;
+}
+
+void draw_lines(cairo_t* c, const Page& page, int first, int rows)
+{
     constexpr double rounding = 1e-6; // of places that are whole pixels, in mm and back
+    // Through the middles of pixels, which lines along rows and columns then fill.
+    const auto x = [&](Vec2 p) { return std::floor(p.x / page.pixel_pitch.x + rounding) + 0.5; };
+    const auto y = [&](Vec2 p) { return std::floor(p.y / page.pixel_pitch.y + rounding) + 0.5; };
     for (const PageLine& line : page.lines) {
-        // Through the middles of pixels, which lines along rows and columns then fill.
-        const auto x = [&](Vec2 p) { return std::floor(p.x / page.pixel_pitch.x + rounding) + 0.5; };
-        const auto y = [&](Vec2 p) { return std::floor(p.y / page.pixel_pitch.y + rounding) + 0.5; };
+        if (!touches(std::min(y(line.from), y(line.to)), std::max(y(line.from), y(line.to)), first,
+                     rows))
+            continue;
         cairo_move_to(c, x(line.from), y(line.from));
         cairo_line_to(c, x(line.to), y(line.to));
         cairo_stroke(c);
     }
-    if (!page.strip.empty()) {
-        cairo_font_options_t* plain = cairo_font_options_create();
-        cairo_font_options_set_antialias(plain, CAIRO_ANTIALIAS_NONE);
-        cairo_set_font_options(c, plain);
-        cairo_font_options_destroy(plain);
-        cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_matrix_t size;
-        cairo_matrix_init_scale(&size, page.strip_size / page.pixel_pitch.x, page.strip_size / page.pixel_pitch.y);
+}
+
+void draw_strip(cairo_t* c, const Page& page, int first, int rows)
+{
+    constexpr double most_ems = 3; // that a letter reaches above or below its line
+    const double base = page.strip_place.y / page.pixel_pitch.y;
+    const double room_for_letters = most_ems * page.strip_size / page.pixel_pitch.y;
+    if (page.strip.empty() ||
+        !touches(base - room_for_letters, base + room_for_letters, first, rows))
+        return;
+    cairo_font_options_t* plain = cairo_font_options_create();
+    cairo_font_options_set_antialias(plain, CAIRO_ANTIALIAS_NONE);
+    cairo_set_font_options(c, plain);
+    cairo_font_options_destroy(plain);
+    cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_matrix_t size;
+    cairo_matrix_init_scale(&size, page.strip_size / page.pixel_pitch.x,
+                            page.strip_size / page.pixel_pitch.y);
+    cairo_set_font_matrix(c, &size);
+    // A font of broad letters, or capitals, would run over the paper's edge.
+    cairo_text_extents_t extents;
+    cairo_text_extents(c, page.strip.c_str(), &extents);
+    const double room = page.width - page.strip_place.x / page.pixel_pitch.x;
+    if (extents.x_advance > 0.98 * room) {
+        size.xx *= 0.98 * room / extents.x_advance;
         cairo_set_font_matrix(c, &size);
-        // A font of broad letters, or capitals, would run over the paper's edge.
-        cairo_text_extents_t extents;
-        cairo_text_extents(c, page.strip.c_str(), &extents);
-        const double room = page.width - page.strip_place.x / page.pixel_pitch.x;
-        if (extents.x_advance > 0.98 * room) {
-            size.xx *= 0.98 * room / extents.x_advance;
-            cairo_set_font_matrix(c, &size);
-        }
-        cairo_move_to(c, page.strip_place.x / page.pixel_pitch.x, page.strip_place.y / page.pixel_pitch.y);
-        cairo_show_text(c, page.strip.c_str());
     }
-    cairo_surface_flush(surface.get());
-    const cairo_status_t status = cairo_status(c);
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error(std::string("its marks cannot be drawn: ") + cairo_status_to_string(status));
-    const unsigned char* data = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    std::vector<bool> ink(std::size_t(page.width) * page.height);
-    for (int y = 0; y < page.height; ++y)
-        for (int x = 0; x < page.width; ++x)
-            ink[std::size_t(y) * page.width + x] = data[std::size_t(y) * stride + x] > 127;
+    cairo_move_to(c, page.strip_place.x / page.pixel_pitch.x,
+                  page.strip_place.y / page.pixel_pitch.y);
+    cairo_show_text(c, page.strip.c_str());
+}
+
+/// Marks and strip in some rows of a page: of each pixel, row by row, whether it is black. Not
+/// mirrored. Empty where there is no ink at all. cairo draws pieces of the page, as it knows no
+/// picture of more than 32767 pixels a side.
+std::vector<bool> ink_of(const Page& page, int first, int rows)
+{
+    if (page.lines.empty() && page.strip.empty())
+        return {};
+    constexpr int most_columns = 8192;
+    std::vector<bool> ink(std::size_t(page.width) * rows);
+    for (int left = 0; left < page.width; left += most_columns) {
+        const int columns = std::min(most_columns, page.width - left);
+        const std::unique_ptr<cairo_surface_t, Release> surface(
+            cairo_image_surface_create(CAIRO_FORMAT_A8, columns, rows));
+        const std::unique_ptr<cairo_t, Release> cairo(cairo_create(surface.get()));
+        cairo_t* c = cairo.get();
+        cairo_translate(c, -left, -first);
+        cairo_set_antialias(c, CAIRO_ANTIALIAS_NONE);
+        cairo_set_line_width(c, 1);
+        cairo_set_line_cap(c, CAIRO_LINE_CAP_SQUARE);
+        draw_lines(c, page, first, rows);
+        draw_strip(c, page, first, rows);
+        cairo_surface_flush(surface.get());
+        const cairo_status_t status = cairo_status(c);
+        if (status != CAIRO_STATUS_SUCCESS)
+            throw std::runtime_error(std::string("its marks cannot be drawn: ") +
+                                     cairo_status_to_string(status));
+        const unsigned char* data = cairo_image_surface_get_data(surface.get());
+        const int stride = cairo_image_surface_get_stride(surface.get());
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < columns; ++x)
+                if (data[std::size_t(y) * stride + x] > 127)
+                    ink[std::size_t(y) * page.width + left + x] = true;
+    }
     return ink;
+}
+
+std::size_t pixel_bytes(const Image& form)
+{
+    return std::size_t(form.channels) * (sample_bits(form) / 8);
+}
+
+/// Copies a row of the page's part of a picture, turned where the page is.
+void copy_part(const Page& page, const unsigned char* row, std::size_t pixel, unsigned char* to)
+{
+    row += pixel * page.part.x;
+    const int width = page.part.width;
+    if (!page.mirrored) {
+        std::memcpy(to, row, pixel * width);
+        return;
+    }
+    for (int x = 0; x < width; ++x)
+        std::memcpy(to + pixel * x, row + pixel * (width - 1 - x), pixel);
+}
+
+/// Rows of a page, from row `first` on. `part`: those rows of the picture that come to them, the
+/// first of which is the page's row `part_first`.
+void draw_rows(const Page& page, int first, const Image& part, int part_first, Image& band)
+{
+    const std::size_t pixel = pixel_bytes(band);
+    const std::vector<bool> ink = ink_of(page, first, band.height);
+    const int left = page.mirrored ? page.width - page.x - page.part.width : page.x;
+    for (int y = 0; y < band.height; ++y) {
+        unsigned char* row = row_bytes(band, y);
+        std::memset(row, 0xff, pixel * page.width);
+        for (int x = 0; x < (ink.empty() ? 0 : page.width); ++x)
+            if (ink[std::size_t(y) * page.width + (page.mirrored ? page.width - 1 - x : x)])
+                std::memset(row + pixel * x, 0, pixel);
+        const int of_part = first + y - part_first;
+        if (of_part >= 0 && of_part < part.height)
+            copy_part(page, row_bytes(part, of_part), pixel, row + pixel * left);
+    }
 }
 
 } // namespace
 
-Image picture_on(const Page& page, const Image& picture)
+PictureRows rows_in(const Image& picture)
 {
-    const Image part = part_of(picture, page.part.x, page.part.y, page.part.width, page.part.height);
-    if (!page.mirrored)
-        return part;
-    Image turned = blank_like(part, part.width, part.height);
-    for (int y = 0; y < part.height; ++y)
-        for (int x = 0; x < part.width; ++x)
-            store_pixel(turned, x, y, stored_pixel(part, part.width - 1 - x, y));
-    return turned;
+    return [&picture](int first, int count) { return rows_of(picture, first, count); };
 }
 
-Image rasterized(const Page& page, const Image& picture)
+void draw_pages(const std::vector<Page>& pages, const Image& form, const PictureRows& picture,
+                const TakeRows& take)
 {
-    check_memory(double(page.width) * page.height * picture.channels * (sample_bits(picture) / 8));
-    Image sheet = blank_like(picture, page.width, page.height);
-    const std::vector<bool> ink = page.lines.empty() && page.strip.empty() ? std::vector<bool>(std::size_t(page.width) * page.height) : ink_of(page);
-    const Image part = picture_on(page, picture);
-    const int left = page.mirrored ? page.width - page.x - part.width : page.x;
-    for (int y = 0; y < page.height; ++y)
-        for (int x = 0; x < page.width; ++x) {
-            const bool black = ink[std::size_t(y) * page.width + (page.mirrored ? page.width - 1 - x : x)];
-            const bool inside = x >= left && x < left + part.width && y >= page.y && y < page.y + part.height;
-            const float paper = black ? 0.0f : 1.0f;
-            store_pixel(sheet, x, y, inside ? stored_pixel(part, x - left, y - page.y) : Color{paper, paper, paper, 1});
+    const Page& like = pages.at(0); // of the others, only places across differ
+    const int most = rows_of_a_band(
+        form_of(sample_bits(form), like.width, like.height, form.channels, form.encoding));
+    Image band;
+    for (int first = 0; first < like.height; first += most) {
+        const int end = std::min(first + most, like.height);
+        const int part_first = std::clamp(like.y, first, end);
+        const int part_end = std::clamp(like.y + like.part.height, part_first, end);
+        Image part;
+        if (part_end > part_first)
+            part = picture(like.part.y + part_first - like.y, part_end - part_first);
+        if (band.height != end - first)
+            band = blank_like(form, like.width, end - first);
+        for (std::size_t k = 0; k < pages.size(); ++k) {
+            draw_rows(pages[k], first, part, part_first, band);
+            take(k, band);
         }
+    }
+}
+
+Image rasterized(const Page& page, const Image& form, const PictureRows& picture)
+{
+    check_memory(double(page.width) * page.height * double(pixel_bytes(form)));
+    Image sheet = blank_like(form, page.width, page.height);
+    int next = 0;
+    draw_pages({page}, form, picture, [&](std::size_t, const Image& rows) {
+        for (int y = 0; y < rows.height; ++y)
+            std::memcpy(row_bytes(sheet, next++), row_bytes(rows, y),
+                        pixel_bytes(form) * page.width);
+    });
     return sheet;
+}
+
+void draw_part(const Page& page, const Image& form, const PictureRows& picture,
+               const std::function<void(const Image& rows)>& take)
+{
+    const int most = rows_of_a_band(form);
+    for (int first = 0; first < page.part.height; first += most) {
+        const int count = std::min(most, page.part.height - first);
+        const Image rows = picture(page.part.y + first, count);
+        Image part = blank_like(form, page.part.width, count);
+        for (int y = 0; y < count; ++y)
+            copy_part(page, row_bytes(rows, y), pixel_bytes(form), row_bytes(part, y));
+        take(part);
+    }
 }
 
 } // namespace integral

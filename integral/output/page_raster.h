@@ -6,14 +6,37 @@
 #include "integral/lightfield/image.h"
 #include "integral/output/page.h"
 
+#include <cstddef>
+#include <functional>
+#include <vector>
+
 namespace integral {
 
-/// The page of a picture of 8 or 16 bits and three channels, in its form: white paper, the picture's own pixels, marks and strip in
-/// black, one pixel wide and not smoothed (drawn by cairo). Marks do not touch the picture. Throws std::runtime_error where cairo cannot.
-Image rasterized(const Page& page, const Image& picture);
+/// Rows [first, first + count) of a picture, in its whole width.
+using PictureRows = std::function<Image(int first, int count)>;
 
-/// The page's part of a picture; turned left to right where the page is.
-Image picture_on(const Page& page, const Image& picture);
+/// The same of a picture in memory, which has to outlive it.
+PictureRows rows_in(const Image& picture);
+
+/// Takes the next rows of page number `page`, from the top.
+using TakeRows = std::function<void(std::size_t page, const Image& rows)>;
+
+/// Draws pages that stand side by side (one row of tiles, or one page alone), some rows of all of
+/// them at a time: white paper, the picture's own pixels, marks and strip in black, one pixel wide
+/// and not smoothed (drawn by cairo). Marks do not touch the picture. `form` is the picture's: 8 or
+/// 16 bits, three channels. `picture` is asked for each row once, from the top. Throws
+/// std::runtime_error where cairo cannot draw, and what the two functions throw.
+void draw_pages(const std::vector<Page>& pages, const Image& form, const PictureRows& picture,
+                const TakeRows& take);
+
+/// A page of a picture as one image. Throws as draw_pages does, and where it needs more memory than
+/// is free.
+Image rasterized(const Page& page, const Image& form, const PictureRows& picture);
+
+/// Takes the page's part of a picture, some rows at a time, from the top; turned left to right
+/// where the page is.
+void draw_part(const Page& page, const Image& form, const PictureRows& picture,
+               const std::function<void(const Image& rows)>& take);
 
 } // namespace integral
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/compare.h"
 
+#include "integral/lightfield/parallel.h"
+#include "integral/replay/similarity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <stdexcept>
-#include <tuple>
 
 namespace integral {
 namespace {
@@ -21,9 +23,10 @@ Encoding common_encoding(const Image& a, const Image& b)
 class Viewed {
 public:
     Viewed(const Image& image, Encoding encoding)
-        : image_(image), linear_(image), encoding_(encoding),
-          as_stored_(same_encoding(image.encoding, encoding))
+        : image_(image), encoding_(encoding), as_stored_(same_encoding(image.encoding, encoding))
     {
+        if (!as_stored_ || (image.channels == 4 && !image.premultiplied))
+            linear_.emplace(image);
     }
 
     Color operator()(int x, int y) const
@@ -31,14 +34,14 @@ public:
         const Color stored = stored_pixel(image_, x, y);
         if (as_stored_ && (stored.a == 1 || image_.premultiplied))
             return stored;
-        const Color light = linear_(x, y);
+        const Color light = (*linear_)(x, y);
         const auto e = [&](float v) { return float(encode(encoding_, v)); };
         return {e(light.r), e(light.g), e(light.b), stored.a};
     }
 
 private:
     const Image& image_;
-    LinearReader linear_;
+    std::optional<LinearReader> linear_; ///< where stored values may not do
     Encoding encoding_;
     bool as_stored_;
 };
@@ -69,12 +72,17 @@ public:
     {
     }
 
-    void add(int x, int y, double squares, int channels)
+    LensIndex lens_of(int x, int y) const
     {
-        const LensIndex lens = lattice_.nearest(film_from_pixel(film_, {x + 0.5, y + 0.5}));
-        Sum& sum = sums_[{lens.j, lens.i}];
-        sum.squares += squares;
-        sum.count += channels;
+        return lattice_.nearest(film_from_pixel(film_, {x + 0.5, y + 0.5}));
+    }
+
+    void add(LensIndex lens, double squares, int channels)
+    {
+        if (!last_ || last_->first != std::make_pair(lens.j, lens.i))
+            last_ = &*sums_.try_emplace({lens.j, lens.i}).first;
+        last_->second.squares += squares;
+        last_->second.count += channels;
     }
 
     WorstMicroImage worst() const
@@ -99,132 +107,146 @@ private:
     };
     Film film_;
     Lattice lattice_;
-    std::map<std::pair<std::int64_t, std::int64_t>, Sum> sums_; // by row, then column
+    using Sums = std::map<std::pair<std::int64_t, std::int64_t>, Sum>; // by row, then column
+    Sums sums_;
+    Sums::value_type* last_ = nullptr; // neighbouring pixels mostly have one lens
 };
 
-/// A Gaussian of sigma 1.5 over 11 taps.
-std::vector<double> gaussian_taps()
-{
-    std::vector<double> taps;
-    for (int i = -5; i <= 5; ++i)
-        taps.push_back(std::exp(-i * i / (2 * 1.5 * 1.5)));
-    return taps;
-}
-
-/// Weighted mean along a line of `length` values, `step` apart, around `centre`.
-template <class Value>
-double weighted_mean(const std::vector<double>& taps, int centre, int length, Value value)
-{
-    double sum = 0, weight = 0;
-    for (int i = std::max(0, centre - 5); i <= std::min(length - 1, centre + 5); ++i) {
-        const double w = taps[std::size_t(i - centre + 5)];
-        sum += w * value(i);
-        weight += w;
-    }
-    return sum / weight;
-}
+/// Two pictures' differences, pixel by pixel, of some rows.
+struct Differences {
+    std::vector<double> squares; ///< of a pixel's channels, added up
+    std::vector<float> luma_a, luma_b;
+    std::vector<LensIndex> lenses; ///< if they are asked for
+    std::vector<double> largest;   ///< of a row's channels
+    std::vector<std::int64_t>
+        close; ///< a row's pixels of which no channel differs by more than 2/255
+};
 
 } // namespace
 
-double structural_similarity(const std::vector<float>& a, const std::vector<float>& b, int width,
-                             int height)
-{
-    // Five means over the window (x, y, x^2, y^2, xy), first across each row, then down.
-    struct Moments {
-        double v[5];
-    };
-    const auto taps = gaussian_taps();
-    const auto centres = [](int length) { // first centre and the one after the last
-        return length >= 11 ? std::pair<int, int>(5, length - 5) : std::pair<int, int>(0, length);
-    };
-    int x0, x1, y0, y1; // no structured bindings: lambdas of C++17 cannot capture them
-    std::tie(x0, x1) = centres(width);
-    std::tie(y0, y1) = centres(height);
-    const std::size_t across = std::size_t(x1 - x0);
-    std::vector<Moments> ring(11 * across); // the rows that the current windows reach
-
-    const auto fill_row = [&](int y) {
-        const float *ra = a.data() + std::size_t(y) * width, *rb = b.data() + std::size_t(y) * width;
-        for (int x = x0; x < x1; ++x) {
-            Moments m;
-            const auto mean = [&](auto value) { return weighted_mean(taps, x, width, value); };
-            m.v[0] = mean([&](int i) { return double(ra[i]); });
-            m.v[1] = mean([&](int i) { return double(rb[i]); });
-            m.v[2] = mean([&](int i) { return double(ra[i]) * ra[i]; });
-            m.v[3] = mean([&](int i) { return double(rb[i]) * rb[i]; });
-            m.v[4] = mean([&](int i) { return double(ra[i]) * rb[i]; });
-            ring[std::size_t(y % 11) * across + std::size_t(x - x0)] = m;
-        }
-    };
-
-    constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
-    double total = 0;
-    int filled = 0;
-    for (int y = y0; y < y1; ++y) {
-        for (; filled < std::min(height, y + 6); ++filled)
-            fill_row(filled);
-        for (std::size_t x = 0; x < across; ++x) {
-            double v[5];
-            for (int k = 0; k < 5; ++k)
-                v[k] = weighted_mean(taps, y, height, [&](int i) {
-                    return ring[std::size_t(i % 11) * across + x].v[k];
-                });
-            const double variance_a = v[2] - v[0] * v[0], variance_b = v[3] - v[1] * v[1];
-            const double covariance = v[4] - v[0] * v[1];
-            total += (2 * v[0] * v[1] + c1) * (2 * covariance + c2) /
-                     ((v[0] * v[0] + v[1] * v[1] + c1) * (variance_a + variance_b + c2));
-        }
+struct Comparer::State {
+    State(const Frame& a, const Frame& b, bool similarity)
+        : width(a.image.width), height(a.image.height),
+          alpha(a.image.channels == 4 && b.image.channels == 4)
+    {
+        require_same_size(a.image, b.image);
+        result.encoding = common_encoding(a.image, b.image);
+        if (a.metadata || b.metadata)
+            micro_images.emplace(a.metadata ? *a.metadata : *b.metadata);
+        if (similarity)
+            this->similarity.emplace(width, height);
     }
-    return total / (double(across) * (y1 - y0));
+
+    /// Row `row` of some, whose pixels stand in row `y` of a and b.
+    void take_row(const Viewed& a, const Viewed& b, int y, int row)
+    {
+        double row_largest = 0;
+        std::int64_t row_close = 0;
+        for (int x = 0; x < width; ++x) {
+            const std::size_t at = std::size_t(row) * width + x;
+            const Color p = a(x, y), q = b(x, y);
+            const double difference[4] = {double(p.r) - q.r, double(p.g) - q.g, double(p.b) - q.b,
+                                          alpha ? double(p.a) - q.a : 0};
+            double squares = 0, largest = 0;
+            for (const double v : difference) {
+                squares += v * v;
+                if (exceeds(std::fabs(v), largest))
+                    largest = std::fabs(v);
+            }
+            if (exceeds(largest, row_largest))
+                row_largest = largest;
+            row_close += largest <= 2.0 / 255 + 1e-6;
+            d.squares[at] = squares;
+            d.luma_a[at] = luma(p);
+            d.luma_b[at] = luma(q);
+            if (micro_images)
+                d.lenses[at] = micro_images->lens_of(x, taken + row);
+        }
+        d.largest[std::size_t(row)] = row_largest;
+        d.close[std::size_t(row)] = row_close;
+    }
+
+    /// Rows [y, y + rows) of a and b.
+    void take(const Viewed& a, const Viewed& b, int y, int rows)
+    {
+        const std::size_t pixels = std::size_t(rows) * width;
+        d.squares.resize(pixels);
+        d.luma_a.resize(pixels);
+        d.luma_b.resize(pixels);
+        d.lenses.resize(micro_images ? pixels : 0);
+        d.largest.resize(std::size_t(rows));
+        d.close.resize(std::size_t(rows));
+        for_each_row(rows, 0, [&](int row) { take_row(a, b, y + row, row); });
+        // In order, so that the sums are the same however many threads there are.
+        for (int row = 0; row < rows; ++row) {
+            if (exceeds(d.largest[std::size_t(row)], result.largest_difference))
+                result.largest_difference = d.largest[std::size_t(row)];
+            close += d.close[std::size_t(row)];
+        }
+        for (std::size_t at = 0; at < pixels; ++at) {
+            squares += d.squares[at];
+            if (micro_images)
+                micro_images->add(d.lenses[at], d.squares[at], channels());
+        }
+        if (similarity)
+            similarity->add(d.luma_a.data(), d.luma_b.data(), rows);
+        taken += rows;
+    }
+
+    int channels() const { return alpha ? 4 : 3; }
+
+    int width, height;
+    bool alpha; ///< of both
+    Comparison result;
+    std::optional<MicroImages> micro_images;
+    std::optional<Similarity> similarity;
+    Differences d;
+    double squares = 0;
+    std::int64_t close = 0;
+    int taken = 0;
+};
+
+Comparer::Comparer(const Frame& a, const Frame& b, bool similarity)
+    : state_(std::make_unique<State>(a, b, similarity))
+{
+}
+
+Comparer::~Comparer() = default;
+
+void Comparer::add(const Image& a, const Image& b)
+{
+    const Viewed seen_a(a, state_->result.encoding), seen_b(b, state_->result.encoding);
+    for (int y = 0; y < a.height; y += Similarity::most_rows)
+        state_->take(seen_a, seen_b, y, std::min(Similarity::most_rows, a.height - y));
+}
+
+Comparison Comparer::result() const
+{
+    const State& s = *state_;
+    Comparison result = s.result;
+    const double pixels = double(s.width) * s.height;
+    result.rmse = std::sqrt(s.squares / (pixels * s.channels()));
+    result.psnr = result.rmse == 0 ? std::numeric_limits<double>::infinity()
+                                   : 20 * std::log10(1 / result.rmse);
+    if (s.similarity)
+        result.ssim = s.similarity->mean();
+    result.within_two = double(s.close) / pixels;
+    if (s.micro_images)
+        result.worst = s.micro_images->worst();
+    return result;
 }
 
 Comparison compare(const Frame& a, const Frame& b)
 {
-    require_same_size(a.image, b.image);
-    const int width = a.image.width, height = a.image.height;
-    Comparison result;
-    result.encoding = common_encoding(a.image, b.image);
-    const Viewed seen_a(a.image, result.encoding), seen_b(b.image, result.encoding);
-    const bool alpha = a.image.channels == 4 && b.image.channels == 4;
-    const int channels = alpha ? 4 : 3;
-    std::optional<MicroImages> micro_images;
-    if (a.metadata || b.metadata)
-        micro_images.emplace(a.metadata ? *a.metadata : *b.metadata);
+    Comparer comparer(a, b);
+    comparer.add(a.image, b.image);
+    return comparer.result();
+}
 
-    std::vector<float> luma_a, luma_b;
-    luma_a.reserve(std::size_t(width) * height);
-    luma_b.reserve(std::size_t(width) * height);
-    double squares = 0;
-    std::int64_t close = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const Color p = seen_a(x, y), q = seen_b(x, y);
-            const double d[4] = {double(p.r) - q.r, double(p.g) - q.g, double(p.b) - q.b,
-                                 alpha ? double(p.a) - q.a : 0};
-            double pixel_squares = 0, largest = 0;
-            for (const double v : d) {
-                pixel_squares += v * v;
-                if (exceeds(std::fabs(v), largest))
-                    largest = std::fabs(v);
-            }
-            squares += pixel_squares;
-            if (exceeds(largest, result.largest_difference))
-                result.largest_difference = largest;
-            close += largest <= 2.0 / 255 + 1e-6;
-            luma_a.push_back(luma(p));
-            luma_b.push_back(luma(q));
-            if (micro_images)
-                micro_images->add(x, y, pixel_squares, channels);
-        }
-    const double pixels = double(width) * height;
-    result.rmse = std::sqrt(squares / (pixels * channels));
-    result.psnr = result.rmse == 0 ? std::numeric_limits<double>::infinity()
-                                   : 20 * std::log10(1 / result.rmse);
-    result.ssim = structural_similarity(luma_a, luma_b, width, height);
-    result.within_two = double(close) / pixels;
-    if (micro_images)
-        result.worst = micro_images->worst();
-    return result;
+Image difference_form(const Image& a, const Image& b)
+{
+    const int bits = sample_bits(a) == 8 && sample_bits(b) == 8 ? 8 : 16;
+    return form_of(bits, a.width, a.height, 3, common_encoding(a, b));
 }
 
 Image difference_picture(const Image& a, const Image& b, double gain)
@@ -232,15 +254,14 @@ Image difference_picture(const Image& a, const Image& b, double gain)
     require_same_size(a, b);
     const Encoding encoding = common_encoding(a, b);
     const Viewed seen_a(a, encoding), seen_b(b, encoding);
-    Image result = sample_bits(a) == 8 && sample_bits(b) == 8
-                       ? make_image<std::uint8_t>(a.width, a.height, 3, encoding)
-                       : make_image<std::uint16_t>(a.width, a.height, 3, encoding);
-    for (int y = 0; y < a.height; ++y)
+    Image result = blank_like(difference_form(a, b), a.width, a.height);
+    for_each_row(a.height, 0, [&](int y) {
         for (int x = 0; x < a.width; ++x) {
             const Color p = seen_a(x, y), q = seen_b(x, y);
             const auto d = [&](float u, float v) { return float(gain * std::fabs(u - v)); };
             store_pixel(result, x, y, {d(p.r, q.r), d(p.g, q.g), d(p.b, q.b), 1});
         }
+    });
     return result;
 }
 

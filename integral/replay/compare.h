@@ -5,6 +5,7 @@
 
 #include "integral/lightfield/frame.h"
 
+#include <memory>
 #include <optional>
 
 namespace integral {
@@ -24,26 +25,42 @@ struct WorstMicroImage {
 struct Comparison {
     double rmse = 0;               ///< over all channels of all pixels
     double psnr = 0;               ///< dB, -20 log10(rmse); infinite where the pictures are equal
-    double ssim = 0;               ///< mean structural similarity of the lumas, see structural_similarity
+    double ssim = 0;               ///< mean structural similarity of the lumas, see similarity.h
     double largest_difference = 0; ///< of any channel of any pixel
     double within_two = 0;         ///< fraction of pixels of which no channel differs by more than 2/255
     Encoding encoding;             ///< that of the figures
     std::optional<WorstMicroImage> worst; ///< where either picture has metadata (the first's, if both)
 };
 
+/// Compares two pictures that come row by row.
+class Comparer {
+public:
+    /// `a` and `b`: the pictures' forms (their samples are not looked at) and metadata. Without
+    /// `similarity` the SSIM is left 0, which saves most of the time. Throws std::invalid_argument
+    /// if the sizes differ.
+    Comparer(const Frame& a, const Frame& b, bool similarity = true);
+    ~Comparer();
+
+    /// The next rows of both: as many of the one as of the other.
+    void add(const Image& a, const Image& b);
+
+    /// After all rows.
+    Comparison result() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Throws std::invalid_argument if the sizes differ.
 Comparison compare(const Frame& a, const Frame& b);
 
-/// |a - b| of the colours as `compare` sees them, times `gain`: three channels, encoded as compared.
-/// 8 bits if both pictures have 8, else 16.
+/// |a - b| of the colours as `compare` sees them, times `gain`: three channels, encoded as
+/// compared. 8 bits if both pictures have 8, else 16. Of rows as of whole pictures.
 Image difference_picture(const Image& a, const Image& b, double gain = 1);
 
-/// Mean SSIM of Wang, Bovik, Sheikh and Simoncelli (2004): Gaussian window 11x11 of sigma 1.5,
-/// K1 = 0.01, K2 = 0.03, range 1, over the windows that lie wholly in the picture (where a side
-/// is shorter than 11, over windows cut at it and their weights made up to 1). The lumas are
-/// width x height, row by row: 0.2126 R + 0.7152 G + 0.0722 B of the encoded values.
-double structural_similarity(const std::vector<float>& a, const std::vector<float>& b, int width,
-                             int height);
+/// The form of that.
+Image difference_form(const Image& a, const Image& b);
 
 } // namespace integral
 

@@ -19,8 +19,13 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/replay.h \
   integral/replay/replay_page.cpp \
   integral/replay/replay_page.h \
+  integral/replay/similarity.cpp \
+  integral/replay/similarity.h \
   integral/replay/tolerances.cpp \
-  integral/replay/tolerances.h
+  integral/replay/tolerances.h \
+  integral/replay/view_lenses.cpp \
+  integral/replay/view_lenses.h \
+  integral/replay/views_loss.cpp
 
 # The interactive page's own files, as C++ strings named like them: replay_page.html is replay_page_html.
 replay_page_files = \

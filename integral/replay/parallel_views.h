@@ -9,6 +9,7 @@
 #include "integral/lightfield/view_grid.h"
 #include "integral/replay/replay.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,26 @@ LensWindow lens_window(const FrameMetadata& metadata);
 /// pixels wide (1e-6 of one), on a film without subpixels. Then neither way loses anything.
 bool views_are_exact(const FrameMetadata& metadata, ViewGrid grid);
 
+/// The parallel views of a frame, made row by row, as parallel_views makes them whole.
+class ParallelViews {
+public:
+    /// The frame has metadata, and has to outlive this. Throws as lens_window does.
+    ParallelViews(const Frame& frame, ViewGrid grid);
+    ~ParallelViews();
+
+    /// Pixels of a view.
+    int width() const;
+    int height() const;
+
+    /// Writes row `row` of view `view` into an image of the frame's form, from its pixel (x, y) on.
+    /// May be called by several threads.
+    void draw(int view, int row, Image& image, int x, int y) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// All views of a frame that has metadata, in its form; black (transparent) where a lens has no film. Not exact: the film is
 /// interpolated between its pixels' centres, in linear light, at the middles of as many equal parts of each lens's width (and
 /// of its height, or for hexagonal lenses their rows'). Of a film with subpixels each colour channel is read at its own stripes.
@@ -40,6 +61,11 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
 /// The same directions as eyes so far away (1e9 mm) that they see the whole sheet from one: what `replay` draws for them are the parallel views
 /// upright, of the film's shape and any size. Nothing: that part of the lenses is totally reflected. Throws as lens_window does.
 std::vector<std::optional<Eye>> far_eyes(const FrameMetadata& metadata, ViewGrid grid);
+
+/// What is lost on the way from a frame to its parallel views and back: PSNR of the frame of the
+/// views against the frame, dB. Nothing: `progress` stopped it. Throws as lens_window does.
+std::optional<double> psnr_there_and_back(const Frame& frame, ViewGrid grid, int threads = 0,
+                                          const Progress& progress = {});
 
 /// Inverse: the frame of that geometry which shows the views. Not exact: each film pixel, or stripe of one, is interpolated
 /// between the directions of the views. The views are alike and of lens_window's size, or std::invalid_argument is thrown.

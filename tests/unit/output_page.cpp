@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(a_page_is_its_picture_on_white)
     for (const bool mirrored : {false, true}) {
         request.mirrored = mirrored;
         const Page page = lay_out(m, m.film.pixel_pitch, request)[0];
-        const Image sheet = rasterized(page, picture);
+        const Image sheet = rasterized(page, picture, rows_in(picture));
         BOOST_TEST(sheet.width == 80);
         for (int y = 0; y < sheet.height; ++y)
             for (int x = 0; x < sheet.width; ++x) {
@@ -184,6 +184,35 @@ BOOST_AUTO_TEST_CASE(a_page_is_its_picture_on_white)
     picture = make_image<std::uint16_t>(4, 4, 3, {});
     request.axis_marks = true;
     BOOST_CHECK_THROW(lay_out(geometry(lenticular, 40, 30), m.film.pixel_pitch, request), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(marks_are_the_same_in_whatever_pieces_they_are_drawn)
+{
+    // The wide page has the narrow one in its middle; pieces of a page end at pixel 8192, which is pixel
+    // 4192 of the narrow one. Few rows are drawn at a time, so that slanted lines cross pieces, too.
+    constexpr double pixel = 25.4 / 300;
+    constexpr int narrow = 6000, beside = 4000, height = 900;
+    LensSheet sheet = lenticular;
+    sheet.slant = 12;
+    const FrameMetadata m = geometry(sheet, 4800, 300);
+    const Image picture = make_image<std::uint8_t>(4800, 300, 3, {});
+    PageRequest request = on(narrow * pixel, height * pixel);
+    request.crop_marks = request.registration_marks = request.axis_marks = true;
+    const Page page = lay_out(m, m.film.pixel_pitch, request)[0];
+    request.paper = Paper{(narrow + 2 * beside) * pixel, height * pixel};
+    const Page wide_page = lay_out(m, m.film.pixel_pitch, request)[0];
+    BOOST_REQUIRE(wide_page.x == page.x + beside);
+    const Image one = rasterized(page, picture, rows_in(picture));
+    const Image other = rasterized(wide_page, picture, rows_in(picture));
+    int black = 0, different = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < narrow; ++x) {
+            const bool ink = stored_pixel(one, x, y).g == 0;
+            black += ink;
+            different += ink != (stored_pixel(other, x + beside, y).g == 0);
+        }
+    BOOST_TEST(black > 4800 * 300 + 4000); // the picture is black, too
+    BOOST_TEST(different == 0);
 }
 
 BOOST_AUTO_TEST_CASE(colours_to_their_own_profile_stay)

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/io/input_file.h"
+
+#include "integral/io/file_bytes.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <stdexcept>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace integral {
+
+InputFile::InputFile(const std::string& path)
+{
+    struct stat status;
+    if (path != "-")
+        file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file_ >= 0 && fstat(file_, &status) == 0 && S_ISREG(status.st_mode)) {
+        size_ = std::uint64_t(status.st_size);
+        return;
+    }
+    if (file_ >= 0)
+        close(file_);
+    file_ = -1;
+    own_ = read_file(path); // which says why, where it cannot be opened
+    bytes_ = &own_;
+    size_ = own_.size();
+}
+
+InputFile::~InputFile()
+{
+    if (file_ >= 0)
+        close(file_);
+}
+
+void InputFile::read(std::uint64_t at, void* to, std::size_t count) const
+{
+    if (at > size_ || count > size_ - at)
+        throw std::runtime_error("the file ends too early");
+    if (bytes_) {
+        std::memcpy(to, bytes_->data() + at, count);
+        return;
+    }
+    for (std::size_t done = 0; done < count;) {
+        const ssize_t n =
+            pread(file_, static_cast<char*>(to) + done, count - done, off_t(at + done));
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            throw std::runtime_error(std::strerror(errno));
+        if (n == 0) // another program has made it shorter
+            throw std::runtime_error("the file ends too early");
+        done += std::size_t(n);
+    }
+}
+
+std::string InputFile::beginning(std::size_t count) const
+{
+    std::string bytes(std::size_t(std::min<std::uint64_t>(count, size_)), '\0');
+    read(0, &bytes[0], bytes.size());
+    return bytes;
+}
+
+} // namespace integral

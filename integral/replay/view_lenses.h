@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Which pixels of parallel views belong to which places on the film: the geometry that both ways
+// share.
+#ifndef INTEGRAL_REPLAY_VIEW_LENSES_H
+#define INTEGRAL_REPLAY_VIEW_LENSES_H
+
+#include "integral/lightfield/frame.h"
+#include "integral/lightfield/view_grid.h"
+#include "integral/optics/lens_mapping.h"
+#include "integral/replay/interpolate.h"
+#include "integral/replay/parallel_views.h"
+
+#include <optional>
+
+namespace integral {
+
+/// One side of a film whose lenses are a whole number of pixels wide: every pixel has a lens and a
+/// place in it. A pixel on the border of two lenses is the farther one's.
+struct Side {
+    int pixels; ///< a lens
+    int border; ///< the first pixel that is not the first lens's
+    int lens(int pixel) const { return pixel < border ? 0 : (pixel - border) / pixels + 1; }
+    int place(int pixel) const
+    {
+        return pixel < border ? pixel - border + pixels : (pixel - border) % pixels;
+    }
+};
+
+/// The geometry that both ways share.
+class Lenses {
+public:
+    /// Throws as lens_window does.
+    Lenses(const FrameMetadata& metadata, ViewGrid grid);
+
+    Vec2 point(int x, int y) const { return film_from_pixel(film, {x + 0.5, y + 0.5}); }
+
+    /// The lens of a view's pixel; and back, the first pixel of a lens (that a film pixel of row
+    /// `film_row` lies behind).
+    LensIndex lens_at(int column, int view_row) const
+    {
+        if (arrangement == Arrangement::lenticular)
+            return {window.first.i + column, 0};
+        const std::int64_t j = window.first.j - view_row;
+        if (arrangement == Arrangement::square)
+            return {window.first.i + column, j};
+        const int shifted = column - int(j & 1);
+        return {window.first.i + (shifted < 0 ? -1 : shifted / 2), j};
+    }
+    int column_of(LensIndex lens) const
+    {
+        const int i = int(lens.i - window.first.i);
+        return arrangement == Arrangement::hexagonal ? 2 * i + int(lens.j & 1) : i;
+    }
+    int row_of(LensIndex lens, int film_row) const
+    {
+        return arrangement == Arrangement::lenticular ? film_row : int(window.first.j - lens.j);
+    }
+
+    /// The middle of a lens; of a lenticular one, where its axis crosses that row of the film.
+    Vec2 middle(LensIndex lens, int film_row) const
+    {
+        const Vec2 pole = lattice.pole(lens);
+        if (arrangement != Arrangement::lenticular)
+            return pole;
+        const Vec2 along = lattice.along();
+        const double y = point(0, film_row).y;
+        return {pole.x + (y - pole.y) / along.y * along.x, y};
+    }
+    /// A place in a lens, in parts of its width and height from its middle; and back.
+    Vec2 film_point(Vec2 middle, Vec2 part) const
+    {
+        if (arrangement == Arrangement::lenticular)
+            return {middle.x + part.x * breadth, middle.y};
+        return middle + (part.x * breadth) * lattice.across() + (part.y * row) * lattice.along();
+    }
+    /// The place that view number k sees in every lens.
+    Vec2 part_of_view(int k) const
+    {
+        return {0.5 - (k % grid.columns + 0.5) / grid.columns,
+                0.5 - (k / grid.columns + 0.5) / grid.rows};
+    }
+    Vec2 part_of(Vec2 middle, Vec2 film_point) const
+    {
+        const Vec2 off = film_point - middle;
+        if (arrangement == Arrangement::lenticular)
+            return {off.x / breadth, 0};
+        return {dot(off, lattice.across()) / breadth, dot(off, lattice.along()) / row};
+    }
+
+    Film film;
+    Lattice lattice;
+    ViewGrid grid;
+    Arrangement arrangement;
+    double pitch, row, breadth;
+    bool exact;
+    Side across{}, down{};
+    LensWindow window;
+};
+
+/// What view number `view` shows of a frame's light in a pixel, for views that are not exact;
+/// nothing where the lens has no film.
+inline std::optional<Color> view_pixel(const Lenses& lenses, const LinearReader& light, int view,
+                                       int column, int row)
+{
+    const Film& film = lenses.film;
+    const Vec2 middle = lenses.middle(lenses.lens_at(column, row), row);
+    const Vec2 at = pixel_from_film(film, lenses.film_point(middle, lenses.part_of_view(view)));
+    if (!(at.x >= 0 && at.y >= 0 && at.x < film.width && at.y < film.height))
+        return std::nullopt;
+    return each_channel(film.subpixels,
+                        [&](int channel) { return of_subpixels(light, film, at, channel); });
+}
+
+/// Where a film pixel's channel comes from: the views' pixel, and the place between their
+/// directions.
+struct ViewPlace {
+    int column, row;
+    double x, y;
+};
+
+inline ViewPlace view_place(const Lenses& lenses, int x, int y, int channel)
+{
+    const Film& film = lenses.film;
+    const Vec2 point = film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel));
+    const LensIndex lens = lenses.lattice.nearest(point);
+    const Vec2 part = lenses.part_of(lenses.middle(lens, y), point);
+    return {std::clamp(lenses.column_of(lens), 0, lenses.window.columns - 1),
+            lenses.row_of(lens, y), (0.5 - part.x) * lenses.grid.columns - 0.5,
+            (0.5 - part.y) * lenses.grid.rows - 0.5};
+}
+
+/// The light of a film pixel, interpolated between the directions of views that are not exact:
+/// at(view, column, row) is a Color of their light.
+template <class At> Color film_pixel(const Lenses& lenses, int x, int y, At at)
+{
+    const ViewGrid grid = lenses.grid;
+    return each_channel(lenses.film.subpixels, [&](int channel) {
+        const ViewPlace place = view_place(lenses, x, y, channel);
+        return between(place.x, place.y, grid.columns, grid.rows, [&](int i, int j) {
+            return at(j * grid.columns + i, place.column, place.row);
+        });
+    });
+}
+
+} // namespace integral
+
+#endif
