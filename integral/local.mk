@@ -8,6 +8,7 @@ bin_PROGRAMS += build/bin/integral
 build_bin_integral_SOURCES =
 build_bin_integral_LDADD = $(LIBINTEGRAL_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
+include $(srcdir)/integral/base/local.mk
 include $(srcdir)/integral/optics/local.mk
 include $(srcdir)/integral/lightfield/local.mk
 include $(srcdir)/integral/replay/local.mk

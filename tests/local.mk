@@ -50,6 +50,8 @@ build_sanitized_unit_DEPENDENCIES = $(build_tests_unit_OBJECTS) build/sanitized/
 unit_sources = \
   tests/unit/analysis_lattice.cpp \
   tests/unit/analysis_scan.cpp \
+  tests/unit/base_json.cpp \
+  tests/unit/base_message_text.cpp \
   tests/unit/batch_files.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/io_image_files.cpp \

@@ -1,36 +1,35 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/located_json.h"
 
+#include "integral/base/message_text.h"
 #include "integral/io/file_bytes.h"
 
 namespace integral {
 
-using Json = nlohmann::ordered_json;
-
-Located::Located(std::shared_ptr<const Document> document, const Json* value, std::string pointer, std::string name)
-    : document_(std::move(document)), value_(value), pointer_(std::move(pointer)), name_(std::move(name))
+Located::Located(std::shared_ptr<const Document> document, const Json* value, std::string name)
+    : document_(std::move(document)), value_(value), name_(std::move(name))
 {
 }
 
 Located Located::parse(const std::string& path, const std::string& text)
 {
     try {
-        const auto document = std::make_shared<const Document>(Document{path, parse_lined_json(text)});
-        return Located(document, &document->lined.json, "", "");
-    } catch (const LinedJsonError& error) {
-        throw InputError(path + ":" + std::to_string(error.line) + ": " + error.what());
+        const auto document = std::make_shared<const Document>(path, text);
+        return Located(document, &document->json.root(), "");
+    } catch (const JsonError& error) {
+        throw InputError(path + ":" + std::to_string(error.line) + ": " + error.reason);
     }
 }
 
-int Located::line() const { return document_->lined.line_of(pointer_); }
+int Located::line() const { return document_->json.line_of(*value_); }
 
 std::string Located::place() const { return document_->path + ":" + std::to_string(line()) + (name_.empty() ? "" : ": " + name_); }
 
 void Located::refuse(const std::string& what) const { throw InputError(place() + ": " + what); }
 
-Located Located::at(const std::string& key, const Json& value, const std::string& name) const
+Located Located::at(const Json& value, const std::string& name) const
 {
-    return Located(document_, &value, pointer_ + pointer_part(key), name);
+    return Located(document_, &value, name);
 }
 
 bool Located::has(const char* field) const { return value_->is_object() && value_->contains(field); }
@@ -39,7 +38,7 @@ Located Located::field(const char* name) const
 {
     if (!has(name))
         refuse(std::string("the field ") + name + " is missing");
-    return at(name, (*value_)[name], (name_.empty() ? "" : name_ + ".") + name);
+    return at((*value_)[name], (name_.empty() ? "" : name_ + ".") + name);
 }
 
 void Located::allow(const std::vector<const char*>& names) const
@@ -64,7 +63,7 @@ std::vector<Located> Located::list() const
         refuse("a list [...] is expected");
     std::vector<Located> all;
     for (std::size_t i = 0; i < value_->size(); ++i)
-        all.push_back(at(std::to_string(i), (*value_)[i], name_ + "[" + std::to_string(i) + "]"));
+        all.push_back(at((*value_)[i], name_ + "[" + std::to_string(i) + "]"));
     return all;
 }
 
@@ -74,7 +73,7 @@ std::vector<std::pair<std::string, Located>> Located::fields() const
         refuse("an object {...} is expected");
     std::vector<std::pair<std::string, Located>> all;
     for (const auto& item : value_->items())
-        all.emplace_back(item.key(), at(item.key(), item.value(), (name_.empty() ? "" : name_ + ".") + item.key()));
+        all.emplace_back(item.key(), at(item.value(), (name_.empty() ? "" : name_ + ".") + excerpt(item.key())));
     return all;
 }
 

@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_BATCH_LOCATED_JSON_H
 #define INTEGRAL_BATCH_LOCATED_JSON_H
 
-#include "integral/io/lined_json.h"
+#include "integral/base/json.h"
 
 #include <memory>
 #include <string>
@@ -31,7 +31,7 @@ public:
     std::string text() const;
     std::vector<std::string> texts() const;
     int whole(int least, int most) const;
-    const nlohmann::ordered_json& json() const { return *value_; }
+    const Json& json() const { return *value_; }
 
     int line() const;
     std::string place() const; ///< "PATH:LINE: FIELD", or "PATH:LINE" of the document
@@ -40,15 +40,16 @@ public:
 
 private:
     struct Document {
+        Document(const std::string& its_path, const std::string& text) : path(its_path), json(text) {}
         std::string path;
-        LinedJson lined;
+        LinedJson json;
     };
-    Located(std::shared_ptr<const Document> document, const nlohmann::ordered_json* value, std::string pointer, std::string name);
-    Located at(const std::string& key, const nlohmann::ordered_json& value, const std::string& name) const;
+    Located(std::shared_ptr<const Document> document, const Json* value, std::string name);
+    Located at(const Json& value, const std::string& name) const;
 
     std::shared_ptr<const Document> document_;
-    const nlohmann::ordered_json* value_;
-    std::string pointer_, name_; ///< /scenes/0/file, scenes[0].file
+    const Json* value_;
+    std::string name_; ///< scenes[0].file
 };
 
 } // namespace integral

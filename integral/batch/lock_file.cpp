@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/lock_file.h"
 
+#include "integral/base/json.h"
 #include "integral/io/file_bytes.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <cstring>
@@ -55,10 +54,11 @@ Holder holder_in(const std::string& path)
 {
     Holder holder;
     try {
-        const auto json = nlohmann::json::parse(read_file(path));
+        const Json json = parse_json(read_file(path));
         holder = {json.at("host"), json.at("boot"), json.at("process"), json.at("begun")};
     } catch (const InputError&) {
-    } catch (const nlohmann::json::exception&) {
+    } catch (const JsonError&) {
+    } catch (const Json::exception&) {
     }
     return holder;
 }
@@ -115,7 +115,7 @@ bool LockFile::take(const std::string& path, std::string& holder)
     const Holder me = myself();
     // Made whole under a name of its own, then linked to the lock's: that succeeds for one process alone.
     const std::string own = path.substr(0, slash + 1) + unfinished_name(path.substr(slash + 1));
-    write_file(own, nlohmann::ordered_json{{"host", me.host}, {"process", me.process}, {"begun", me.begun}, {"boot", me.boot}}.dump() + "\n");
+    write_file(own, Json{{"host", me.host}, {"process", me.process}, {"begun", me.begun}, {"boot", me.boot}}.dump() + "\n");
     struct stat status = {};
     stat(own.c_str(), &status);
     for (int round = 0; round < 2; ++round) {

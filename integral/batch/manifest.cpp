@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/manifest.h"
 
+#include "integral/base/message_text.h"
 #include "integral/batch/located_json.h"
 #include "integral/io/file_bytes.h"
 
@@ -17,13 +18,14 @@ namespace {
 
 constexpr int largest_side = 1000000; // pixels
 constexpr std::size_t most_jobs = 10000;
+constexpr std::size_t most_listed = 20; // names in a message
 
 std::string list_of(const Names& names)
 {
     std::string text;
-    for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text.empty() ? "none" : text;
+    for (std::size_t i = 0; i < std::min(names.size(), most_listed); ++i)
+        text += (text.empty() ? "" : ", ") + names[i];
+    return text.empty() ? "none" : text + (names.size() > most_listed ? ", ..." : "");
 }
 
 /// A name becomes part of files' names and of jobs'.
@@ -55,9 +57,9 @@ std::string readable_file(const Located& field, const std::string& folder)
     if (name.empty())
         field.refuse("the name of a file is expected");
     if (stat(path.c_str(), &status) != 0 || (S_ISREG(status.st_mode) && access(path.c_str(), R_OK) != 0))
-        field.refuse(name + " cannot be read: " + std::strerror(errno) + "; names start at the manifest's folder");
+        field.refuse(excerpt(name) + " cannot be read: " + std::strerror(errno) + "; names start at the manifest's folder");
     if (!S_ISREG(status.st_mode))
-        field.refuse(name + " is no file");
+        field.refuse(excerpt(name) + " is no file");
     return name;
 }
 
@@ -72,7 +74,7 @@ Names renderer_options(const Located& object)
             one.refuse("an option of povray-integral is expected");
         const std::string why = refused_renderer_option(all.back());
         if (!why.empty())
-            one.refuse(all.back() + ": " + why);
+            one.refuse(excerpt(all.back()) + ": " + why);
     }
     return all;
 }
@@ -89,14 +91,14 @@ Names command_options(const Located& object, const std::string& own_field)
         if (word.empty())
             one.refuse("an option of the command is expected");
         if (name == "--output" || short_output || name == "--html")
-            one.refuse(word + ": the batch names the output itself; the field \"format\" says its kind");
+            one.refuse(excerpt(word) + ": the batch names the output itself; the field \"format\" says its kind");
         for (const char* other : {"--printer", "--show", "--play", "--help", "--chart", "--even"})
             if (name == other)
-                one.refuse(word + ": a batch writes files, which are printed and shown afterwards");
+                one.refuse(excerpt(word) + ": a batch writes files, which are printed and shown afterwards");
         if (name == "--" + own_field)
-            one.refuse(word + ": there is a field for it");
+            one.refuse(excerpt(word) + ": there is a field for it");
         if (word.rfind("--", 0) == 0 && name.find(' ') != std::string::npos)
-            one.refuse(word + ": each word stands by itself, as in \"--eye\", \"-30,0,120\"");
+            one.refuse(excerpt(word) + ": each word stands by itself, as in \"--eye\", \"-30,0,120\"");
         all.push_back(word);
     }
     return all;
@@ -157,7 +159,7 @@ template <class Thing> std::optional<Names> chosen(const Located& object, const 
     for (const Located& one : object.field(field).list()) {
         names.push_back(one.text());
         if (index_of(things, names.back()) < 0)
-            one.refuse(names.back() + " is not among the manifest's " + field + ": " + list_of(names_of(things)));
+            one.refuse(excerpt(names.back()) + " is not among the manifest's " + field + ": " + list_of(names_of(things)));
         if (std::count(names.begin(), names.end(), names.back()) > 1)
             one.refuse(names.back() + " stands here twice");
     }
@@ -274,7 +276,7 @@ void exclude_jobs(const Located& list, Manifest& manifest)
         const auto fits = [&](const BatchJob& job) { return fnmatch(pattern.c_str(), job.name.c_str(), 0) == 0; };
         const auto kept = std::remove_if(manifest.jobs.begin(), manifest.jobs.end(), fits);
         if (kept == manifest.jobs.end())
-            one.refuse("no job is called " + pattern + (manifest.jobs.empty() ? "" : "; there is, for one, " + manifest.jobs.front().name));
+            one.refuse("no job is called " + excerpt(pattern) + (manifest.jobs.empty() ? "" : "; there is, for one, " + manifest.jobs.front().name));
         manifest.jobs.erase(kept, manifest.jobs.end());
     }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/step_record.h"
 
+#include "integral/base/json.h"
 #include "integral/io/file_bytes.h"
-
-#include <nlohmann/json.hpp>
 
 namespace integral {
 
@@ -22,7 +21,7 @@ StepRecord read_record(const std::string& path)
 {
     StepRecord record;
     try {
-        const auto json = nlohmann::json::parse(read_file(path));
+        const Json json = parse_json(read_file(path));
         const std::string state = json.at("state");
         for (const StepState one : {StepState::running, StepState::done, StepState::failed})
             if (state == name_of(one))
@@ -43,7 +42,9 @@ StepRecord read_record(const std::string& path)
         record.remark = json.value("remark", ""); // earlier records have none
     } catch (const InputError&) {
         return {};
-    } catch (const nlohmann::json::exception&) {
+    } catch (const JsonError&) {
+        return {};
+    } catch (const Json::exception&) {
         return {};
     }
     return record;
@@ -51,21 +52,21 @@ StepRecord read_record(const std::string& path)
 
 void write_record(const std::string& path, const StepRecord& record)
 {
-    const nlohmann::ordered_json json = {{"state", name_of(record.state)},
-                                         {"starts", record.starts},
-                                         {"inputs", record.inputs},
-                                         {"output", record.output},
-                                         {"bytes", record.bytes},
-                                         {"seconds", record.seconds},
-                                         {"memory_bytes", record.memory},
-                                         {"pixels", record.pixels},
-                                         {"render_seconds", record.render_seconds},
-                                         {"error_rms", record.error ? nlohmann::ordered_json(*record.error) : nlohmann::ordered_json(nullptr)},
-                                         {"finished", record.finished},
-                                         {"host", record.host},
-                                         {"reason", record.reason},
-                                         {"remark", record.remark}};
-    write_file(path, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    const Json json = {{"state", name_of(record.state)},
+                       {"starts", record.starts},
+                       {"inputs", record.inputs},
+                       {"output", record.output},
+                       {"bytes", record.bytes},
+                       {"seconds", record.seconds},
+                       {"memory_bytes", record.memory},
+                       {"pixels", record.pixels},
+                       {"render_seconds", record.render_seconds},
+                       {"error_rms", record.error ? Json(*record.error) : Json(nullptr)},
+                       {"finished", record.finished},
+                       {"host", record.host},
+                       {"reason", record.reason},
+                       {"remark", record.remark}};
+    write_file(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 } // namespace integral

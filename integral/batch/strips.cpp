@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/strips.h"
 
+#include "integral/base/json.h"
 #include "integral/io/codecs.h"
 #include "integral/io/file_bytes.h"
 #include "integral/lightfield/number_text.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -46,8 +45,6 @@ std::vector<std::string> options_of(const RowStrip& strip, int height)
 }
 
 namespace {
-
-using Json = nlohmann::json;
 
 bool is_exr(const std::string& bytes) { return bytes.compare(0, 4, "\x76\x2f\x31\x01") == 0; }
 
@@ -92,10 +89,12 @@ StripFile read_strip(const std::string& path)
     const std::string bytes = read_file(path);
     StripFile strip{picture_of(path, bytes), 0, 0, is_exr(bytes)};
     try {
-        const Json record = Json::parse(strip.picture.document);
+        const Json record = parse_json(strip.picture.document);
         strip.first = record.at("first_row").get<int>();
         strip.height = record.at("of_rows").get<int>();
         strip.picture.document = record.at("frame").get<std::string>();
+    } catch (const JsonError& error) {
+        throw InputError(path + ": it does not say which rows of a frame it holds: " + error.what() + "; delete it, so that it is rendered anew");
     } catch (const Json::exception&) {
         throw InputError(path + ": it does not say which rows of a frame it holds; delete it, so that it is rendered anew");
     }

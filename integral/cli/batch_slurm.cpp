@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/batch_slurm.h"
 
+#include "integral/base/json.h"
 #include "integral/cli/batch_strips.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/slurm.h"
 #include "integral/io/file_bytes.h"
 #include "integral/lightfield/number_text.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +18,6 @@
 namespace integral {
 namespace {
 
-using Json = nlohmann::ordered_json;
 constexpr auto between_looks = std::chrono::milliseconds(2000), between_signals = std::chrono::milliseconds(50);
 constexpr int most_strips = 10000;
 
@@ -41,9 +39,10 @@ std::vector<Submission> read_submissions(const std::string& folder)
     for (const auto& entry : std::filesystem::directory_iterator(folder, none))
         if (entry.path().extension() == ".json")
             try {
-                const Json json = Json::parse(read_file(entry.path()));
+                const Json json = parse_json(read_file(entry.path()));
                 all.push_back({entry.path(), json.at("job"), json.at("tasks")});
-            } catch (const Json::exception&) { // none of ours
+            } catch (const JsonError&) { // none of ours
+            } catch (const Json::exception&) {
             }
     std::sort(all.begin(), all.end(), [](const Submission& a, const Submission& b) { return a.file < b.file; });
     return all;

@@ -192,6 +192,8 @@ void read_figures(const std::string& frame, StepRecord& record)
             metadata = read_metadata(frame);
             record.pixels = double(metadata.film.width) * metadata.film.height;
         }
+    } catch (const std::bad_alloc& error) {
+        throw InputError(reason_of(error));
     } catch (const std::exception&) {
         throw InputError("the scene's camera is not integral; give it a sheet of the manifest's \"sheets\"");
     }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/batch_strips.h"
 
+#include "integral/base/json.h"
 #include "integral/batch/lock_file.h"
 #include "integral/batch/scene_files.h"
 #include "integral/cli/batch_steps.h"
 #include "integral/cli/renderer.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/first_samples.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -18,7 +17,6 @@
 namespace integral {
 namespace {
 
-using Json = nlohmann::ordered_json;
 constexpr int usual_block_side = 32; // the renderer's
 
 std::string job_of(const BatchStep& frame) { return frame.name.substr(frame.name.find('.') + 1); }
@@ -136,12 +134,14 @@ std::optional<StripPlan> read_strip_plan(const BatchFolder& folder, const BatchS
 {
     StripPlan plan;
     try {
-        const Json json = Json::parse(read_file(plan_file(folder, frame)));
+        const Json json = parse_json(read_file(plan_file(folder, frame)));
         plan.inputs = json.at("inputs");
         plan.height = json.at("height");
         for (const Json& strip : json.at("strips"))
             plan.strips.push_back({strip.at(0), strip.at(1), strip.at(2), strip.at(3)});
     } catch (const InputError&) {
+        return std::nullopt;
+    } catch (const JsonError&) {
         return std::nullopt;
     } catch (const Json::exception&) {
         return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/compare_suite.h"
 
+#include "integral/base/message_text.h"
 #include "integral/cli/compare_figures.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/suite_report.h"
@@ -110,7 +111,7 @@ Suite suite_of(const SuiteFolders& folders, const Tolerances& tolerances, const 
     }
     for (const auto& entry : tolerances.entries)
         if (std::none_of(names.begin(), names.end(), [&](const std::string& name) { return matches(entry.pattern, name); }))
-            suite.unused.push_back("line " + std::to_string(entry.line) + ": \"" + entry.pattern + "\" matches no file");
+            suite.unused.push_back("line " + std::to_string(entry.line) + ": \"" + excerpt(entry.pattern) + "\" matches no file");
     return suite;
 }
 

@@ -265,7 +265,7 @@ void write_as_pdf(Print& print, const std::string& output)
     } catch (const Interrupted&) {
         throw;
     } catch (const std::exception& error) {
-        throw OutputError(output + ": " + error.what());
+        throw OutputError(output + ": " + reason_of(error));
     }
     file.finish();
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/sheet_report.h"
 
+#include "integral/base/json.h"
 #include "integral/lightfield/names.h"
 #include "integral/lightfield/sampling_forecast.h"
 #include "integral/lightfield/sheet_figures.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -174,9 +173,9 @@ std::string line(const char* format, ...)
     return text;
 }
 
-nlohmann::ordered_json json_of(std::optional<double> value)
+Json json_of(std::optional<double> value)
 {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+    return value ? Json(*value) : Json(nullptr);
 }
 
 std::string sampling_text(const FrameMetadata& g, const Viewer& viewer)
@@ -206,14 +205,14 @@ std::string sampling_text(const FrameMetadata& g, const Viewer& viewer)
     return text;
 }
 
-nlohmann::ordered_json sampling_json(const FrameMetadata& g, const Viewer& viewer)
+Json sampling_json(const FrameMetadata& g, const Viewer& viewer)
 {
     const Sampling sampling = sampling_of(g, viewer);
-    nlohmann::ordered_json json = {{"detail_mm", viewer.detail},
+    Json json = {{"detail_mm", viewer.detail},
                                    {"imaged", json_of(sampling.imaged)},
                                    {"imaged_by_closest", json_of(sampling.imaged_by_closest)}};
     for (const SamplingForecast& setting : sampling.settings) {
-        nlohmann::ordered_json entry = {{"beam_samples", setting.beam_samples},
+        Json entry = {{"beam_samples", setting.beam_samples},
                                         {"pixel_samples", setting.pixel_samples},
                                         {"rays_per_pixel", setting.rays()},
                                         {"rays", json_of(sampling.rays(g, setting))}};
@@ -268,9 +267,9 @@ std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
     return text + sampling_text(g, viewer);
 }
 
-nlohmann::ordered_json sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
+Json sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
 {
-    auto json = nlohmann::ordered_json::parse(to_json(g));
+    Json json = parse_json(to_json(g));
     for (const Figure& f : figures_of(g, viewer))
         json["figures"][f.key] = json_of(f.value);
     for (const DepthFigures& row : depths_of(g, viewer))

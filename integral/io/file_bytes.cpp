@@ -112,14 +112,6 @@ void write_straight(const std::string& path, const std::string& bytes)
 
 } // namespace
 
-std::string one_line(std::string text)
-{
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            c = '?';
-    return text;
-}
-
 std::string display_name(const std::string& path, const char* standard_stream)
 {
     return path == "-" ? standard_stream : path;

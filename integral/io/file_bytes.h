@@ -3,14 +3,13 @@
 #ifndef INTEGRAL_IO_FILE_BYTES_H
 #define INTEGRAL_IO_FILE_BYTES_H
 
+#include "integral/base/message_text.h"
+
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 
 namespace integral {
-
-/// A text as one line of a terminal: each control character, which a name or a file's text may have, becomes a question mark.
-std::string one_line(std::string text);
 
 /// An input that cannot be read or makes no sense. The message is one line, "FILE: what is
 /// wrong; what would help".

@@ -4,25 +4,15 @@
 #include "integral/io/codecs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <new>
 #include <unistd.h>
 
 namespace integral {
 namespace {
 
-/// A message that is one line, whatever a library or file put into it.
-std::string without_breaks(std::string text)
-{
-    for (char& c : text)
-        if (std::iscntrl(static_cast<unsigned char>(c)))
-            c = ' ';
-    return text;
-}
-
 [[noreturn]] void refuse(const std::string& path, const std::string& what)
 {
-    throw InputError(display_name(path, "standard input") + ": " + without_breaks(what));
+    throw InputError(display_name(path, "standard input") + ": " + what);
 }
 
 /// What `read` returns, of a file whose errors it throws.
@@ -32,10 +22,8 @@ template <class Read> auto guarded(const std::string& path, Read read)
         return read();
     } catch (const InputError&) {
         throw;
-    } catch (const std::bad_alloc&) {
-        refuse(path, "it needs more memory than there is");
     } catch (const std::exception& error) {
-        refuse(path, std::string("it cannot be read: ") + error.what());
+        refuse(path, "it cannot be read: " + reason_of(error));
     }
 }
 
@@ -266,6 +254,8 @@ FrameMetadata read_metadata(const std::string& path)
             document = read_any(file)->head().document;
     } catch (const InputError&) {
         throw;
+    } catch (const std::bad_alloc& error) {
+        refuse(path, reason_of(error));
     } catch (const std::exception& error) {
         refuse(path, std::string("it is neither a JSON document nor a frame: ") + error.what());
     }
@@ -308,10 +298,8 @@ struct PictureWriter::Target {
             work();
         } catch (const OutputError&) {
             throw;
-        } catch (const std::bad_alloc&) {
-            throw OutputError(path + ": it needs more memory than there is");
         } catch (const std::exception& error) {
-            throw OutputError(path + ": " + without_breaks(error.what()));
+            throw OutputError(path + ": " + reason_of(error));
         }
     }
 

@@ -15,8 +15,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/image_file.h \
   integral/io/input_file.cpp \
   integral/io/input_file.h \
-  integral/io/lined_json.cpp \
-  integral/io/lined_json.h \
   integral/io/markup.cpp \
   integral/io/markup.h \
   integral/io/memory.cpp \

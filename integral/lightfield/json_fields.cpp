@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/json_fields.h"
 
+#include "integral/base/message_text.h"
 #include "integral/lightfield/number_text.h"
 
 #include <algorithm>
@@ -11,17 +12,6 @@ namespace integral {
 void refuse(const std::string& field, const std::string& what)
 {
     throw std::invalid_argument(field + " " + what);
-}
-
-Json parse_json(const std::string& text)
-{
-    try {
-        return Json::parse(text);
-    } catch (const nlohmann::json::parse_error& error) {
-        throw std::invalid_argument("is not JSON at byte " + std::to_string(error.byte));
-    } catch (const nlohmann::json::exception&) {
-        throw std::invalid_argument("holds a number that is out of range");
-    }
 }
 
 const Json& JsonObject::at(const char* field) const
@@ -47,7 +37,7 @@ void refuse_others(const JsonObject& object, std::initializer_list<const char*> 
         std::string names;
         for (const char* const name : legal)
             names += (names.empty() ? "" : name == *(legal.end() - 1) ? " and " : ", ") + std::string(name);
-        refuse(object.path_of(field.key().c_str()), "is not a field of it: those are " + names);
+        refuse(object.path_of(excerpt(field.key()).c_str()), "is not a field of it: those are " + names);
     }
 }
 

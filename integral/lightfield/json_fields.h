@@ -5,9 +5,8 @@
 #ifndef INTEGRAL_LIGHTFIELD_JSON_FIELDS_H
 #define INTEGRAL_LIGHTFIELD_JSON_FIELDS_H
 
+#include "integral/base/json.h"
 #include "integral/lightfield/names.h"
-
-#include <nlohmann/json.hpp>
 
 #include <initializer_list>
 #include <limits>
@@ -16,14 +15,9 @@
 
 namespace integral {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double largest_figure = 1e100; // of what is only handed on; no few of them overflow
 
 [[noreturn]] void refuse(const std::string& field, const std::string& what);
-
-/// A whole document. Also throws where the text is no JSON.
-Json parse_json(const std::string& text);
 
 /// An object of a document, with the path by which messages name it.
 struct JsonObject {

@@ -12,11 +12,24 @@ namespace integral {
 namespace {
 
 constexpr int deepest = 12; // wrappings of a calibration
+constexpr std::size_t most_displays = 16; // that are told apart
 
-/// Every calibration in a document, however wrapped.
+/// What a text holds if it is a JSON document.
+std::optional<Json> document_in(const std::string& text)
+{
+    if (text.find('{') == std::string::npos)
+        return std::nullopt;
+    try {
+        return parse_json(text);
+    } catch (const JsonError&) {
+        return std::nullopt;
+    }
+}
+
+/// Every calibration in a document, however wrapped, once; no more than one beyond most_displays.
 void collect(const Json& json, int depth, std::vector<Json>& found)
 {
-    if (depth > deepest)
+    if (depth > deepest || found.size() > most_displays)
         return;
     if (json.is_object() && json.contains("pitch") && json.contains("slope")) {
         if (std::find(found.begin(), found.end(), json) == found.end())
@@ -25,9 +38,8 @@ void collect(const Json& json, int depth, std::vector<Json>& found)
         for (const Json& item : json)
             collect(item, depth + 1, found);
     } else if (json.is_string()) {
-        const std::string& text = json.get_ref<const std::string&>();
-        if (text.find('{') != std::string::npos && Json::accept(text))
-            collect(parse_json(text), depth + 1, found);
+        if (const auto document = document_in(json.get_ref<const std::string&>()))
+            collect(*document, depth + 1, found);
     }
 }
 
@@ -143,7 +155,8 @@ LookingGlassCalibration looking_glass_from_json(const std::string& text)
     if (found.empty())
         throw NoCalibration();
     if (found.size() > 1)
-        throw std::invalid_argument("holds the calibrations of " + std::to_string(found.size()) + " displays; leave one");
+        throw std::invalid_argument("holds the calibrations of " + (found.size() > most_displays ? "more than " + std::to_string(most_displays) : std::to_string(found.size())) +
+                                    " displays; leave one");
     return calibration_from({found.front(), ""});
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/compare_geometry.h"
 
-#include <nlohmann/json.hpp>
+#include "integral/base/json.h"
+#include "integral/base/message_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +10,10 @@
 namespace integral {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The document without what geometry is not.
 Json geometry_of(const FrameMetadata& metadata, bool with_render)
 {
-    Json json = Json::parse(to_json(metadata));
+    Json json = parse_json(to_json(metadata));
     if (!with_render)
         json.erase("render");
     else
@@ -53,7 +52,7 @@ std::string difference(const Json& reference, const Json& result, const std::str
     } else if (reference == result) {
         return "";
     }
-    return path + " is " + result.dump() + ", its reference's " + reference.dump();
+    return path + " is " + excerpt(result.dump()) + ", its reference's " + excerpt(reference.dump());
 }
 
 } // namespace

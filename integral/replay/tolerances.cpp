@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/tolerances.h"
 
-#include "integral/io/lined_json.h"
+#include "integral/base/json.h"
+#include "integral/base/message_text.h"
 #include "integral/lightfield/number_text.h"
 
 #include <algorithm>
@@ -11,14 +12,12 @@
 namespace integral {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 [[noreturn]] void refuse(int line, const std::string& what)
 {
     throw std::invalid_argument("line " + std::to_string(line) + ": " + what);
 }
 
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
+std::string quoted(const std::string& text) { return '"' + excerpt(text) + '"'; }
 
 /// A value that must be an object; `name` is the field's.
 const Json& object_at(int line, const std::string& name, const Json& json)
@@ -28,11 +27,11 @@ const Json& object_at(int line, const std::string& name, const Json& json)
     return json;
 }
 
-std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const LinedJson& document, const std::string& pointer, const std::string& name, const Json& json)
+std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const LinedJson& document, const std::string& name, const Json& json)
 {
     std::vector<std::pair<std::size_t, std::optional<double>>> limits;
-    for (const auto& [word, value] : object_at(document.line_of(pointer), quoted(name), json).items()) {
-        const int line = document.line_of(pointer + pointer_part(word));
+    for (const auto& [word, value] : object_at(document.line_of(json), quoted(name), json).items()) {
+        const int line = document.line_of(value);
         std::size_t kind = 0;
         while (kind < limit_count && word != limit_kinds[kind].word)
             ++kind;
@@ -55,24 +54,16 @@ std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const Lined
 
 Tolerances tolerances_from_json(const std::string& text)
 {
-    LinedJson document;
-    try {
-        document = parse_lined_json(text);
-    } catch (const LinedJsonError& error) {
-        refuse(error.line, error.what());
-    }
+    const LinedJson document(text);
     Tolerances tolerances;
-    for (const auto& [word, value] : object_at(document.line_of(""), "the document", document.json).items()) {
-        const std::string pointer = pointer_part(word);
-        const int line = document.line_of(pointer);
+    for (const auto& [word, value] : object_at(document.line_of(document.root()), "the document", document.root()).items()) {
+        const int line = document.line_of(value);
         if (word == "defaults") {
-            for (const auto& [kind, limit] : limits_at(document, pointer, word, value))
+            for (const auto& [kind, limit] : limits_at(document, word, value))
                 tolerances.defaults[kind] = limit;
         } else if (word == "files") {
-            for (const auto& [pattern, limits] : object_at(line, quoted(word), value).items()) {
-                const std::string entry = pointer + pointer_part(pattern);
-                tolerances.entries.push_back({pattern, document.line_of(entry), limits_at(document, entry, pattern, limits)});
-            }
+            for (const auto& [pattern, limits] : object_at(line, quoted(word), value).items())
+                tolerances.entries.push_back({pattern, document.line_of(limits), limits_at(document, pattern, limits)});
         } else {
             refuse(line, quoted(word) + " is unknown; there are: defaults, files");
         }

@@ -323,8 +323,8 @@ BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)
         {"\"sheet\"", "\"sheets\"", "sheet is missing"},
         {"\"film\": {", "\"film\": 3, \"fil\": {", "film must be an object"},
         {"1.5", "1e999", "out of range"},
-        {"1.5", "NaN", "not JSON"},
-        {"{", "", "not JSON"},
+        {"1.5", "NaN", "no JSON"},
+        {"{", "", "no JSON"},
     };
     for (const auto& c : cases) {
         const std::string message = refusal(with(c.old_text, c.new_text));

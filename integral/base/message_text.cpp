@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/base/message_text.h"
+
+#include <new>
+
+namespace integral {
+
+std::string one_line(const std::string& text)
+{
+    std::string line = excerpt(text, 2000);
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+            c = '?';
+    return line;
+}
+
+std::string excerpt(const std::string& text, std::size_t most)
+{
+    if (text.size() <= most)
+        return text;
+    std::size_t end = most;
+    while (end > 0 && end + 4 > most && (text[end] & 0xc0) == 0x80) // within a character
+        --end;
+    return text.substr(0, end) + "...";
+}
+
+std::string reason_of(const std::exception& error)
+{
+    return dynamic_cast<const std::bad_alloc*>(&error) ? "it needs more memory than there is" : error.what();
+}
+
+} // namespace integral
