@@ -51,6 +51,7 @@ unit_sources = \
   tests/unit/analysis_lattice.cpp \
   tests/unit/analysis_scan.cpp \
   tests/unit/batch_files.cpp \
+  tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
