@@ -95,7 +95,7 @@ std::string thumbnail_size(const std::string& frame)
 /// What a step's program said of its frame though it made its file, without the program's and the frame's name; empty if nothing.
 std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
 {
-    const std::string mark = "integral " + step.words[0] + ": " + frame + ": ";
+    const std::string mark = one_line("integral " + step.words[0] + ": " + frame + ": ");
     std::ifstream said(log);
     std::string line, remark;
     while (remark.empty() && std::getline(said, line))

@@ -5,6 +5,7 @@
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_files.h"
 #include "integral/cli/batch_steps.h"
+#include "integral/cli/command.h"
 #include "integral/cli/renderer.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/first_samples.h"
@@ -12,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -58,8 +58,8 @@ void warn_of_chance(const BatchStep& frame, const BatchPrograms& programs, const
     if (is_on(said, "Dithering"))
         words += (words.empty() ? "" : ", ") + std::string("dithering");
     if (!words.empty())
-        std::fprintf(stderr, "integral batch: %s: it has %s: its strips cannot be promised to join without a seam, nor to equal the frame rendered whole\n",
-                     frame.name.c_str(), words.c_str());
+        say("batch", frame.name + ": it has " + words
+                         + ": its strips cannot be promised to join without a seam, nor to equal the frame rendered whole");
 }
 
 Json json_of(const StripPlan& plan)

@@ -7,6 +7,7 @@
 #include "integral/cli/values.h"
 #include "integral/cli/views_to_frame.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/number_text.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/compare.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <iostream>
 #include <optional>
@@ -112,8 +112,8 @@ void state_loss(const Frame& frame, const std::vector<Image>& views, ViewGrid gr
     const auto back = frame_from_views(views, *frame.metadata, grid, threads, progress_bar("there and back"));
     if (!back)
         throw Interrupted();
-    std::fprintf(stderr, "integral views: the views are interpolated between the film's pixels: made into a frame again, PSNR %.1f dB\n",
-                 compare(Frame{frame.image, std::nullopt}, Frame{*back, std::nullopt}).psnr);
+    const double psnr = compare(Frame{frame.image, std::nullopt}, Frame{*back, std::nullopt}).psnr;
+    say("views", "the views are interpolated between the film's pixels: made into a frame again, PSNR " + with_decimals(psnr, 1) + " dB");
 }
 
 /// Row by row upwards, the even rows from the left, the odd ones from the right: each view beside the one before.

@@ -133,9 +133,14 @@ void write_straight(const std::string& path, const std::string& bytes)
 
 std::string one_line(std::string text)
 {
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            c = '?';
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool two_bytes = byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0;
+        if (byte(i) < 0x20 || byte(i) == 0x7f || two_bytes)
+            text[i] = '?';
+        if (two_bytes)
+            text[++i] = '?';
+    }
     return text;
 }
 

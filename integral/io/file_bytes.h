@@ -8,7 +8,8 @@
 
 namespace integral {
 
-/// A text as one line of a terminal: each control character, which a name or a file's text may have, becomes a question mark.
+/// A text as one line of a terminal: each control character, which a name or a file's text may have, becomes a question mark;
+/// of those that UTF-8 writes in two bytes, U+0080 to U+009F, each byte.
 std::string one_line(std::string text);
 
 /// An input that cannot be read or makes no sense. The message is one line, "FILE: what is
@@ -19,7 +20,7 @@ struct InputError : std::runtime_error {
 
 /// An output that could not be written. Same form.
 struct OutputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit OutputError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 /// The name by which messages call a path: "-" is standard input or output.
