@@ -53,6 +53,7 @@ unit_sources = \
   tests/unit/base_json.cpp \
   tests/unit/base_message_text.cpp \
   tests/unit/batch_files.cpp \
+  tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \

@@ -8,9 +8,16 @@ namespace integral {
 std::string one_line(const std::string& text)
 {
     std::string line = excerpt(text, 2000);
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            c = '?';
+    const auto byte = [&](std::size_t i) {
+        return i < line.size() ? static_cast<unsigned char>(line[i]) : 0;
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool two_bytes = byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0;
+        if (byte(i) < 0x20 || byte(i) == 0x7f || two_bytes)
+            line[i] = '?';
+        if (two_bytes)
+            line[++i] = '?';
+    }
     return line;
 }
 

@@ -9,7 +9,8 @@
 
 namespace integral {
 
-/// A message as one line of a terminal: each control character, which a name or a file's text may have, becomes a question mark. Of a message of
+/// A message as one line of a terminal: each control character, which a name or a file's text may have, becomes a question mark (of those
+/// that UTF-8 writes in two bytes, U+0080 to U+009F, each byte). Of a message of
 /// more than 2000 bytes only those are left, then "...".
 std::string one_line(const std::string& text);
 

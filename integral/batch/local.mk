@@ -14,6 +14,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/manifest.h \
   integral/batch/plan.cpp \
   integral/batch/plan.h \
+  integral/batch/renderer_options.cpp \
+  integral/batch/renderer_options.h \
   integral/batch/scene_files.cpp \
   integral/batch/scene_files.h \
   integral/batch/step_record.cpp \

@@ -19,8 +19,15 @@ namespace {
 struct Holder {
     std::string host, boot;
     long process = 0;
-    std::string begun; ///< when the process began, in the kernel's ticks: process numbers are used again
+    std::string begun;      ///< when it began, in the kernel's ticks: process numbers are used again
+    std::string name_space; ///< in which that number means this process; empty: unknown
 };
+
+bool operator==(const Holder& a, const Holder& b)
+{
+    return a.host == b.host && a.boot == b.boot && a.process == b.process && a.begun == b.begun
+           && a.name_space == b.name_space;
+}
 
 std::string first_line(const std::string& path)
 {
@@ -47,7 +54,8 @@ std::string begin_of_process(long process)
 
 Holder myself()
 {
-    return {host_name(), first_line("/proc/sys/kernel/random/boot_id"), long(getpid()), begin_of_process(getpid())};
+    return {host_name(), first_line("/proc/sys/kernel/random/boot_id"), long(getpid()),
+            begin_of_process(getpid()), process_namespace()};
 }
 
 Holder holder_in(const std::string& path)
@@ -55,7 +63,8 @@ Holder holder_in(const std::string& path)
     Holder holder;
     try {
         const Json json = parse_json(read_file(path));
-        holder = {json.at("host"), json.at("boot"), json.at("process"), json.at("begun")};
+        holder = {json.at("host"), json.at("boot"), json.at("process"), json.at("begun"),
+                  json.value("namespace", "")}; // earlier locks have none
     } catch (const InputError&) {
     } catch (const JsonError&) {
     } catch (const Json::exception&) {
@@ -67,9 +76,11 @@ Holder holder_in(const std::string& path)
 bool is_dead(const Holder& holder, const std::string& path, const struct timespec& now)
 {
     const Holder me = myself();
-    if (holder.host == me.host && holder.boot == me.boot)
+    const bool can_be_asked = holder.host == me.host && holder.name_space == me.name_space
+                              && !me.name_space.empty();
+    if (can_be_asked && holder.boot == me.boot)
         return begin_of_process(holder.process) != holder.begun;
-    if (holder.host == me.host && !holder.boot.empty())
+    if (can_be_asked && !holder.boot.empty())
         return true; // before this machine's last start
     struct stat status;
     return stat(path.c_str(), &status) == 0 && now.tv_sec - status.st_mtim.tv_sec > LockFile::seconds_of_silence;
@@ -114,8 +125,10 @@ bool LockFile::take(const std::string& path, std::string& holder)
     const Guard guard(path.substr(0, slash + 1) + "guard");
     const Holder me = myself();
     // Made whole under a name of its own, then linked to the lock's: that succeeds for one process alone.
-    const std::string own = path.substr(0, slash + 1) + unfinished_name(path.substr(slash + 1));
-    write_file(own, Json{{"host", me.host}, {"process", me.process}, {"begun", me.begun}, {"boot", me.boot}}.dump() + "\n");
+    const std::string own = path.substr(0, slash + 1) + unfinished_name("lock");
+    const Json json{{"host", me.host}, {"process", me.process}, {"begun", me.begun},
+                    {"boot", me.boot}, {"namespace", me.name_space}};
+    write_file(own, json.dump() + "\n");
     struct stat status = {};
     stat(own.c_str(), &status);
     for (int round = 0; round < 2; ++round) {
@@ -147,11 +160,8 @@ void LockFile::refresh() const
 
 void LockFile::release()
 {
-    if (held()) {
-        const Holder me = myself(), holder = holder_in(path_); // who was silent for long may have lost it to another
-        if (holder.process == me.process && holder.host == me.host)
-            unlink(path_.c_str());
-    }
+    if (held() && holder_in(path_) == myself()) // who was silent for long may have lost it to another
+        unlink(path_.c_str());
     path_.clear();
 }
 

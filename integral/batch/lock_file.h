@@ -7,8 +7,10 @@
 
 namespace integral {
 
-/// Holds at most one lock. A process that was killed leaves its file behind: on the same machine that is seen at once, by its
-/// process; from another machine, by the file's age, as holders refresh theirs.
+/// Holds at most one lock. A process that was killed leaves its file behind. In the same PID
+/// namespace of the same machine that is seen at once, by its process; from another machine or
+/// container, by the file's age, as holders refresh theirs. Locks of earlier versions, which do not
+/// name their namespace, are judged by age as well.
 class LockFile {
 public:
     LockFile() = default;

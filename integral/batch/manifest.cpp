@@ -3,11 +3,13 @@
 
 #include "integral/base/message_text.h"
 #include "integral/batch/located_json.h"
+#include "integral/batch/renderer_options.h"
 #include "integral/io/file_bytes.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fnmatch.h>
 #include <set>
 #include <sys/stat.h>
@@ -19,6 +21,7 @@ namespace {
 constexpr int largest_side = 1000000; // pixels
 constexpr std::size_t most_jobs = 10000;
 constexpr std::size_t most_listed = 20; // names in a message
+constexpr char both_quotes[] = "both kinds of quotation marks in it cannot be passed on";
 
 std::string list_of(const Names& names)
 {
@@ -70,8 +73,6 @@ Names renderer_options(const Located& object)
         return all;
     for (const Located& one : object.field("options").list()) {
         all.push_back(one.text());
-        if (all.back().empty())
-            one.refuse("an option of povray-integral is expected");
         const std::string why = refused_renderer_option(all.back());
         if (!why.empty())
             one.refuse(excerpt(all.back()) + ": " + why);
@@ -180,6 +181,8 @@ BatchScene read_scene(const Located& object, const Manifest& manifest)
     const std::string extension = extension_of(scene.file);
     if (extension != "pov" && extension != "ini")
         object.field("file").refuse("a scene, .pov or .ini, is expected");
+    if (!can_be_quoted(scene.file))
+        object.field("file").refuse(both_quotes);
     scene.options = renderer_options(object);
     if (object.has("declare"))
         for (const auto& [name, value] : object.field("declare").fields()) {
@@ -206,8 +209,8 @@ BatchSheet read_sheet(const Located& object, const Manifest& manifest)
     sheet.camera = object.field("camera").text();
     if (sheet.camera.find_first_not_of(" \t\n") == std::string::npos)
         object.field("camera").refuse("the integral camera's words are expected, as in lens_sheet { ... } film { dpi 300 }");
-    if (sheet.camera.find('"') != std::string::npos && sheet.camera.find('\'') != std::string::npos)
-        object.field("camera").refuse("both kinds of quotation marks in it cannot be passed on");
+    if (!can_be_quoted(sheet.camera))
+        object.field("camera").refuse(both_quotes);
     sheet.options = renderer_options(object);
     sheet.size = size_in(object);
     sheet.targets = targets_in(object, manifest);
@@ -300,6 +303,8 @@ Manifest read_manifest(const std::string& path)
     if (output.empty())
         root.field("output").refuse("the name of a folder is expected");
     manifest.output = path_in(manifest.folder, output);
+    if (!can_be_quoted(std::filesystem::absolute(manifest.output)))
+        root.field("output").refuse(both_quotes);
     if (root.has("frames")) {
         const Located frames = root.field("frames");
         frames.allow({"format", "bits"});
@@ -335,54 +340,6 @@ Manifest read_manifest(const std::string& path)
     if (manifest.jobs.empty())
         root.refuse("there are no jobs");
     return manifest;
-}
-
-std::string refused_renderer_option(const std::string& word)
-{
-    const std::string sheet = "the batch chooses the sheet; the field \"camera\" of \"sheets\" has its words",
-                      size = "there is the field \"size\"", output = "the batch names the output itself; the field \"frames\" says its kind",
-                      one = "a job is one frame", log = "the batch keeps what the renderer says", window = "a batch has no window",
-                      resume = "the batch itself continues where it was interrupted", input = "there is the field \"file\"";
-    const auto equals = word.find('=');
-    std::string key = word.substr(0, equals);
-    std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    if (equals != std::string::npos && key[0] != '+' && key[0] != '-') {
-        const auto is = [&](std::initializer_list<const char*> names) { return std::find(names.begin(), names.end(), key) != names.end(); };
-        if (is({"integral_camera"}))
-            return sheet;
-        if (is({"width", "height"}))
-            return size;
-        if (is({"output_file_name", "output_file_type", "output_to_file"}))
-            return output;
-        if (is({"input_file_name"}))
-            return input;
-        if (is({"initial_frame", "final_frame", "initial_clock", "final_clock", "subset_start_frame", "subset_end_frame", "field_render"}))
-            return one;
-        if (is({"all_file", "debug_file", "fatal_file", "render_file", "statistic_file", "warning_file", "create_ini"}))
-            return log;
-        if (is({"display", "pause_when_done"}))
-            return window;
-        return is({"continue_trace"}) ? resume : "";
-    }
-    if (key[0] != '+' && key[0] != '-')
-        return "";
-    const std::string letters = key.substr(1);
-    const auto begins = [&](const char* with) { return letters.rfind(with, 0) == 0; };
-    const auto number_after = [&](std::size_t at) { return at < letters.size() && (std::isdigit(static_cast<unsigned char>(letters[at])) || letters[at] == '.'); };
-    if ((begins("w") && number_after(1)) || (begins("h") && number_after(1)))
-        return size;
-    if (begins("o") || begins("f"))
-        return output;
-    if (begins("i"))
-        return input;
-    if (begins("kfi") || begins("kff") || begins("ki") || begins("kf") || begins("kla") || begins("sf") || begins("ef") || begins("uf") || begins("stp")
-        || begins("rtr"))
-        return one;
-    if (begins("gi") || (begins("g") && letters.size() > 2))
-        return log;
-    if (begins("d") || begins("p"))
-        return window;
-    return begins("c") ? resume : "";
 }
 
 } // namespace integral

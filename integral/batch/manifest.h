@@ -72,9 +72,6 @@ Manifest read_manifest(const std::string& path);
 /// A name of the manifest as a path: absolute as it is, else from its folder.
 std::string path_in(const std::string& folder, const std::string& name);
 
-/// Why a batch gives this renderer option itself, or has no use for it; empty if it may be given.
-std::string refused_renderer_option(const std::string& word);
-
 } // namespace integral
 
 #endif

@@ -2,9 +2,11 @@
 #include "integral/batch/plan.h"
 
 #include "integral/batch/content_hash.h"
+#include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_files.h"
 #include "integral/io/file_bytes.h"
 
+#include <cstdlib>
 #include <sys/stat.h>
 
 namespace integral {
@@ -28,18 +30,6 @@ template <class Thing> const Thing& named(const std::vector<Thing>& things, cons
     throw InputError(name + ": it is not in the manifest");
 }
 
-int threads_in(const Names& options)
-{
-    int threads = 0;
-    for (const std::string& word : options) {
-        const bool letters = word.size() > 3 && (word[0] == '+' || word[0] == '-') && (word[1] == 'W' || word[1] == 'w') && (word[2] == 'T' || word[2] == 't');
-        const bool keyword = word.rfind("Work_Threads=", 0) == 0;
-        if (letters || keyword)
-            threads = std::atoi(word.c_str() + (letters ? 3 : 13));
-    }
-    return threads;
-}
-
 BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
 {
     const BatchScene& scene = manifest.scenes[std::size_t(job.scene)];
@@ -48,7 +38,7 @@ BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
     step.name = "frame." + job.name;
     step.output = "frames/" + job.name + "." + manifest.frame_format;
     step.folder = folder_of(path);
-    step.words.push_back(extension_of(file) == "ini" ? "\"" + file + "\"" : "+I\"" + file + "\"");
+    step.words.push_back((extension_of(file) == "ini" ? "" : "+I") + quoted(file));
     step.words.insert(step.words.end(), scene.options.begin(), scene.options.end());
     for (const auto& [name, value] : scene.declare)
         step.words.push_back("Declare=" + name + "=" + value);
@@ -60,7 +50,7 @@ BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
         if (sheet.size.width > 0)
             step.size = sheet.size;
     }
-    step.threads = threads_in(step.words);
+    step.threads = std::atoi(value_of_option(step.words, "work_threads", "wt").c_str());
     if (step.size.width > 0) {
         step.words.push_back("+W" + std::to_string(step.size.width));
         step.words.push_back("+H" + std::to_string(step.size.height));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/scene_files.h"
 
+#include "integral/batch/renderer_options.h"
 #include "integral/io/file_bytes.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <set>
 #include <sys/stat.h>
@@ -28,12 +28,6 @@ std::string without_quotes(const std::string& text)
     return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-std::string small(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
-
 /// What begins as a scene's text or as settings; other files (pictures, fonts, meshes of data) name no files.
 bool names_files(const std::string& path)
 {
@@ -41,29 +35,28 @@ bool names_files(const std::string& path)
     return extension == "pov" || extension == "inc" || extension == "ini" || extension == "mcr" || extension == "macro" || extension == "h";
 }
 
-/// The folder that an option adds to the library path, or "".
-std::string library_in(const std::string& word)
-{
-    if (word.size() > 2 && (word[0] == '+' || word[0] == '-') && (word[1] == 'L' || word[1] == 'l'))
-        return without_quotes(word.substr(2));
-    const auto equals = word.find('=');
-    if (equals == std::string::npos || small(word.substr(0, equals)) != "library_path")
-        return "";
-    return without_quotes(word.substr(equals + 1));
-}
+/// An .ini file's name without its [SECTION].
+std::string without_section(const std::string& name) { return name.substr(0, name.find('[')); }
 
-/// An .ini file among the options, without its [SECTION].
-std::string settings_in(const std::string& word)
+/// Whether an option is a folder of include files.
+bool is_folder(const RendererOption& option)
 {
-    std::string name = without_quotes(word);
-    name = name.substr(0, name.find('['));
-    return name.empty() || name[0] == '+' || name[0] == '-' || name.find('=') != std::string::npos ? "" : name;
+    return option.kind == RendererOption::Kind::path && !option.value.empty() && option.value.back() == '/';
 }
 
 std::string trimmed(const std::string& text)
 {
     const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
     return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// The folder that a line of settings adds to the library path, or "".
+std::string library_in(const std::string& line)
+{
+    const auto equals = line.find('=');
+    const bool keyword = equals != std::string::npos; // there may be blanks on both sides of the sign
+    const std::string option = keyword ? trimmed(line.substr(0, equals)) + "=" + trimmed(line.substr(equals + 1)) : line;
+    return value_of_option({option}, "library_path", "l");
 }
 
 /// All that stands in quotation marks on one line of a text; in settings, also what follows =.
@@ -96,8 +89,13 @@ public:
     Search(const SceneSearch& given) : given_(given)
     {
         libraries_.push_back(given.folder);
-        for (const std::string& word : given.options)
-            add_library(library_in(word));
+        for (const std::string& word : given.options) {
+            for (const std::string& library : values_of_option({word}, "library_path", "l"))
+                add_library(library);
+            for (const RendererOption& option : renderer_options_in(word))
+                if (is_folder(option))
+                    add_library(option.value);
+        }
         for (const char* part : {"", "/ini", "/include", "/scenes"})
             libraries_.push_back(given.share + part);
         if (const char* more = std::getenv("POVINC"))
@@ -117,9 +115,7 @@ public:
             for (std::size_t begin = 0; begin < text.size();) {
                 std::size_t end = text.find('\n', begin);
                 end = end == std::string::npos ? text.size() : end;
-                std::string line = trimmed(text.substr(begin, end - begin));
-                line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
-                add_library(library_in(line));
+                add_library(library_in(text.substr(begin, end - begin)));
                 begin = end + 1;
             }
         for (const std::string& next : names_in(text, settings))
@@ -177,10 +173,14 @@ std::vector<SceneFile> files_of_scene(const std::string& scene, const SceneSearc
     const std::string settings = own_settings(given);
     if (!settings.empty())
         search.add("povray.ini", settings);
+    for (const std::string& more : values_of_option(given.options, "include_ini", ""))
+        search.look_for(without_section(more));
+    for (const std::string& header : values_of_option(given.options, "include_header", "hi"))
+        search.look_for(header);
     for (const std::string& word : given.options) {
-        const std::string name = settings_in(word);
-        if (!name.empty())
-            search.look_for(name);
+        for (const RendererOption& option : renderer_options_in(word))
+            if (option.kind == RendererOption::Kind::path)
+                search.look_for(without_section(option.value));
         for (const std::string& quoted : names_in(word, false)) // Declare=MAP="sky.png", Integral_Camera's files
             search.look_for(quoted);
     }

@@ -6,7 +6,6 @@
 #include "integral/cli/print_options.h"
 #include "integral/io/file_bytes.h"
 
-#include <cstdio>
 
 namespace integral {
 namespace {
@@ -50,7 +49,7 @@ void check_panel(const BatchTarget& target, const std::string& panel)
         const Panel described = panel_of(arguments);
         if (described.calibration)
             for (const std::string& what : described.calibration->assumed)
-                std::fprintf(stderr, "integral batch: %s: %s\n", target.place.c_str(), what.c_str());
+                say("batch", target.place + ": " + what);
     });
 }
 

@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <thread>
 
 namespace integral {
@@ -95,9 +94,8 @@ bool say_what_is_left(const nlohmann::ordered_json& summary)
         if (state == "done")
             continue;
         any = true;
-        std::fprintf(stderr, "integral batch: %s: %s\n", job.at("name").get<std::string>().c_str(),
-                     state == "failed" ? job.at("reason").get<std::string>().c_str()
-                                       : "its task ended without having made it, as if it was cancelled, killed or out of time; --slurm submits it again");
+        const std::string lost = "its task ended without having made it, as if it was cancelled, killed or out of time; --slurm submits it again";
+        say("batch", job.at("name").get<std::string>() + ": " + (state == "failed" ? job.at("reason").get<std::string>() : lost));
     }
     return any;
 }

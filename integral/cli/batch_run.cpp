@@ -10,7 +10,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <list>
 #include <poll.h>
@@ -162,8 +161,7 @@ private:
 
     void say(int i, const std::string& what) const
     {
-        const char* const line_start = isatty(2) ? "\r\033[K" : ""; // on a terminal a bar may stand in the line
-        std::fprintf(stderr, "%sintegral batch: %s: %s\n", line_start, plan_.steps[std::size_t(i)].name.c_str(), what.c_str());
+        integral::say("batch", plan_.steps[std::size_t(i)].name + ": " + what);
     }
 
     void say_remark(int i, const StepRecord& record) const

@@ -246,7 +246,7 @@ bool submit_batch(const options::variables_map& arguments, const PlannedBatch& b
         try {
             submit_strips(batch, job, strips, queued, submitter, all);
         } catch (const InputError& error) {
-            std::fprintf(stderr, "integral batch: %s\n", error.what());
+            say("batch", error.what());
             good = false;
         }
     }
@@ -276,7 +276,7 @@ void follow(const PlannedBatch& batch)
         for (const auto& [task, one] : queued)
             if (one.slurm.state == "PENDING" && (one.slurm.reason.find("Limit") != std::string::npos || one.slurm.reason.find("NotAvail") != std::string::npos)
                 && said.insert(one.slurm.reason).second)
-                std::fprintf(stderr, "integral batch: Slurm lets tasks wait: %s\n", one.slurm.reason.c_str());
+                say("batch", "Slurm lets tasks wait: " + one.slurm.reason);
         const bool going = progress(int(most - queued.size()), int(most));
         if (queued.empty())
             return;
@@ -347,7 +347,7 @@ std::optional<bool> do_task(const options::variables_map& arguments, const Plann
         make_batch_folder(batch.manifest.output, batch.plan);
         const std::string reason = merge_frame(folder, frame_of(batch, job), batch.inputs);
         if (!reason.empty())
-            std::fprintf(stderr, "integral batch: %s: %s\n", frame_of(batch, job).name.c_str(), reason.c_str());
+            say("batch", frame_of(batch, job).name + ": " + reason);
         merged = {job};
         return reason.empty();
     }

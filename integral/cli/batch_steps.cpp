@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/batch_steps.h"
 
+#include "integral/batch/renderer_options.h"
 #include "integral/cli/renderer.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
@@ -94,7 +95,7 @@ std::string thumbnail_size(const std::string& frame)
 /// What a step's program said of its frame though it made its file, without the program's and the frame's name; empty if nothing.
 std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
 {
-    const std::string mark = "integral " + step.words[0] + ": " + frame + ": ";
+    const std::string mark = one_line("integral " + step.words[0] + ": " + frame + ": ");
     std::ifstream said(log);
     std::string line, remark;
     while (remark.empty() && std::getline(said, line))
@@ -129,7 +130,7 @@ std::vector<std::string> command_line(const BatchFolder& folder, const BatchStep
         words.insert(words.end(), step.words.begin(), step.words.end());
         if (step.threads == 0)
             words.push_back("+WT" + std::to_string(threads));
-        words.push_back("+O\"" + made + "\"");
+        words.push_back("+O" + quoted(made));
         return words;
     }
     words.push_back(own_program());

@@ -3,14 +3,15 @@
 
 #include "integral/base/json.h"
 #include "integral/batch/lock_file.h"
+#include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_files.h"
 #include "integral/cli/batch_steps.h"
+#include "integral/cli/command.h"
 #include "integral/cli/renderer.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/first_samples.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -22,26 +23,6 @@ constexpr int usual_block_side = 32; // the renderer's
 std::string job_of(const BatchStep& frame) { return frame.name.substr(frame.name.find('.') + 1); }
 
 std::string plan_file(const BatchFolder& folder, const BatchStep& frame) { return folder.own() + "/strips/" + job_of(frame) + ".json"; }
-
-std::string in_small_letters(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
-
-/// The value of a word that is this INI keyword or, `letters` not empty, this switch; "" if none is. The last one counts.
-std::string value_in(const Names& words, const std::string& keyword, const std::string& letters)
-{
-    std::string value;
-    for (const std::string& word : words) {
-        const std::string small = in_small_letters(word);
-        if (small.rfind(keyword + "=", 0) == 0)
-            value = word.substr(keyword.size() + 1);
-        else if (!letters.empty() && (small.rfind("+" + letters, 0) == 0 || small.rfind("-" + letters, 0) == 0))
-            value = word.substr(letters.size() + 1);
-    }
-    return value;
-}
 
 /// Runs the renderer in a step's folder; what it says. Throws InputError with its reason.
 std::string render_there(const BatchStep& step, Names words, const ScratchFolder& scratch)
@@ -65,9 +46,8 @@ bool is_on(const std::string& said, const std::string& setting)
 void warn_of_chance(const BatchStep& frame, const BatchPrograms& programs, const std::string& said)
 {
     std::vector<std::string> files;
-    const std::string scene = frame.words[0]; // "FILE.ini" or +I"FILE.pov"
-    const auto quote = scene.find('"');
-    for (const SceneFile& file : files_of_scene(scene.substr(quote + 1, scene.size() - quote - 2), {frame.folder, frame.words, programs.renderer_share}))
+    const std::string scene = renderer_options_in(frame.words[0]).at(0).value; // "FILE.ini" or +I"FILE.pov"
+    for (const SceneFile& file : files_of_scene(scene, {frame.folder, frame.words, programs.renderer_share}))
         if (file.path.rfind(programs.renderer_share, 0) != 0)
             files.push_back(file.path);
     std::string words;
@@ -76,8 +56,8 @@ void warn_of_chance(const BatchStep& frame, const BatchPrograms& programs, const
     if (is_on(said, "Dithering"))
         words += (words.empty() ? "" : ", ") + std::string("dithering");
     if (!words.empty())
-        std::fprintf(stderr, "integral batch: %s: it has %s: its strips cannot be promised to join without a seam, nor to equal the frame rendered whole\n",
-                     frame.name.c_str(), words.c_str());
+        say("batch", frame.name + ": it has " + words
+                         + ": its strips cannot be promised to join without a seam, nor to equal the frame rendered whole");
 }
 
 Json json_of(const StripPlan& plan)
@@ -91,17 +71,17 @@ Json json_of(const StripPlan& plan)
 /// Runs the renderer for two rows, and plans by what it says.
 StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int number, const BatchPrograms& programs)
 {
-    if (!value_in(frame.words, "integral_error_image", "").empty())
+    if (!value_of_option(frame.words, "integral_error_image", "").empty())
         throw InputError(frame.name + ": Integral_Error_Image= is of whole frames; leave it out, or --strips");
-    if (!value_in(frame.words, "integral_rows", "").empty())
+    if (!value_of_option(frame.words, "integral_rows", "").empty())
         throw InputError(frame.name + ": Integral_Rows= is the strips' own; leave it out, or --strips");
     const ScratchFolder scratch;
     const std::string picture = scratch.path("rows.png");
     Names words = frame.words;
-    words.insert(words.end(), {"+FN", "Integral_Audit=off", "Integral_Depth_Image=", "End_Row=2", "+O\"" + picture + "\""});
+    words.insert(words.end(), {"+FN", "Integral_Audit=off", "Integral_Depth_Image=", "End_Row=2", "+O" + quoted(picture)});
     const std::string said = render_there(frame, words, scratch);
     const Frame rows = read_frame_with_metadata(picture);
-    const std::string given = value_in(frame.words, "render_block_size", "bs");
+    const std::string given = value_of_option(frame.words, "render_block_size", "bs");
     const int side = given.empty() ? usual_block_side : std::max(4, std::atoi(given.c_str())); // the renderer takes no less
     const int reach = is_on(said, "Antialiasing") ? rows_looked_at(rows.metadata->sheet, rows.metadata->film) : 0;
     warn_of_chance(frame, programs, said);
@@ -114,7 +94,7 @@ BatchPlan strip_steps(const BatchStep& frame, const StripPlan& plan)
 {
     BatchPlan steps;
     const std::string of = "of" + std::to_string(plan.strips.size()), extension = frame.output.substr(frame.output.rfind('.'));
-    const bool depth = !value_in(frame.words, "integral_depth_image", "").empty();
+    const bool depth = !value_of_option(frame.words, "integral_depth_image", "").empty();
     for (std::size_t k = 0; k < plan.strips.size(); ++k) {
         BatchStep step = frame;
         const std::string name = job_of(frame) + "." + std::to_string(k + 1) + of;

@@ -3,6 +3,9 @@
 
 #include "integral/io/file_bytes.h"
 
+#include <cstdio>
+#include <unistd.h>
+
 namespace integral {
 
 options::variables_map read_arguments(const Command& command, const std::vector<std::string>& words)
@@ -51,6 +54,12 @@ int in_range(const options::variables_map& arguments, const char* option, int le
                          ": a whole number from " + std::to_string(least) + " to " +
                          std::to_string(most) + " is expected");
     return value;
+}
+
+void say(const std::string& command, const std::string& text)
+{
+    const char* const line_start = isatty(STDERR_FILENO) ? "\r\033[K" : ""; // a progress bar may stand in the line
+    std::fprintf(stderr, "%sintegral %s: %s\n", line_start, command.c_str(), one_line(text).c_str());
 }
 
 void print_result(const options::variables_map& arguments, const std::string& text)

@@ -65,6 +65,10 @@ bool given(const options::variables_map& arguments, const char* option);
 /// The value of an option that is a whole number. Throws UsageError where it is not from `least` to `most`.
 int in_range(const options::variables_map& arguments, const char* option, int least, int most);
 
+/// Says one line on standard error, "integral COMMAND: TEXT". Names and other programs' words in the
+/// text cannot steer the terminal: each control character becomes a question mark.
+void say(const std::string& command, const std::string& text);
+
 /// Prints a result to standard output, or to -o's FILE whole. Throws OutputError.
 void print_result(const options::variables_map& arguments, const std::string& text);
 

@@ -134,7 +134,7 @@ int run(const options::variables_map& arguments)
     else
         write_file("-", figures);
     for (const auto& what : missed)
-        std::fprintf(stderr, "integral compare: %s: %s\n", inputs[1].c_str(), what.c_str());
+        say("compare", inputs[1] + ": " + what);
     return missed.empty() ? exit_done : exit_check_failed;
 }
 

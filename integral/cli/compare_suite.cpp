@@ -231,9 +231,9 @@ int run_suite(const options::variables_map& arguments)
         write_file(junit, suite_junit(suite));
     for (const SuitePair& pair : suite.pairs)
         for (const std::string& fault : pair.faults)
-            std::fprintf(stderr, "integral compare: %s: %s\n", pair.name.c_str(), fault.c_str());
+            say("compare", pair.name + ": " + fault);
     for (const std::string& fault : suite.unused)
-        std::fprintf(stderr, "integral compare: %s: %s\n", suite.tolerances.c_str(), fault.c_str());
+        say("compare", suite.tolerances + ": " + fault);
     const std::string said = given(arguments, "json") ? suite_json(suite) : suite_summary(suite) + "\n";
     if (output == "-" || junit == "-") // which has standard output
         std::fputs(said.c_str(), stderr);

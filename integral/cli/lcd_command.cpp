@@ -82,7 +82,7 @@ int make_images(const options::variables_map& arguments)
     const Panel panel = panel_of(arguments);
     if (panel.calibration)
         for (const std::string& what : panel.calibration->assumed)
-            std::fprintf(stderr, "integral lcd: %s: %s\n", text_of(arguments, "panel").c_str(), what.c_str());
+            say("lcd", text_of(arguments, "panel") + ": " + what);
     if (arguments["describe"].as<bool>()) {
         print_result(arguments, to_json(panel));
         return exit_done;

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace integral {
 namespace {
@@ -63,8 +62,8 @@ void tell_near_miss(const std::string& name, const FrameMetadata& frame, const F
                                               + size_text(panel.film.width, panel.film.height)
                              : !like.lenses ? std::string("its lenses are not the panel's")
                                             : "its pixels' colours lie otherwise";
-    std::fprintf(stderr, "integral lcd: %s: it is nearly a frame of this panel's own, but %s: the image is made of %s of it; --camera says what to render for the panel\n",
-                 name.c_str(), what.c_str(), counted(views, "view").c_str());
+    say("lcd", name + ": it is nearly a frame of this panel's own, but " + what + ": the image is made of "
+                   + counted(views, "view") + " of it; --camera says what to render for the panel");
 }
 
 /// Three channels of 8 or 16 bits over black; `linear`: 16 bits of linear light, to be blended.
@@ -113,10 +112,10 @@ void tell_other_zone(const std::string& name, const Aperture& frame, const Apert
     const auto same = [&](double a, double b) { return a == b || std::fabs(a - b) <= alike * b; };
     if (same(frame.distance, panel.distance) && same(frame.width, panel.width))
         return;
-    std::fprintf(stderr,
-                 "integral lcd: %s: it is rendered for eyes %.0f mm away in a zone %.0f mm wide; the panel's are %.0f mm away in %.0f mm, and near the ends see "
-                 "neighbouring views; the scene's location and angle decide (guide, Panels)\n",
-                 name.c_str(), frame.distance, frame.width, panel.distance, panel.width);
+    const auto mm = [](double length) { return with_decimals(length, 0) + " mm"; };
+    say("lcd", name + ": it is rendered for eyes " + mm(frame.distance) + " away in a zone " + mm(frame.width)
+                   + " wide; the panel's are " + mm(panel.distance) + " away in " + mm(panel.width)
+                   + ", and near the ends see neighbouring views; the scene's location and angle decide (guide, Panels)");
 }
 
 /// The value of --view: one of `count`. Nothing if it was not given.

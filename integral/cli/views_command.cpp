@@ -7,13 +7,13 @@
 #include "integral/cli/values.h"
 #include "integral/cli/views_to_frame.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/number_text.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/parallel_views.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <iostream>
 #include <optional>
@@ -103,10 +103,8 @@ void state_loss(const Frame& frame, ViewGrid grid, int threads)
     const auto psnr = psnr_there_and_back(frame, grid, threads, progress_bar("there and back"));
     if (!psnr)
         throw Interrupted();
-    std::fprintf(stderr,
-                 "integral views: the views are interpolated between the film's pixels: made into "
-                 "a frame again, PSNR %.1f dB\n",
-                 *psnr);
+    say("views", "the views are interpolated between the film's pixels: made into a frame again, "
+                 "PSNR " + with_decimals(*psnr, 1) + " dB");
 }
 
 /// Makes some rows, which draw(row) does, in `threads` threads.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <csignal>
 #include <cstdlib>
@@ -90,12 +91,28 @@ mode_t mode_for(const std::string& target)
 
 constexpr char unfinished_prefix[] = ".integral-";
 
-/// How the names end of the files that a process of this machine is making.
+/// How the names end of the files that a process of this machine and PID namespace is making.
 std::string mark_of(long process)
 {
     std::string host = host_name();
     std::replace(host.begin(), host.end(), '/', '-');
-    return "." + host + "." + std::to_string(process);
+    return "." + host + "." + process_namespace() + "." + std::to_string(process);
+}
+
+/// What a symbolic link says; empty if there is none.
+std::string link_at(const char* path)
+{
+    char text[PATH_MAX];
+    const ssize_t length = readlink(path, text, sizeof text);
+    return std::string(text, std::size_t(std::max<ssize_t>(0, length)));
+}
+
+/// Whether a file was not written to for so long that nobody does any more, on whatever machine.
+bool is_forgotten(const std::filesystem::directory_entry& file)
+{
+    std::error_code error;
+    const auto written = file.last_write_time(error);
+    return !error && std::filesystem::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 void write_straight(const std::string& path, const std::string& bytes)
@@ -280,6 +297,15 @@ std::string host_name()
     return name;
 }
 
+std::string process_namespace()
+{
+    if (link_at("/proc/self") != std::to_string(getpid()))
+        return "";
+    const std::string text = link_at("/proc/self/ns/pid"); // pid:[4026531836]
+    const auto first = text.find_first_of("0123456789"), last = text.find_last_of("0123456789");
+    return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
+}
+
 std::string unfinished_name(const std::string& name)
 {
     return unfinished_prefix + name + mark_of(getpid());
@@ -287,6 +313,7 @@ std::string unfinished_name(const std::string& name)
 
 void sweep_unfinished(const std::string& folder)
 {
+    const bool can_ask = !process_namespace().empty();
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
         const std::string name = entry.path().filename().string(), number = name.substr(name.rfind('.') + 1);
@@ -294,8 +321,10 @@ void sweep_unfinished(const std::string& folder)
             continue;
         const long process = std::atol(number.c_str());
         const std::string mark = mark_of(process);
-        const bool ours = name.size() > mark.size() && name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
-        if (ours && process > 0 && kill(pid_t(process), 0) != 0 && errno == ESRCH)
+        const bool ours = can_ask && name.size() > mark.size()
+                          && name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
+        const bool ended = process > 0 && kill(pid_t(process), 0) != 0 && errno == ESRCH;
+        if (ours ? ended : is_forgotten(entry))
             unlink(entry.path().c_str());
     }
 }

@@ -19,7 +19,7 @@ struct InputError : std::runtime_error {
 
 /// An output that could not be written. Same form.
 struct OutputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit OutputError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 /// The name by which messages call a path: "-" is standard input or output.
@@ -91,10 +91,18 @@ private:
 /// This machine's name.
 std::string host_name();
 
-/// The name under which this process may make a file of a folder before that gets its own: ".integral-NAME.HOST.PROCESS". write_file uses such names.
+/// The number of the PID namespace in which this process runs. Containers of one host name have
+/// different ones, and a process number means another process in each. Empty where /proc is missing
+/// or shows another namespace's processes: then no process can be looked up.
+std::string process_namespace();
+
+/// The name under which this process may make a file of a folder before that gets its own:
+/// ".integral-NAME.HOST.NAMESPACE.PROCESS". write_file uses such names.
 std::string unfinished_name(const std::string& name);
 
-/// Takes away the files of such names in a folder whose makers were killed: of this machine alone, as a process of another cannot be asked.
+/// Deletes the files of such names in a folder whose makers were killed: those of this machine and
+/// PID namespace at once; others, whose makers cannot be asked, once they are a day old, also those
+/// that earlier versions named without a namespace.
 void sweep_unfinished(const std::string& folder);
 
 /// Throws OutputError if write_file(path, ...) must fail: its folder is missing or read-only.

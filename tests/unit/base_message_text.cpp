@@ -37,4 +37,13 @@ BOOST_AUTO_TEST_CASE(reasons)
     BOOST_TEST(reason_of(std::runtime_error("it is empty")) == "it is empty");
 }
 
+BOOST_AUTO_TEST_CASE(one_line_has_no_control_characters)
+{
+    BOOST_TEST(one_line("a\tb\n\033]0;x\a\x7f") == "a?b??]0;x??");
+    BOOST_TEST(one_line("\xc2\x9b" "31m \xc2\x80\xc2") == "??31m ??\xc2");
+    BOOST_TEST(one_line("caf\xc3\xa9 \xc2\xa0\xe2\x82\xac") == "caf\xc3\xa9 \xc2\xa0\xe2\x82\xac");
+    BOOST_TEST(InputError("a\033").what() == std::string("a?"));
+    BOOST_TEST(OutputError("a\033").what() == std::string("a?"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

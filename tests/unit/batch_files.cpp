@@ -10,6 +10,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -49,6 +50,12 @@ std::string names_of(const std::vector<SceneFile>& files)
     for (const SceneFile& file : files)
         names += file.name + " ";
     return names;
+}
+
+/// Dates a file back.
+void made_ago(const std::string& path, std::chrono::seconds ago)
+{
+    std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - ago);
 }
 
 std::string refusal(const std::string& json)
@@ -278,6 +285,39 @@ BOOST_AUTO_TEST_CASE(one_holder_of_a_lock)
     BOOST_TEST(first.take(path, holder));
 }
 
+BOOST_AUTO_TEST_CASE(locks_of_other_namespaces_are_judged_by_age)
+{
+    const Folder folder;
+    const std::string path = folder.path + "/lock";
+    std::string holder;
+    LockFile lock;
+    BOOST_REQUIRE(lock.take(path, holder));
+    const std::string own = read_file(path);
+    const auto replaced = [&](const std::string& part, const std::string& with) {
+        std::string text = own;
+        BOOST_REQUIRE(text.find(part) != std::string::npos);
+        return text.replace(text.find(part), part.size(), with);
+    };
+    const std::string process = "\"process\":" + std::to_string(getpid()),
+                      name_space = "\"namespace\":\"" + process_namespace() + "\"";
+    // Of a process that is none: in this namespace, in another, and as locks were before they named one.
+    lock.release();
+    write_file(path, replaced(process, "\"process\":4194305"));
+    BOOST_TEST(lock.take(path, holder));
+    lock.release();
+    for (const std::string& other : {replaced(name_space, "\"namespace\":\"1\""), replaced("," + name_space, "")}) {
+        write_file(path, other);
+        BOOST_TEST(!lock.take(path, holder), other);
+        BOOST_TEST(holder == "process " + std::to_string(getpid()) + " on " + host_name());
+        made_ago(path, std::chrono::seconds(LockFile::seconds_of_silence + 10));
+        BOOST_TEST(lock.take(path, holder), other);
+        write_file(path, other); // taken by one of the same number elsewhere: it is not this one's to release
+        lock.release();
+        BOOST_TEST(std::filesystem::exists(path));
+        std::filesystem::remove(path);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
 {
     const Folder folder;
@@ -305,7 +345,8 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
     };
     BOOST_REQUIRE(end(child));
     BOOST_REQUIRE(unfinished().size() == 1);
-    BOOST_TEST(unfinished()[0].substr(16) == "." + host_name() + "." + std::to_string(child));
+    const std::string here = host_name() + "." + process_namespace() + ".";
+    BOOST_TEST(unfinished()[0].substr(16) == "." + here + std::to_string(child));
     sweep_unfinished(folder.path);
     BOOST_TEST(unfinished().size() == 1); // nobody says yet that it has ended
     waitpid(child, nullptr, 0);
@@ -313,10 +354,11 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
     BOOST_TEST(unfinished().empty());
     BOOST_TEST(!std::filesystem::exists(folder.path + "/record"));
     // What is another's, or may be.
-    const std::string dead = "." + host_name() + "." + std::to_string(child);
-    const std::vector<std::string> others = {unfinished_name("abcdef"), ".integral-abcdef." + host_name() + ".1", ".integral-abcdef.else" + host_name() + "." + std::to_string(child),
-                                             ".integral-abcdef", "notes" + dead, ".integral-abcdef" + dead + ".json", ".integral-abcdef" + dead + "x",
-                                             ".integral-abcdef." + host_name() + ".", ".integral-abcdef." + host_name() + ".0", ".integral-abcdef." + host_name() + ".4294967296"};
+    const std::string of = ".integral-abcdef", number = std::to_string(child), dead = "." + here + number,
+                      elsewhere = of + "." + host_name() + ".1." + number;
+    const std::vector<std::string> others = {
+        unfinished_name("abcdef"), of + "." + here + "1", of + ".else" + here + number, elsewhere, of + "." + host_name() + "." + number, of,
+        "notes" + dead, of + dead + ".json", of + dead + "x", of + "." + here, of + "." + here + "0", of + "." + here + "4294967296"};
     for (const std::string& name : others)
         folder.write(name, "");
     folder.write(".integral-lock" + dead, "");
@@ -324,6 +366,14 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
     for (const std::string& name : others)
         BOOST_TEST(std::filesystem::exists(folder.path + "/" + name), name);
     BOOST_TEST(!std::filesystem::exists(folder.path + "/.integral-lock" + dead));
+    // A process of another namespace cannot be asked: but it does not write for a day.
+    const std::string forgotten = folder.path + "/" + elsewhere;
+    made_ago(forgotten, std::chrono::hours(23));
+    sweep_unfinished(folder.path);
+    BOOST_TEST(std::filesystem::exists(forgotten));
+    made_ago(forgotten, std::chrono::hours(25));
+    sweep_unfinished(folder.path);
+    BOOST_TEST(!std::filesystem::exists(forgotten));
     sweep_unfinished(folder.path + "/none");
 }
 

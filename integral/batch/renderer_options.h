@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// povray-integral's options as its own parser reads them from the words of a command line.
+#ifndef INTEGRAL_BATCH_RENDERER_OPTIONS_H
+#define INTEGRAL_BATCH_RENDERER_OPTIONS_H
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+struct RendererOption {
+    enum class Kind {
+        keyword, ///< Width=300
+        letters, ///< +W300, -D, +O"a file"
+        path,    ///< settings ("quick.ini[draft]"), a scene, or a folder of include files
+    };
+    Kind kind = Kind::path;
+    std::string name;  ///< the keyword, or the letters with what follows them: as written, in any case
+    std::string value; ///< of a keyword; in quotation marks after letters; a path
+};
+
+/// The options in one word of the command line: POV-Ray splits it at blanks that are not in quotation
+/// marks, and takes both kinds of marks away. A word that begins with Integral_Camera= is one option.
+std::vector<RendererOption> renderer_options_in(const std::string& word);
+
+/// A file's name for the command line: in quotation marks of a kind that it does not have.
+std::string quoted(const std::string& name);
+
+/// Whether quoted() can pass a name on: one with both kinds of quotation marks cannot be.
+bool can_be_quoted(const std::string& name);
+
+/// The values of the options that are this keyword or, where `letters` is not empty, these letters with
+/// a value behind them. Both names in small letters.
+std::vector<std::string> values_of_option(const std::vector<std::string>& words,
+                                          const std::string& keyword, const std::string& letters);
+
+/// The last of these, which is the one that counts; "" if there is none.
+std::string value_of_option(const std::vector<std::string>& words, const std::string& keyword,
+                            const std::string& letters);
+
+/// Why a batch gives an option among this word's itself, or has no use for it; empty if all may be given.
+std::string refused_renderer_option(const std::string& word);
+
+} // namespace integral
+
+#endif
