@@ -44,7 +44,7 @@ bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench
 	$(srcdir)/bench/batch_throughput
 
 # Minutes of rendering: error against run time (doc/error-against-time.md). Its test runs a small part of it.
-check_PROGRAMS += build/bench/error_against_time
+EXTRA_PROGRAMS += build/bench/error_against_time
 build_bench_error_against_time_SOURCES = \
   bench/error_against_time.cpp \
   bench/error_against_time.h \
@@ -75,7 +75,7 @@ table-4-1: all build/bench/table_4_1
 	build/bench/table_4_1 build/bench/table-4-1 $(srcdir)/bench/scenes
 
 # What 25 eyes see of a frame, its own sampling's limit beside it: minutes of rendering (doc/eyes.md). Its test runs a small part.
-check_PROGRAMS += build/bench/eyes
+EXTRA_PROGRAMS += build/bench/eyes
 build_bench_eyes_SOURCES = \
   bench/camera_array.cpp \
   bench/camera_array.h \

@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 # The tests: tests/unit is one Boost.Test program; the other layers are scripts that tests/run finds by itself.
 
-check_PROGRAMS += build/tests/unit
+EXTRA_PROGRAMS += build/tests/unit
 build_tests_unit_SOURCES = $(unit_sources)
 build_tests_unit_CPPFLAGS = $(AM_CPPFLAGS) -DBOOST_TEST_DYN_LINK
 build_tests_unit_LDADD = $(LIBINTEGRAL_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
 
-check_PROGRAMS += build/tests/centroid
+EXTRA_PROGRAMS += build/tests/centroid
 build_tests_centroid_SOURCES = tests/replay/centroid.cpp
 build_tests_centroid_LDADD = -lpng
 
-check_PROGRAMS += build/tests/parallax
+EXTRA_PROGRAMS += build/tests/parallax
 build_tests_parallax_SOURCES = tests/replay/parallax.cpp
 build_tests_parallax_LDADD = $(LIBINTEGRAL_LIBS)
 
 # For tests/cli/print_cups.test, which skips where they are missing.
 if HAVE_CUPS
 cups_programs = build/tests/spool build/tests/raster build/tests/dyesub
-check_PROGRAMS += $(cups_programs)
+EXTRA_PROGRAMS += $(cups_programs)
 build_tests_spool_SOURCES = tests/cli/helpers/spool.cpp
 build_tests_spool_LDADD = $(LIBINTEGRAL_LIBS)
 build_tests_raster_SOURCES = tests/cli/helpers/raster.cpp
@@ -28,13 +28,13 @@ endif
 # For tests/cli/lcd_show.test, likewise.
 if HAVE_SDL2
 screen_programs = build/tests/screen
-check_PROGRAMS += $(screen_programs)
+EXTRA_PROGRAMS += $(screen_programs)
 build_tests_screen_SOURCES = tests/cli/helpers/screen.cpp
 build_tests_screen_LDADD = $(LIBINTEGRAL_LIBS) -lX11
 endif
 
 # A simulated scanner, for tests/cli/integral_rectify.test.
-check_PROGRAMS += build/tests/scan
+EXTRA_PROGRAMS += build/tests/scan
 build_tests_scan_SOURCES = tests/cli/helpers/scan.cpp
 build_tests_scan_LDADD = -lpng
 
@@ -110,7 +110,7 @@ unit_sources = \
   tests/unit/pixel_origins.h
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
-check_PROGRAMS += build/tests/oracle build/tests/frames build/tests/depths
+EXTRA_PROGRAMS += build/tests/oracle build/tests/frames build/tests/depths
 build_tests_oracle_SOURCES = \
   tests/render/helpers/oracle.h \
   tests/render/helpers/oracle_camera.cpp \
@@ -124,22 +124,46 @@ build_tests_frames_SOURCES = \
   tests/render/helpers/frames_oracle.cpp
 build_tests_frames_LDADD = $(FRAME_LIBS)
 
-check_PROGRAMS += build/tests/depths
 build_tests_depths_SOURCES = \
   tests/render/helpers/depths.cpp \
   tests/render/helpers/frames.h \
   tests/render/helpers/frames_files.cpp
 build_tests_depths_LDADD = $(FRAME_LIBS)
 
-test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-test_programs = build/tests/unit build/tests/centroid build/tests/parallax build/tests/scan build/sanitized/unit build/sanitized/integral build/tests/oracle build/tests/frames build/tests/depths \
-  build/bench/error_against_time build/bench/eyes build/bench/large_frames $(cups_programs) $(screen_programs)
+# What tests/sanitized/fuzz.test runs: what reads files, with the sanitized objects.
+fuzz_sources = tests/sanitized/fuzz/main.cpp tests/sanitized/fuzz/targets.cpp tests/sanitized/fuzz/seeds.cpp tests/sanitized/fuzz/commands.cpp \
+  tests/sanitized/fuzz/png_mutation.cpp tests/sanitized/fuzz/integral_main.cpp
+EXTRA_PROGRAMS += build/sanitized/mutations
+build_sanitized_mutations_SOURCES = $(fuzz_sources) tests/sanitized/fuzz/mutations.cpp tests/sanitized/fuzz/target.h
+build_sanitized_mutations_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
+build_sanitized_mutations_LDADD = $(sanitized_commands) build/sanitized/libintegral.a $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+$(build_sanitized_mutations_OBJECTS): CXXFLAGS = -O1
+sanitized_commands = $(filter-out %-main.$(OBJEXT),$(build_sanitized_integral_OBJECTS))
+build_sanitized_mutations_DEPENDENCIES = $(sanitized_commands) build/sanitized/libintegral.a
 
-.PHONY: check-long
-check-local: $(test_programs) pristine
+test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
+# By layer, so that some layers need no more than they use.
+programs_of_unit = build/tests/unit
+programs_of_quick = build/tests/unit build/tests/oracle build/tests/frames
+programs_of_render = build/tests/oracle build/tests/frames build/tests/depths
+programs_of_replay = $(programs_of_render) build/tests/centroid build/tests/parallax build/bench/eyes
+programs_of_cli = $(programs_of_render) build/tests/scan build/bench/error_against_time build/bench/large_frames $(cups_programs) $(screen_programs)
+programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitized/integral build/sanitized/mutations
+test_programs = $(sort $(foreach layer,$(or $(LAYERS),unit render replay cli sanitized),$(programs_of_$(layer))))
+
+# The unmodified POV-Ray that the tests compare with (tests/unmodified): compiled here only where the distribution has none of this version.
+.PHONY: unmodified check-quick check-long
+unmodified: povray-integral
+	@$(test_environment) $(abs_top_srcdir)/tests/unmodified --path > /dev/null 2>&1 || $(MAKE) pristine
+
+check-local: $(test_programs) unmodified
 	@$(test_environment) $(abs_top_srcdir)/tests/run $(LAYERS)
 
-# The same tests at full size (see tests/README): hours.
+# What says so of itself ("# quick: yes"), for an answer in minutes.
+check-quick: all $(programs_of_quick) unmodified
+	@$(test_environment) $(abs_top_srcdir)/tests/run --quick $(LAYERS)
+
+# The same tests at full size (see tests/README): hours. They compare with POV-Ray as compiled here, whatever is installed.
 check-long: all $(test_programs) pristine
 	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
 
@@ -151,16 +175,14 @@ numerics: build/tests/unit
 
 EXTRA_DIST += tests
 
-# What tests/sanitized/fuzz.test runs: everything again, compiled by clang for libFuzzer. GNU make's rules, for clang's own flags.
+# What it runs under check-long: everything again, compiled by clang for libFuzzer. GNU make's rules, for clang's own flags.
 FUZZ_CXX = clang++
 FUZZ_CXXFLAGS = -std=c++17 -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow \
   -fno-sanitize-recover=undefined,float-cast-overflow
-fuzz_objects = $(patsubst %.cpp,build/fuzz/%.o,$(filter %.cpp,$(build_lib_libintegral_a_SOURCES) $(build_bin_integral_SOURCES) \
-  tests/sanitized/fuzz/main.cpp tests/sanitized/fuzz/targets.cpp tests/sanitized/fuzz/seeds.cpp tests/sanitized/fuzz/commands.cpp \
-  tests/sanitized/fuzz/png_mutation.cpp))
+fuzz_objects = $(patsubst %.cpp,build/fuzz/%.o,$(filter %.cpp,$(build_lib_libintegral_a_SOURCES) \
+  $(filter-out integral/cli/main.cpp,$(build_bin_integral_SOURCES)) $(fuzz_sources)))
 build/fuzz/readers: $(fuzz_objects)
 	$(AM_V_CXXLD)$(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -o $@ $(fuzz_objects) $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lpthread
 build/fuzz/%.o: %.cpp build/generated/replay_page_text.h
-	$(AM_V_CXX)$(MKDIR_P) $(@D) && $(FUZZ_CXX) $(DEFS) $(fuzz_defines) $(AM_CPPFLAGS) $(FUZZ_CXXFLAGS) -MMD -MP -c -o $@ $<
-build/fuzz/integral/cli/main.o: fuzz_defines = -Dmain=integral_main
+	$(AM_V_CXX)$(MKDIR_P) $(@D) && $(FUZZ_CXX) $(DEFS) $(AM_CPPFLAGS) $(FUZZ_CXXFLAGS) -MMD -MP -c -o $@ $<
 -include $(fuzz_objects:.o=.d)

@@ -19,7 +19,7 @@ povray-integral: build/lib/libintegral.a
 	      mv build/bin/.povray-integral.new build/bin/povray-integral && echo built build/bin/povray-integral; }
 	@$(povray_environment) $(abs_top_srcdir)/unix/stage-share
 
-# Upstream without a patch, compiled with the same flags: what the tests compare with.
+# Upstream without a patch, compiled with the same flags: what check-long and the benches compare with.
 pristine: povray-integral
 	+@$(povray_environment) $(abs_top_srcdir)/unix/build-povray pristine
 
@@ -54,7 +54,7 @@ uninstall-local:
 clean-local:
 	@edits=`$(povray_environment) $(abs_top_srcdir)/unix/edits`; test -z "$$edits" || \
 	    { echo "build/povray has edits that are not in the queue:" $$edits"; run make refresh first, or delete them" >&2; exit 1; }
-	rm -rf build/povray build/povray.* build/pristine build/pristine.* build/share build/tests build/sanitized build/bin
+	rm -rf build/povray build/povray.* build/pristine build/pristine.* build/share build/tests build/sanitized build/fuzz build/bin
 
 distclean-local:
 	@edits=`$(povray_environment) $(abs_top_srcdir)/unix/edits`; test -z "$$edits" || \

@@ -124,7 +124,7 @@ void numerics::record(const std::string& what, const std::string& quantity, bool
 BOOST_TEST_GLOBAL_FIXTURE(TableFile);
 
 // After the suites that record.
-BOOST_AUTO_TEST_SUITE(numerics_table,
+BOOST_AUTO_TEST_SUITE(optics_numerics,
                       *boost::unit_test::depends_on("optics_rays") * boost::unit_test::depends_on("optics_beam"))
 
 BOOST_AUTO_TEST_CASE(figures_are_rounded_up_to_two_digits)

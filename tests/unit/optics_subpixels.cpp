@@ -10,7 +10,7 @@
 
 using namespace integral;
 
-BOOST_AUTO_TEST_SUITE(subpixels)
+BOOST_AUTO_TEST_SUITE(optics_subpixels)
 
 namespace {
 

@@ -5,5 +5,5 @@ global_settings { assumed_gamma 1 max_trace_level 8 }
 #declare Placement = transform { scale 1 }
 #include "camera.inc"
 #include "straddle.inc"
-light_source { <2, 14, -9>, rgb 0.3 area_light x * 6, z * 6, 14, 14 }
-light_source { <-6, 10, 12>, rgb 0.2 area_light x * 6, y * 6, 14, 14 }
+light_source { <2, 14, -9>, rgb 0.3 area_light x * 6, z * 6, 9, 9 }
+light_source { <-6, 10, 12>, rgb 0.2 area_light x * 6, y * 6, 9, 9 }

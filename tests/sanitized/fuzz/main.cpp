@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The fuzzing program: libFuzzer around the targets of targets.cpp.
+// The fuzzing program: libFuzzer, or mutations.cpp, around the targets of targets.cpp.
 //   readers --targets             their names
 //   readers --seeds NAME FOLDER   writes a target's seeds into FOLDER, and its dictionary into FOLDER.words
-//   FUZZ_TARGET=NAME readers ...  libFuzzer's own options
+//   FUZZ_TARGET=NAME readers ...  libFuzzer's own options, or those of mutations.cpp
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/cli/command.h"
@@ -85,6 +85,8 @@ std::string file_of(const Bytes& bytes, int slot)
         std::abort();
     return "/proc/self/fd/" + std::to_string(file);
 }
+
+const Target& chosen_target() { return *chosen; }
 
 std::string scratch_path(const std::string& name)
 {

@@ -22,6 +22,9 @@ struct Target {
 extern const std::vector<Target> targets;
 extern const Target planted_fault; ///< a target that is at fault, for the test of the fuzzing itself
 
+/// The target that the environment's FUZZ_TARGET names, once LLVMFuzzerInitialize has run.
+const Target& chosen_target();
+
 /// The path of a file in memory with these bytes, until the next call for the same `slot` (0 or 1).
 std::string file_of(const Bytes& bytes, int slot = 0);
 
