@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "bench/camera_array.h"
 
+#include "integral/base/parallel.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/parallel.h"
 #include "integral/replay/arrange.h"
 
 #include <algorithm>

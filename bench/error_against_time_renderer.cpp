@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "bench/error_against_time.h"
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/io/image_file.h"
 
 #include <algorithm>

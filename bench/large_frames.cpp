@@ -6,8 +6,8 @@
 //   large_frames [--size 12000x8400] [--integral PROGRAM] [--folder FOLDER] [--poster MM]
 #include "bench/program.h"
 
+#include "integral/base/parallel.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/parallel.h"
 
 #include <png.h>
 

@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_BENCH_PROGRAM_H
 #define INTEGRAL_BENCH_PROGRAM_H
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 
 #include <boost/program_options.hpp>
 

@@ -8,6 +8,7 @@
 #include "bench/pictures.h"
 #include "bench/program.h"
 
+#include "integral/base/constants.h"
 #include "integral/io/image_file.h"
 #include "integral/replay/compare.h"
 
@@ -31,7 +32,6 @@ constexpr double side = 0.45; // of the aperture's width
 // Where the steps of a profile fall is chance: the spheres' edges lie a third of a pixel's beam at 300 dpi (2.2 mm) apart.
 constexpr double radius = 24, radius_step = 0.8;
 constexpr int spheres = 5;
-constexpr double pi = 3.14159265358979323846;
 
 struct Shot {
     std::string name, label; ///< of its file; over its picture

@@ -9,9 +9,9 @@
 #define INTEGRAL_ANALYSIS_LATTICE_SEARCH_H
 
 #include "integral/analysis/scan_map.h"
+#include "integral/base/parallel.h"
 #include "integral/lightfield/frame_metadata.h"
 #include "integral/lightfield/image.h"
-#include "integral/lightfield/parallel.h"
 
 namespace integral {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/analysis/lens_borders.h"
 
-#include "integral/lightfield/parallel.h"
+#include "integral/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/analysis/rectify.h"
 
+#include "integral/base/constants.h"
 #include <algorithm>
 #include <cmath>
 
 namespace integral {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int lobes = 3;
 
 double sinc(double x) { return x == 0 ? 1 : std::sin(pi * x) / (pi * x); }

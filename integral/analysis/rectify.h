@@ -5,8 +5,8 @@
 
 #include "integral/analysis/scan_colour.h"
 #include "integral/analysis/scan_map.h"
+#include "integral/base/parallel.h"
 #include "integral/lightfield/frame.h"
-#include "integral/lightfield/parallel.h"
 
 namespace integral {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/analysis/spectrum.h"
 
+#include "integral/base/constants.h"
 #include <fftw3.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace integral {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 
 struct Free {
     void operator()(void* memory) const { fftw_free(memory); }

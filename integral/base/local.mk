@@ -2,7 +2,16 @@
 # Sources of integral/base: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/base/constants.h \
+  integral/base/file_bytes.cpp \
+  integral/base/file_bytes.h \
   integral/base/json.cpp \
   integral/base/json.h \
+  integral/base/json_fields.cpp \
+  integral/base/json_fields.h \
   integral/base/message_text.cpp \
-  integral/base/message_text.h
+  integral/base/message_text.h \
+  integral/base/number_text.cpp \
+  integral/base/number_text.h \
+  integral/base/parallel.cpp \
+  integral/base/parallel.h

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/batch_folder.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/batch/content_hash.h"
-#include "integral/io/file_bytes.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/located_json.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/base/message_text.h"
-#include "integral/io/file_bytes.h"
 
 namespace integral {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/manifest.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/base/message_text.h"
 #include "integral/batch/located_json.h"
 #include "integral/batch/renderer_options.h"
-#include "integral/io/file_bytes.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/plan.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/batch/content_hash.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_files.h"
-#include "integral/io/file_bytes.h"
 
 #include <cstdlib>
 #include <sys/stat.h>

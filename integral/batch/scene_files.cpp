@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/scene_files.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/batch/renderer_options.h"
-#include "integral/io/file_bytes.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/step_record.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
-#include "integral/io/file_bytes.h"
 
 namespace integral {
 

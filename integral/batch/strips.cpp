@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/strips.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
+#include "integral/base/number_text.h"
 #include "integral/io/codecs.h"
-#include "integral/io/file_bytes.h"
-#include "integral/lightfield/number_text.h"
 
 #include <algorithm>
 #include <cctype>

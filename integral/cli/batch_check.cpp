@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/batch_check.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/cli/command.h"
 #include "integral/cli/lcd_image.h"
 #include "integral/cli/print_options.h"
-#include "integral/io/file_bytes.h"
 
 
 namespace integral {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral batch: many frames, and what is made of them.
+#include "integral/base/file_bytes.h"
+#include "integral/base/number_text.h"
 #include "integral/cli/batch_check.h"
 #include "integral/cli/batch_report.h"
 #include "integral/cli/batch_run.h"
@@ -8,8 +10,6 @@
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
-#include "integral/io/file_bytes.h"
-#include "integral/lightfield/number_text.h"
 
 #include <nlohmann/json.hpp>
 

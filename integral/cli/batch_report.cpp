@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/batch_report.h"
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
+#include "integral/base/number_text.h"
 #include "integral/io/markup.h"
-#include "integral/lightfield/number_text.h"
 #include "integral/output/html_page.h"
 
 #include <nlohmann/json.hpp>

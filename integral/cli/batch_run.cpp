@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/batch_run.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/batch/lock_file.h"
 #include "integral/cli/batch_schedule.h"
 #include "integral/cli/batch_steps.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
-#include "integral/io/file_bytes.h"
 
 #include <chrono>
 #include <csignal>

@@ -3,9 +3,9 @@
 #ifndef INTEGRAL_CLI_BATCH_RUN_H
 #define INTEGRAL_CLI_BATCH_RUN_H
 
+#include "integral/base/parallel.h"
 #include "integral/batch/batch_folder.h"
 #include "integral/batch/plan.h"
-#include "integral/lightfield/parallel.h"
 
 #include <map>
 #include <set>

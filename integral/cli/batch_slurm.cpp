@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/batch_slurm.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
+#include "integral/base/number_text.h"
 #include "integral/cli/batch_strips.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/slurm.h"
-#include "integral/io/file_bytes.h"
-#include "integral/lightfield/number_text.h"
 
 #include <algorithm>
 #include <chrono>

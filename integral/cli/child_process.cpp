@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/child_process.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/cli/progress.h"
-#include "integral/io/file_bytes.h"
 
 #include <cerrno>
 #include <chrono>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/compare_figures.h"
 
+#include "integral/base/number_text.h"
 #include "integral/cli/values.h"
 #include "integral/lightfield/names.h"
-#include "integral/lightfield/number_text.h"
 
 #include <nlohmann/json.hpp>
 

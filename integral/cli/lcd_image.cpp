@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/lcd_image.h"
 
+#include "integral/base/number_text.h"
 #include "integral/cli/given_views.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/number_text.h"
 #include "integral/output/panel_cards.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"

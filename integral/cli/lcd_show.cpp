@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/lcd_show.h"
 
+#include "integral/base/number_text.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/number_text.h"
 #include "integral/output/screen_window.h"
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The integral program: finds the command, reads its options, and turns errors into exit statuses.
+#include "integral/base/file_bytes.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
-#include "integral/io/file_bytes.h"
 
 #include <cstdio>
 #include <iostream>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/print_chart.h"
 
+#include "integral/base/number_text.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
-#include "integral/lightfield/number_text.h"
 #include "integral/lightfield/sheet_figures.h"
 #include "integral/output/pitch_chart.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral print: a frame on paper, pixel for pixel.
+#include "integral/base/number_text.h"
 #include "integral/cli/picture_series.h"
 #include "integral/cli/print_chart.h"
 #include "integral/cli/print_options.h"
@@ -7,7 +8,6 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
-#include "integral/lightfield/number_text.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/page_pdf.h"
 #include "integral/output/page_raster.h"

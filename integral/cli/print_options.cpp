@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/print_options.h"
 
+#include "integral/base/number_text.h"
 #include "integral/cli/values.h"
-#include "integral/lightfield/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_CLI_PROGRESS_H
 #define INTEGRAL_CLI_PROGRESS_H
 
-#include "integral/lightfield/parallel.h"
+#include "integral/base/parallel.h"
 
 namespace integral {
 

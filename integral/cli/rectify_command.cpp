@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral rectify: a scan of micro-images becomes a frame.
 #include "integral/analysis/lattice_search.h"
+
 #include "integral/analysis/rectify.h"
+#include "integral/base/constants.h"
+#include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,7 +19,6 @@
 namespace integral {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double default_turn_range = 10; // degrees
 
 options::options_description make_options()
@@ -91,8 +92,8 @@ LatticeSearch read_search(const options::variables_map& arguments, const FrameMe
     read_number(arguments, "turn", turn);
     if (!(std::fabs(turn) <= 360))
         throw UsageError("--turn " + text_of(arguments, "turn") + ": degrees from -360 to 360 are expected");
-    search.about.rotation = turn * degree;
-    search.turn_range = default_turn_range * degree;
+    search.about.rotation = turn * radians_per_degree;
+    search.turn_range = default_turn_range * radians_per_degree;
     return search;
 }
 
@@ -168,7 +169,7 @@ nlohmann::ordered_json as_json(const FoundLattice& found, const LatticeSearch& s
 {
     const ScanMap& m = found.map;
     const double pitch = search.sheet.pitch;
-    return {{"rotation_degrees", m.rotation / degree},
+    return {{"rotation_degrees", m.rotation / radians_per_degree},
             {"pitch_mm", pitch},
             {"pitch_px", {pitch * m.scale.x, pitch * m.scale.y}},
             {"micro_image_pitch_mm", pitch * (1 + search.sheet.thickness / (search.sheet.ior * search.aperture.distance))},
@@ -176,7 +177,7 @@ nlohmann::ordered_json as_json(const FoundLattice& found, const LatticeSearch& s
             {"sheet_offset_mm", {search.sheet.offset.x, search.sheet.offset.y}},
             {"scan_dpi", {mm_per_inch * m.scale.x, mm_per_inch * m.scale.y}},
             {"scale", {m.scale.x / search.about.scale.x, m.scale.y / search.about.scale.y}},
-            {"standard_error", found.errors_known ? nlohmann::ordered_json{{"rotation_degrees", found.rotation_error / degree},
+            {"standard_error", found.errors_known ? nlohmann::ordered_json{{"rotation_degrees", found.rotation_error / radians_per_degree},
                                                                            {"pitch_relative", {found.scale_error.x, found.scale_error.y}},
                                                                            {"middle_px", {found.offset_error.x, found.offset_error.y}}}
                                                   : nlohmann::ordered_json(nullptr)},
@@ -199,7 +200,7 @@ std::string as_text(const FoundLattice& found, const LatticeSearch& search, cons
                   "edge on the lens borders %+.0f%%, %.0f deviations above lattices at random\n"
                   "frame                    %d x %d pixels of %.5g x %.5g mm\n"
                   "light                    %s\n",
-                  m.rotation / degree, found.rotation_error / degree, pitch * m.scale.x, pitch * m.scale.y, 100 * found.scale_error.x,
+                  m.rotation / radians_per_degree, found.rotation_error / radians_per_degree, pitch * m.scale.x, pitch * m.scale.y, 100 * found.scale_error.x,
                   100 * found.scale_error.y, mm_per_inch * m.scale.x, mm_per_inch * m.scale.y, 100 * (m.scale.x / search.about.scale.x - 1),
                   100 * (m.scale.y / search.about.scale.y - 1), m.middle.x, m.middle.y, found.offset_error.x, found.offset_error.y,
                   100 * found.contrast, found.significance, film.width, film.height, film.pixel_pitch.x, film.pixel_pitch.y,

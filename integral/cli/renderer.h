@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_CLI_RENDERER_H
 #define INTEGRAL_CLI_RENDERER_H
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/suite_report.h"
 
+#include "integral/base/number_text.h"
 #include "integral/cli/compare_figures.h"
 #include "integral/cli/suite_pictures.h"
 #include "integral/io/markup.h"
-#include "integral/lightfield/number_text.h"
 #include "integral/output/html_page.h"
 
 #include <nlohmann/json.hpp>

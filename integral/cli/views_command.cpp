@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral views: the views that are in a frame, as a quilt, an animation or files; and the frame of them.
+#include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/given_views.h"
 #include "integral/cli/picture_series.h"
@@ -7,7 +8,6 @@
 #include "integral/cli/values.h"
 #include "integral/cli/views_to_frame.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/number_text.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/parallel_views.h"

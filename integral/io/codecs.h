@@ -4,7 +4,7 @@
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/io/input_file.h"
 #include "integral/lightfield/image.h"
 

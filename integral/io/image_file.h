@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_IO_IMAGE_FILE_H
 #define INTEGRAL_IO_IMAGE_FILE_H
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/lightfield/depth_range.h"
 #include "integral/lightfield/frame.h"
 

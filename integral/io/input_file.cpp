@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/input_file.h"
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 
 #include <algorithm>
 #include <cerrno>

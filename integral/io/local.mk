@@ -9,8 +9,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/exr_codec.cpp \
   integral/io/exr_header.cpp \
   integral/io/exr_header.h \
-  integral/io/file_bytes.cpp \
-  integral/io/file_bytes.h \
   integral/io/image_file.cpp \
   integral/io/image_file.h \
   integral/io/input_file.cpp \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/plot.h"
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/io/plot_axis.h"
 #include "integral/io/plot_canvas.h"
 #include "integral/io/plot_names.h"

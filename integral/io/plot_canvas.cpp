@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/plot_canvas.h"
 
+#include "integral/base/constants.h"
 #include "integral/io/markup.h"
 
 #include <cairo-svg.h>
@@ -18,7 +19,6 @@ extern "C" const char* __lsan_default_options() { return "print_suppressions=0";
 namespace integral {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned length)
 {

@@ -149,4 +149,12 @@ Json json_of(const Aperture& aperture)
             {"shape", name_of(aperture.shape)}};
 }
 
+Vec2 vec2_at(const JsonObject& object, const char* field, double least, double greatest)
+{
+    const auto v = numbers_at(object, field, 2, least, greatest);
+    return {v[0], v[1]};
+}
+
+Json list(Vec2 v) { return Json::array({v.x, v.y}); }
+
 } // namespace integral

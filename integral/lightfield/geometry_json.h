@@ -3,7 +3,8 @@
 #ifndef INTEGRAL_LIGHTFIELD_GEOMETRY_JSON_H
 #define INTEGRAL_LIGHTFIELD_GEOMETRY_JSON_H
 
-#include "integral/lightfield/json_fields.h"
+#include "integral/base/json_fields.h"
+#include "integral/lightfield/names.h"
 
 namespace integral {
 
@@ -32,6 +33,19 @@ Json json_of(const LensSheet& sheet);
 Json json_of(const Film& film);
 Json json_of(const Subpixels& subpixels);
 Json json_of(const Aperture& aperture);
+
+/// A field that is a list of two numbers in [least, greatest].
+Vec2 vec2_at(const JsonObject& object, const char* field, double least, double greatest);
+Json list(Vec2 v);
+
+/// A field that is one of the words for the kinds of something.
+template <class Kind> Kind kind_at(const JsonObject& object, const char* field)
+{
+    const auto kind = kind_named<Kind>(string_at(object, field));
+    if (!kind)
+        refuse(object.path_of(field), "must be " + legal_names<Kind>());
+    return *kind;
+}
 
 } // namespace integral
 

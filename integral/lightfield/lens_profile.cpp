@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/lens_profile.h"
 
+#include "integral/base/constants.h"
 #include <algorithm>
 
 namespace integral {
 namespace {
 
-constexpr double degrees = 180 / 3.14159265358979323846;
 
 /// One lens on the axis. All light stays near the plane y = 0, in which a lenticular lens's slit is: how far
 /// `slit_distance` is makes no difference, but it must not be where the scene is.
@@ -52,7 +52,7 @@ double width_at(const std::vector<std::pair<double, int>>& ends, double share)
     return last - first;
 }
 
-double angle(Vec3 direction) { return std::atan2(-direction.x, -direction.z) * degrees; }
+double angle(Vec3 direction) { return std::atan2(-direction.x, -direction.z) * degrees_per_radian; }
 
 } // namespace
 

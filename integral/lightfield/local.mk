@@ -18,16 +18,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/geometry_json.h \
   integral/lightfield/image.cpp \
   integral/lightfield/image.h \
-  integral/lightfield/json_fields.cpp \
-  integral/lightfield/json_fields.h \
   integral/lightfield/lens_profile.cpp \
   integral/lightfield/lens_profile.h \
   integral/lightfield/names.cpp \
   integral/lightfield/names.h \
-  integral/lightfield/number_text.cpp \
-  integral/lightfield/number_text.h \
-  integral/lightfield/parallel.cpp \
-  integral/lightfield/parallel.h \
   integral/lightfield/pixel_sampler.cpp \
   integral/lightfield/pixel_sampler.h \
   integral/lightfield/refinement.cpp \

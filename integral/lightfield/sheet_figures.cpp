@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/sheet_figures.h"
 
+#include "integral/base/constants.h"
 #include "integral/optics/film.h"
 
 #include <cmath>
@@ -8,7 +9,6 @@
 namespace integral {
 namespace {
 
-constexpr double degrees = 180 / 3.14159265358979323846;
 constexpr double half_inch = mm_per_inch / 2; // a line pair is two pixels, or two lenses
 
 /// Angle outside the medium of a ray inside it at slope `lateral` over t.
@@ -17,7 +17,7 @@ std::optional<double> refracted_angle(const LensSheet& sheet, double lateral)
     const double s = sheet.ior * std::sin(std::atan(lateral / sheet.thickness));
     if (s > 1)
         return std::nullopt;
-    return std::asin(s) * degrees;
+    return std::asin(s) * degrees_per_radian;
 }
 
 } // namespace
@@ -49,7 +49,7 @@ std::optional<double> pixel_angle(const LensSheet& sheet, double pixel)
 
 double pixel_spread(double angle, double distance)
 {
-    return 2 * distance * std::tan(angle / degrees / 2);
+    return 2 * distance * std::tan(angle / degrees_per_radian / 2);
 }
 
 std::optional<double> depth_resolution(const LensSheet& sheet, double pixel, double depth)

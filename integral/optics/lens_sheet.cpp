@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/optics/lens_sheet.h"
 
+#include "integral/base/constants.h"
+
 namespace integral {
 
 namespace {
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 constexpr double hexagonal_row_spacing = 0.86602540378443864676; // sqrt(3)/2 pitches
 
 std::int64_t round_to_index(double value) { return static_cast<std::int64_t>(nearest_integer(value)); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/colour_profile.h"
 
-#include "integral/lightfield/parallel.h"
+#include "integral/base/parallel.h"
 
 #include <lcms2.h>
 

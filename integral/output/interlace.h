@@ -3,8 +3,8 @@
 #ifndef INTEGRAL_OUTPUT_INTERLACE_H
 #define INTEGRAL_OUTPUT_INTERLACE_H
 
+#include "integral/base/parallel.h"
 #include "integral/lightfield/image.h"
-#include "integral/lightfield/parallel.h"
 #include "integral/lightfield/view_grid.h"
 #include "integral/output/looking_glass.h"
 

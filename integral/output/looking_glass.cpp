@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/looking_glass.h"
 
+#include "integral/base/number_text.h"
 #include "integral/lightfield/geometry_json.h"
-#include "integral/lightfield/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/page.h"
 
-#include "integral/lightfield/number_text.h"
+#include "integral/base/number_text.h"
 #include "integral/output/page_marks.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/page_pdf.h"
 
-#include "integral/lightfield/number_text.h"
+#include "integral/base/number_text.h"
 
 #define POINTERHOLDER_TRANSITION 4 // the pointers of QPDF 11
 #include <qpdf/Pipeline.hh>

@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_OUTPUT_PAGE_PDF_H
 #define INTEGRAL_OUTPUT_PAGE_PDF_H
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/lightfield/image.h"
 #include "integral/output/page_raster.h"
 

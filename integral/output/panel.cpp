@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/panel.h"
 
+#include "integral/base/constants.h"
 #include "integral/lightfield/geometry_json.h"
 
 #include <cmath>
@@ -9,8 +10,6 @@
 namespace integral {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double radians = pi / 180;
 
 Vec2 size_of(const Film& film) { return {film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y}; }
 
@@ -149,14 +148,14 @@ Panel panel_from(const LookingGlassCalibration& calibration, std::optional<doubl
     const double slant = std::atan((calibration.flip_x != calibration.flip_y ? -1 : 1) / calibration.slope);
     const double cosine = std::cos(slant);
     // A lens's cell as wide as p/cos(slant) fills the cone: sin(cone/2) = n c/sqrt(c^2 + t^2), of which t = p quotient.
-    const double sine = std::sin(0.5 * calibration.view_cone * radians);
+    const double sine = std::sin(0.5 * calibration.view_cone * radians_per_degree);
     const double quotient = std::sqrt((ior - sine) * (ior + sine)) / (2 * sine * cosine);
     const double micro_image = mm_per_inch / calibration.pitch;
     // M = p (1 + p quotient/(n d))
     panel.sheet.pitch = 2 * micro_image / (1 + std::sqrt(1 + 4 * micro_image * quotient / (ior * distance)));
     panel.sheet.thickness = panel.sheet.pitch * quotient;
     panel.sheet.ior = ior;
-    panel.sheet.slant = slant / radians;
+    panel.sheet.slant = slant / radians_per_degree;
 
     // The phase at the sheet's centre, and from there across the lenses to the nearest point where it is a half.
     const double per_pixel = calibration.pitch / calibration.dpi * cosine; // phase from a pixel to the next

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/pitch_chart.h"
 
-#include "integral/lightfield/number_text.h"
+#include "integral/base/constants.h"
+#include "integral/base/number_text.h"
 #include "integral/output/device_text.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 namespace integral {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // The page, mm.
 constexpr double margin = 5, line_height = 3, block_gap = 4, tick = 1.5, tick_width = 0.2;
 constexpr double label = 21, number_width = 6, label_gap = 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/screens.h"
 
-#include "integral/io/file_bytes.h"
-#include "integral/lightfield/number_text.h"
+#include "integral/base/file_bytes.h"
+#include "integral/base/number_text.h"
 
 #ifdef HAVE_SDL2
 #include <SDL.h>

@@ -14,8 +14,8 @@
 #ifndef INTEGRAL_OUTPUT_SPOOL_H
 #define INTEGRAL_OUTPUT_SPOOL_H
 
+#include "integral/base/parallel.h"
 #include "integral/lightfield/image.h"
-#include "integral/lightfield/parallel.h"
 #include "integral/optics/vec.h"
 
 #include <optional>

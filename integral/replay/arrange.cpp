@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/arrange.h"
 
+#include "integral/base/constants.h"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,7 +10,6 @@ namespace integral {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 
 } // namespace
 

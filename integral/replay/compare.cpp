@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/compare.h"
 
-#include "integral/lightfield/parallel.h"
+#include "integral/base/parallel.h"
 #include "integral/replay/similarity.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/compare_limits.h"
 
-#include "integral/lightfield/number_text.h"
+#include "integral/base/number_text.h"
 
 namespace integral {
 

@@ -4,8 +4,8 @@
 #ifndef INTEGRAL_REPLAY_PARALLEL_VIEWS_H
 #define INTEGRAL_REPLAY_PARALLEL_VIEWS_H
 
+#include "integral/base/parallel.h"
 #include "integral/lightfield/frame.h"
-#include "integral/lightfield/parallel.h"
 #include "integral/lightfield/view_grid.h"
 #include "integral/replay/replay.h"
 

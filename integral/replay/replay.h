@@ -3,8 +3,8 @@
 #ifndef INTEGRAL_REPLAY_REPLAY_H
 #define INTEGRAL_REPLAY_REPLAY_H
 
+#include "integral/base/parallel.h"
 #include "integral/lightfield/frame.h"
-#include "integral/lightfield/parallel.h"
 
 namespace integral {
 

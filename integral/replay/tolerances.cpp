@@ -3,7 +3,7 @@
 
 #include "integral/base/json.h"
 #include "integral/base/message_text.h"
-#include "integral/lightfield/number_text.h"
+#include "integral/base/number_text.h"
 
 #include <algorithm>
 #include <fnmatch.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Batches: hashes, scenes' files, records, locks.
+#include "integral/base/file_bytes.h"
 #include "integral/batch/batch_folder.h"
 #include "integral/batch/content_hash.h"
 #include "integral/batch/located_json.h"
 #include "integral/batch/lock_file.h"
 #include "integral/batch/scene_files.h"
 #include "integral/batch/step_record.h"
-#include "integral/io/file_bytes.h"
 
 #include <boost/test/unit_test.hpp>
 

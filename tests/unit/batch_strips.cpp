@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A frame in strips of rows: where they are cut, what they need besides, and what they make together.
+#include "integral/base/file_bytes.h"
 #include "integral/batch/strips.h"
 #include "integral/io/codecs.h"
-#include "integral/io/file_bytes.h"
 #include "integral/lightfield/first_samples.h"
 #include "tests/unit/pixel_origins.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Pictures in memory, and work by rows.
+#include "integral/base/parallel.h"
 #include "integral/lightfield/image.h"
-#include "integral/lightfield/parallel.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What is shown on displays and what is refused, and pictures decoded ahead. The displays themselves: tests/cli/lcd_show.test.
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/output/screen_picture.h"
 #include "integral/output/screens.h"
 

@@ -7,7 +7,7 @@
 // Every sample is one of N levels (of 256: any value), `border` pixels round the page white. --keep: the pages' samples
 // as they are (R, G, B; row by row), page after page. --stop-at: progress says stop at that many steps of 1000. Prints the job's number,
 // or "interrupted", and how progress went; with --printers the server's printers instead.
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/output/spool.h"
 
 #include <cstdio>

@@ -5,8 +5,8 @@
 //   FUZZ_TARGET=NAME readers ...  libFuzzer's own options, or those of mutations.cpp
 #include "tests/sanitized/fuzz/target.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/cli/command.h"
-#include "integral/io/file_bytes.h"
 
 #include <algorithm>
 #include <cctype>

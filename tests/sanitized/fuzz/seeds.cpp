@@ -2,8 +2,8 @@
 // Small files of every kind that is read: our own, and what other programs write.
 #include "tests/sanitized/fuzz/target.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/io/codecs.h"
-#include "integral/io/file_bytes.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/panel.h"
 

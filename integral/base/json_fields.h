@@ -2,11 +2,10 @@
 // The fields of JSON documents, read with messages that name them. For the files that read and write JSON alone.
 //
 // All of these throw std::invalid_argument, "FIELD what is wrong with it", where FIELD is the path from the document.
-#ifndef INTEGRAL_LIGHTFIELD_JSON_FIELDS_H
-#define INTEGRAL_LIGHTFIELD_JSON_FIELDS_H
+#ifndef INTEGRAL_BASE_JSON_FIELDS_H
+#define INTEGRAL_BASE_JSON_FIELDS_H
 
 #include "integral/base/json.h"
-#include "integral/lightfield/names.h"
 
 #include <initializer_list>
 #include <limits>
@@ -41,17 +40,8 @@ double number_at(const JsonObject& object, const char* field, double least, doub
 /// A list of `count` numbers in [least, greatest].
 std::vector<double> numbers_in(const Json& json, const std::string& path, std::size_t count, double least, double greatest);
 std::vector<double> numbers_at(const JsonObject& object, const char* field, std::size_t count, double least, double greatest);
-Vec2 vec2_at(const JsonObject& object, const char* field, double least, double greatest);
 
 std::string string_at(const JsonObject& object, const char* field);
-
-template <class Kind> Kind kind_at(const JsonObject& object, const char* field)
-{
-    const auto kind = kind_named<Kind>(string_at(object, field));
-    if (!kind)
-        refuse(object.path_of(field), "must be " + legal_names<Kind>());
-    return *kind;
-}
 
 /// A whole number in [least, greatest].
 template <class Whole> Whole whole_at(const JsonObject& object, const char* field, Whole least, Whole greatest)
@@ -60,8 +50,6 @@ template <class Whole> Whole whole_at(const JsonObject& object, const char* fiel
         refuse(object.path_of(field), "must be a whole number");
     return static_cast<Whole>(number_at(object, field, double(least), double(greatest)));
 }
-
-Json list(Vec2 v);
 
 /// A document's text: one line per object of its own, short enough for a chunk and plain enough to read.
 std::string text_of(const Json& document);

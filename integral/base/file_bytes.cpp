@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/lightfield/json_fields.h"
+#include "integral/base/json_fields.h"
 
 #include "integral/base/message_text.h"
-#include "integral/lightfield/number_text.h"
+#include "integral/base/number_text.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -71,20 +71,12 @@ std::vector<double> numbers_at(const JsonObject& object, const char* field, std:
     return numbers_in(object.at(field), object.path_of(field), count, least, greatest);
 }
 
-Vec2 vec2_at(const JsonObject& object, const char* field, double least, double greatest)
-{
-    const auto v = numbers_at(object, field, 2, least, greatest);
-    return {v[0], v[1]};
-}
-
 std::string string_at(const JsonObject& object, const char* field)
 {
     if (!object.at(field).is_string())
         refuse(object.path_of(field), "must be a string");
     return object.at(field).get<std::string>();
 }
-
-Json list(Vec2 v) { return Json::array({v.x, v.y}); }
 
 std::string text_of(const Json& document)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Numbers as text, whatever the locale.
-#ifndef INTEGRAL_LIGHTFIELD_NUMBER_TEXT_H
-#define INTEGRAL_LIGHTFIELD_NUMBER_TEXT_H
+#ifndef INTEGRAL_BASE_NUMBER_TEXT_H
+#define INTEGRAL_BASE_NUMBER_TEXT_H
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Work shared by threads, row by row.
-#ifndef INTEGRAL_LIGHTFIELD_PARALLEL_H
-#define INTEGRAL_LIGHTFIELD_PARALLEL_H
+#ifndef INTEGRAL_BASE_PARALLEL_H
+#define INTEGRAL_BASE_PARALLEL_H
 
 #include <functional>
 

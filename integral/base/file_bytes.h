@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Whole files as bytes; writing that either succeeds whole or leaves things as they were.
-#ifndef INTEGRAL_IO_FILE_BYTES_H
-#define INTEGRAL_IO_FILE_BYTES_H
+#ifndef INTEGRAL_BASE_FILE_BYTES_H
+#define INTEGRAL_BASE_FILE_BYTES_H
 
 #include "integral/base/message_text.h"
 

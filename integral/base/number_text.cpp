@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/lightfield/number_text.h"
+#include "integral/base/number_text.h"
 
 #include <sstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/lightfield/parallel.h"
+#include "integral/base/parallel.h"
 
 #include <algorithm>
 #include <atomic>
