@@ -62,7 +62,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
             block->patches = std::make_shared<IntegralPatches>(*block->optics, Patches_In_Beam(*block->optics, given));
         block->sampling.reset();
         if (given.antialias && given.light_field)
-            block->sampling = std::make_shared<IntegralSampling>(*block->optics, given.rows, given.block_side);
+            block->sampling = std::make_shared<IntegralSampling>(*block->optics, given.rows, given.block_side, given.most_memory);
         block->depth.reset();
         if (!given.depth_picture.empty())
             block->depth = std::make_shared<IntegralDepth>(*block, given.depth_picture);
