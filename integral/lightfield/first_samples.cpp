@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
+#include <utility>
 
 namespace integral {
 
@@ -34,9 +37,19 @@ int rows_looked_at(const LensSheet& sheet, const Film& film)
     return std::max(1, int(std::lround(furthest / film.pixel_pitch.y)));
 }
 
-FirstSamples::FirstSamples(const IntegralCamera& camera)
-    : width_(camera.film.width), height_(camera.film.height), entries_(std::size_t(width_) * height_)
+std::size_t FirstSamples::bytes(const Film& film)
 {
+    return sizeof(Entry) * film.width * film.height;
+}
+
+FirstSamples::FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
+    : width_(camera.film.width), height_(camera.film.height), memory_(std::move(memory))
+{
+    if (!memory_)
+        memory_.reset(std::calloc(std::max<std::size_t>(1, bytes(camera.film)), 1), std::free);
+    if (!memory_)
+        throw std::bad_alloc();
+    entries_ = static_cast<Entry*>(memory_.get());
     const Lattice& lattice = camera.optics.lattice();
     const Vec2 pixel = camera.film.pixel_pitch, pole = lattice.pole({0, 0});
     const auto add = [&](LensIndex forth_even, LensIndex forth_odd) {
@@ -64,6 +77,19 @@ void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex len
     entry.i = std::uint16_t(lens.i);
     entry.j = std::uint16_t(lens.j);
     entry.depth = std::isnan(depth) ? std::numeric_limits<float>::infinity() : float(depth);
+    if (entry.depth == 0)
+        entry.depth = -0.0f;
+}
+
+bool FirstSamples::empty(const Entry& entry)
+{
+    return entry.depth == 0 && !std::signbit(entry.depth);
+}
+
+double FirstSamples::depth(int x, int y) const
+{
+    const Entry& entry = entries_[std::size_t(y) * width_ + x];
+    return empty(entry) ? std::numeric_limits<double>::quiet_NaN() : entry.depth + 0.0; // -0 + 0 is 0
 }
 
 const FirstSamples::Entry* FirstSamples::at(int x, int y) const
@@ -71,7 +97,7 @@ const FirstSamples::Entry* FirstSamples::at(int x, int y) const
     if (x < 0 || y < 0 || x >= width_ || y >= height_)
         return nullptr;
     const Entry& entry = entries_[std::size_t(y) * width_ + x];
-    return std::isnan(entry.depth) ? nullptr : &entry;
+    return empty(entry) ? nullptr : &entry;
 }
 
 /// The same, if it is behind that lens.

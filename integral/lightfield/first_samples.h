@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace integral {
@@ -26,15 +27,21 @@ int rows_looked_at(const LensSheet& sheet, const Film& film);
 /// First samples of a frame, 16 bytes a pixel. Different pixels may be set from different threads.
 class FirstSamples {
 public:
-    /// All pixels are empty.
-    explicit FirstSamples(const IntegralCamera& camera);
+    /// All pixels are empty. `memory`: of bytes(camera.film), all 0, aligned to 4; nothing: its own.
+    explicit FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> memory = nullptr);
+
+    FirstSamples(FirstSamples&&) = default;
+    FirstSamples(const FirstSamples&) = delete;
+
+    /// How much memory a film's first samples take: rows one after another, from the top.
+    static std::size_t bytes(const Film& film);
 
     /// The colour (kept from 0 to 8) of pixel (x, y), which `lens` images, and the depth of what it shows: mm from the sheet away from the
     /// viewer, or infinite.
     void set(int x, int y, const ComparedColour& colour, LensIndex lens, double depth);
 
     /// That depth; NaN for an empty pixel.
-    double depth(int x, int y) const { return entries_[std::size_t(y) * width_ + x].depth; }
+    double depth(int x, int y) const;
 
     /// How far a pixel departs from its neighbours: along each axis of the light field the colour_distance between its double
     /// and the sum of its neighbours on either side, so that an even run of colours does not count; where only one of
@@ -49,10 +56,11 @@ private:
     struct Entry {
         std::array<std::uint16_t, 4> colour{};
         std::uint16_t i = 0, j = 0; // the lens, modulo 2^16
-        float depth = std::numeric_limits<float>::quiet_NaN(); // NaN: empty
+        float depth = 0; // +0: empty; where it is 0 it is kept as -0
     };
     /// The next lens along one of the lattice's axes, and where its pixel of the same direction is.
     struct Step { int i[2], j, x, y; }; // columns: [0] from an even row, [1] from an odd one
+    static bool empty(const Entry& entry);
     const Entry* at(int x, int y) const;
     const Entry* at(int x, int y, std::uint16_t i, std::uint16_t j) const;
 
@@ -60,7 +68,8 @@ private:
     template <class Visit> void for_each_axis(const Entry& own, int x, int y, Visit visit) const;
 
     int width_, height_;
-    std::vector<Entry> entries_;
+    std::shared_ptr<void> memory_;
+    Entry* entries_;
     std::vector<std::array<Step, 2>> axes_; ///< towards either side
 };
 
@@ -82,7 +91,7 @@ template <class Visit> void FirstSamples::for_each_neighbour(int x, int y, Visit
 {
     const auto one = [&](const Entry* entry) {
         if (entry) {
-            const auto index = entry - entries_.data();
+            const auto index = entry - entries_;
             visit(int(index % width_), int(index / width_));
         }
     };

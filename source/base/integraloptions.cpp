@@ -163,6 +163,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
     Read_Rows(text(kIntegralAttrib_Rows), options.TryGetInt(kPOVAttrib_Height, 0), result.rows);
     result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
     result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize, result.block_side)); // POV-Ray takes no less
+    if (const int megabytes = options.TryGetInt(kPOVAttrib_MaxImageBufferMem, 128); megabytes > 0)
+        result.most_memory = std::size_t(megabytes) << 20;
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
     result.output.working = Encoding_Of(options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),

@@ -3,6 +3,7 @@
 #ifndef POVRAY_BASE_INTEGRALOPTIONS_H
 #define POVRAY_BASE_INTEGRALOPTIONS_H
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -40,6 +41,7 @@ struct IntegralRenderOptions
     bool antialias = false;         ///< +A, by a method other than 0
     bool light_field = true;        ///< Integral_Antialiasing=: not by pixels, as POV-Ray's own does
     int block_side = 32;            ///< pixels, of the blocks that are refined
+    std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< bytes of an image in main memory; +MI
     integral::OutputCurve output;   ///< from the renderer's values to those of the picture file
 };
 

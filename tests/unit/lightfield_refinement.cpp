@@ -3,6 +3,8 @@
 #include "integral/lightfield/refinement.h"
 #include "tests/unit/pixel_origins.h"
 
+#include <cstdlib>
+#include <memory>
 #include <random>
 
 using namespace pixel_origins;
@@ -153,6 +155,24 @@ BOOST_AUTO_TEST_CASE(method_1_takes_all_samples_at_once)
             k % 2 ? refinement.add({0.5, 0.5, 0.5, 0}) : refinement.add_none();
         BOOST_TEST(refinement.wanted() == 0);
     }
+}
+
+BOOST_AUTO_TEST_CASE(first_samples_may_be_kept_in_memory_from_outside)
+{
+    CameraParameters p = parameters_of(Arrangement::square);
+    const IntegralCamera camera = camera_of(p, width, height);
+    const std::size_t bytes = FirstSamples::bytes(camera.film);
+    BOOST_TEST(bytes == 16u * width * height);
+    const std::shared_ptr<void> memory(std::calloc(bytes, 1), std::free);
+    FirstSamples samples(camera, memory);
+    BOOST_TEST(std::isnan(samples.depth(3, 4)));
+    BOOST_TEST(samples.contrast(3, 4) == -1);
+    samples.set(3, 4, {0, 0, 0, 0}, {0, 0}, 0); // all of it zeros
+    const FirstSamples& there = FirstSamples(camera, memory);
+    BOOST_TEST(there.depth(3, 4) == 0);
+    BOOST_TEST(!std::signbit(there.depth(3, 4)));
+    BOOST_TEST(std::isinf(there.contrast(3, 4)));
+    BOOST_TEST(there.contrast(4, 4) == -1);
 }
 
 BOOST_AUTO_TEST_CASE(method_2_goes_on_while_samples_are_worth_it)

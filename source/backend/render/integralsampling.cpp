@@ -40,6 +40,9 @@ class ComparedEncoding
         integral::TabulatedCurve curve;
 };
 
+/// Where the first samples begin, behind the colours.
+std::size_t First_Samples_At(const integral::Film& film) { return sizeof(Colour) * film.width * film.height; }
+
 IntegralSampling *Sampling_Of(const Camera& camera)
 {
     return camera.Integral_View ? camera.Integral_View->sampling.get() : NULL;
@@ -47,14 +50,29 @@ IntegralSampling *Sampling_Of(const Camera& camera)
 
 }
 
-IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows, int side)
-    : first(camera),
-      rows(rows),
+IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows, int side,
+                                   std::size_t most_memory)
+    : rows(rows),
       width(camera.film.width),
+      height(camera.film.height),
       side(side),
       reach(integral::rows_looked_at(camera.optics.sheet(), camera.film)),
-      colours(std::size_t(width) * camera.film.height)
+      memory(Memory(camera.film, most_memory)),
+      first(camera, std::shared_ptr<void>(memory, memory->Data() + First_Samples_At(camera.film))),
+      colours(reinterpret_cast<Colour *>(memory->Data()))
 {
+}
+
+std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film, std::size_t most) const
+{
+    const std::size_t top = std::max(0LL, (long long)rows.first - side - reach);
+    const std::size_t end = std::min<long long>(height, (long long)rows.last + side + reach + 1);
+    const std::size_t samples = First_Samples_At(film), row = integral::FirstSamples::bytes(film) / height;
+    const bool in_file = bytes_a_pixel * width * (end - top) > most;
+    auto memory = std::make_shared<pov_base::IntegralMemory>(samples + row * height, in_file);
+    memory->Reserve(top * width * sizeof(Colour), end * width * sizeof(Colour));
+    memory->Reserve(samples + top * row, samples + end * row);
+    return memory;
 }
 
 POVRect IntegralSampling::Needed(const POVRect& rendered) const
@@ -107,10 +125,11 @@ void IntegralFirstPassTask::Run()
                 trace(x, y, view.GetWidth(), view.GetHeight(), colour);
                 GetViewDataPtr()->Stats()[Number_Of_Pixels]++;
                 if (trace.Integral().Imaged())
-                    sampling.first.set(x, y, compared(colour), trace.Integral().Lens(), trace.Integral().Depth());
+                    sampling.First().set(x, y, compared(colour), trace.Integral().Lens(), trace.Integral().Depth());
                 pixels.push_back(colour);
                 Cooperate();
             }
+        sampling.Done(block);
         radiosity.AfterTile();
         GetViewDataPtr()->AfterTile();
         if (!continued)
@@ -144,7 +163,7 @@ class BlockRefinement
                 for (int x = block.left; x <= int(block.right); x++)
                 {
                     pixels.push_back(sampling.At(x, y));
-                    if (counts && sampling.first.contrast(x, y) >= options.rule.threshold)
+                    if (counts && sampling.First().contrast(x, y) >= options.rule.threshold)
                         Want(x, y);
                 }
             for (std::size_t next = 0; next < waiting.size(); next++)
@@ -152,7 +171,7 @@ class BlockRefinement
                 const int x = waiting[next].first, y = waiting[next].second;
                 const bool busy = Refine(x, y, pixels[Index(x, y)]);
                 if (busy) // what is in this pixel's beam may have escaped its neighbours' first samples
-                    sampling.first.for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
+                    sampling.First().for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
             }
         }
 
@@ -171,8 +190,8 @@ class BlockRefinement
         bool Refine(int x, int y, Colour& colour)
         {
             thread.Stats()[Number_Of_Pixels_Supersampled]++;
-            trace.Integral().Refine(x, y, !options.jitter, sampling.first.depth(x, y));
-            integral::Refinement refinement(options.rule, sampling.first.contrast(x, y));
+            trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y));
+            integral::Refinement refinement(options.rule, sampling.First().contrast(x, y));
             bool any = false;
             std::uint32_t index = 0;
             while (const int wanted = refinement.wanted())
@@ -228,6 +247,7 @@ bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& tr
         // A block is refined as a whole, for its pixels set each other off. One that does not count is never final: +C may go on with others.
         const bool counts = rows.Meet(block.top, block.bottom);
         refinement.Run(block, counts, pixels);
+        sampling->Done(block);
         radiosity.AfterTile();
         thread.AfterTile();
         const int before = int(std::min(block.bottom, sampled.bottom)) - int(std::max(block.top, sampled.top)) + 1; // rows

@@ -11,6 +11,7 @@
 #include "backend/frame.h"
 #include "backend/render/integraltask.h"
 #include "base/image/colourspace.h"
+#include "base/integralmemory.h"
 #include "base/integraloptions.h"
 #include "integral/lightfield/refinement.h"
 
@@ -19,12 +20,15 @@ namespace pov
 
 class Camera;
 
-/// What the first pass leaves to the second; 36 bytes a pixel.
+/// What the first pass leaves to the second; 36 bytes a pixel of the rows that need first samples. In a file where
+/// that is more than POV-Ray would keep of an image in main memory.
 class IntegralSampling
 {
     public:
-        /// `rows` count; `side`: of the blocks that are refined, pixels.
-        IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows, int side);
+        /// `rows` count; `side`: of the blocks that are refined, pixels. `most_memory`: bytes in main memory.
+        /// Throws pov_base::Exception if there is no room.
+        IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows, int side,
+                         std::size_t most_memory);
 
         /// The part of what is rendered that needs first samples: whole blocks, where they have rows that count, and what is looked at
         /// from there.
@@ -33,14 +37,21 @@ class IntegralSampling
         /// The next block of the first pass; false once all of `area` has been given out.
         bool Next_Block(const POVRect& area, POVRect& block);
 
+        /// To be called once a block has been sampled, or refined.
+        void Done(const POVRect& block) { memory->Used(bytes_a_pixel * block.GetArea()); }
+
+        integral::FirstSamples& First() { return first; }
         Colour& At(int x, int y) { return colours[std::size_t(y) * width + x]; }
 
-        integral::FirstSamples first;
-
     private:
+        static constexpr std::size_t bytes_a_pixel = 36;
         pov_base::IntegralRows rows;
-        int width, side, reach; ///< reach: rows looked at, up or down
-        std::vector<Colour> colours;
+        int width, height, side, reach; ///< reach: rows looked at, up or down
+        std::shared_ptr<pov_base::IntegralMemory> memory; ///< the colours, then the first samples
+
+        std::shared_ptr<pov_base::IntegralMemory> Memory(const integral::Film& film, std::size_t most) const;
+        integral::FirstSamples first;
+        Colour *colours;
         std::atomic<unsigned int> next{0};
 };
 

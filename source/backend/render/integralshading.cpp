@@ -153,14 +153,13 @@ IntegralCachedShading::IntegralCachedShading(IntegralShadingCache& patches, Inte
 
 bool IntegralCachedShading::Pays(const SceneData& scene)
 {
-    constexpr double enough = 2;
-    double shadow_rays = 0;
+    bool area_light = false;
     for (std::size_t k = 0; k < scene.lightSources.size(); k++)
     {
         const LightSource& light = *scene.lightSources[k];
-        shadow_rays += light.Area_Light ? std::min(enough, double(light.Area_Size1) * light.Area_Size2) : 1;
+        area_light = area_light || (light.Area_Light && light.Area_Size1 * light.Area_Size2 > 1);
     }
-    return scene.radiositySettings.radiosityEnabled || shadow_rays >= enough;
+    return scene.radiositySettings.radiosityEnabled || area_light;
 }
 
 void IntegralCachedShading::Count(bool worked_out)

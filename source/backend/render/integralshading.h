@@ -74,7 +74,8 @@ class IntegralCachedShading
     public:
         IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally, TraceThreadData *thread);
 
-        /// Whether a scene's shading costs much more than finding the patch: radiosity, area lights or several lights.
+        /// Whether a scene's shading costs much more than finding the patch: radiosity or an area light. Point lights, however many, do not
+        /// count: patches' errors may then outweigh the time that they save.
         static bool Pays(const SceneData& scene);
 
         /// The colour of the surface that a ray meets, if it may be shared. `shade(Intersection&, const Ray&, Colour&)` works

@@ -81,7 +81,8 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         if (given.sharing == pov_base::IntegralSharing::on || (view->caches_dear_shading_only && given.antialias))
             view->shading_cache = std::make_shared<IntegralShadingCache>(*view->optics, Patches_In_Beam(*view->optics, given));
         if (given.antialias && given.light_field)
-            view->sampling = std::make_shared<IntegralSampling>(*view->optics, given.rows, given.block_side);
+            view->sampling = std::make_shared<IntegralSampling>(*view->optics, given.rows, given.block_side,
+                                                                given.most_memory);
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
         // the halves know nothing of the samples that anti-aliasing adds, and make no picture

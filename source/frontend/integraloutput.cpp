@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// configbase.h must be the first POV-Ray file included
+#include "base/configbase.h"
+#include "frontend/integraloutput.h"
+#include "base/fileinputoutput.h"
+#include "base/image/integralmetadata.h"
+
+#include <cerrno>
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov_frontend
+{
+
+using namespace pov_base;
+
+namespace
+{
+
+class PictureStream : public OStream
+{
+    public:
+        explicit PictureStream(unsigned int file_type) : OStream(file_type) {}
+
+        /// Whether all that was written has arrived; `on_disk`: on the disk itself.
+        bool Finish(bool on_disk)
+        {
+            return !fail && std::fflush(f) == 0 && !std::ferror(f) && (!on_disk || fsync(fileno(f)) == 0);
+        }
+};
+
+/// Whether there is something of that name that cannot be replaced by a file.
+bool Is_Special(const std::string& name)
+{
+    struct stat status;
+    return name == "stdout" || name == "stderr"
+        || (stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
+}
+
+/// The file that a name, which may be a symbolic link, stands for.
+std::string Target_Of(const std::string& name)
+{
+    char resolved[PATH_MAX];
+    return realpath(name.c_str(), resolved) != NULL ? resolved : name;
+}
+
+std::string Reason(int number)
+{
+    return number != 0 ? std::string(": ") + std::strerror(number) : std::string();
+}
+
+/// Throws an exception if that is not possible; errno may say more than its text.
+void Write_Straight(const std::string& name, unsigned int file_type, Image::ImageFileType format,
+                    const Image& image, const Image::WriteOptions& options, bool on_disk)
+{
+    const UCS2String path = ASCIItoUCS2String(name.c_str());
+    if (!POV_ALLOW_FILE_WRITE(path.c_str(), file_type))
+        throw POV_EXCEPTION(kCannotOpenFileErr, "IO Restrictions prohibit write access to '" + name + "'");
+    PictureStream stream(file_type);
+    if (!stream.open(path))
+        throw POV_EXCEPTION_CODE(kCannotOpenFileErr);
+    Image::Write(format, &stream, &image, options);
+    if (!stream.Finish(on_disk))
+        throw POV_EXCEPTION_CODE(kFileDataErr);
+}
+
+}
+
+void Write_Whole_Picture(const UCS2String& file, unsigned int file_type, Image::ImageFileType format,
+                         const Image& image, const Image::WriteOptions& options)
+{
+    const std::string name = UCS2toASCIIString(file);
+    const bool special = Is_Special(name);
+    const std::string target = special ? name : Target_Of(name);
+    const std::string unfinished = special ? name : target + ".tmp";
+    errno = 0;
+    try
+    {
+        Write_Straight(unfinished, file_type, format, image, options, !special);
+        Write_Integral_Companion(file, format, options);
+        if (!special && std::rename(unfinished.c_str(), target.c_str()) != 0)
+            throw POV_EXCEPTION_CODE(kCannotOpenFileErr);
+    }
+    catch (const pov_base::Exception& problem)
+    {
+        const int reason = errno;
+        if (!special)
+            std::remove(unfinished.c_str());
+        const std::string why = reason != 0 ? Reason(reason) : std::string(": ") + problem.what();
+        throw POV_EXCEPTION(kFileDataErr, "Cannot write the picture " + name + why);
+    }
+}
+
+std::string Lost_Pixels_Message(bool state_failed, const std::string& state_file, int reason)
+{
+    if (state_failed)
+        return "Cannot write the render state " + state_file + Reason(reason) +
+               ". +C goes on from what it holds.";
+    return "Cannot write the picture's temporary file" + Reason(reason) +
+           ". +C goes on from the render state.";
+}
+
+}
