@@ -141,8 +141,8 @@ int guarded(const std::vector<std::string>& words)
         return complain(error.what(), exit_output);
     } catch (const Interrupted& error) {
         return complain(error.what(), exit_interrupted);
-    } catch (const std::bad_alloc&) {
-        return complain("there is not enough memory for this", exit_input);
+    } catch (const std::bad_alloc& error) {
+        return complain(reason_of(error), exit_input);
     } catch (const std::exception& error) {
         return complain(std::string("internal error: ") + error.what(), exit_check_failed);
     }

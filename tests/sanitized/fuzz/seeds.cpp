@@ -70,6 +70,26 @@ std::vector<Bytes> and_halves(std::vector<Bytes> seeds)
     return seeds;
 }
 
+/// JSON documents that are nested as deep as the fuzzing's inputs are long, and that have as many fields.
+std::vector<Bytes> endless_documents()
+{
+    constexpr int bytes = 4000;
+    Bytes deep, many = "{";
+    while (deep.size() < bytes)
+        deep += "{\"files\":[";
+    for (int k = 0; many.size() < bytes; ++k)
+        many += "\"" + std::to_string(k) + "\":{},";
+    return {deep, "{\"sheet\":" + Bytes(bytes / 2, '[') + Bytes(bytes / 2, ']') + "}", many + "\"\":\"{\"}", "{\"" + Bytes(bytes, 'n') + "\":0}",
+            "[\"" + Bytes(bytes / 2, '[') + "{}" + Bytes(bytes / 2 - 10, ']') + "\"]"};
+}
+
+std::vector<Bytes> and_endless(std::vector<Bytes> seeds)
+{
+    for (const Bytes& document : endless_documents())
+        seeds.push_back(document);
+    return seeds;
+}
+
 /// A PNG of zeros, of any colour type and depth.
 Bytes plain_png(int bits, int type, bool interlaced)
 {
@@ -162,6 +182,8 @@ std::vector<Bytes> png_seeds()
     for (const DecodedImage& picture : pictures())
         if (sample_bits(picture.image) < 32)
             seeds.push_back(encode_png(picture));
+    for (const Bytes& document : endless_documents())
+        seeds.push_back(encode_png({picture<std::uint8_t>(3), document, {}, ""}));
     for (const bool interlaced : {false, true})
         for (const auto& [bits, type] : {std::pair(1, 0), {2, 0}, {16, 0}, {4, 3}, {8, 3}, {8, 4}, {16, 4}, {16, 6}})
             seeds.push_back(plain_png(bits, type, interlaced));
@@ -209,9 +231,9 @@ std::vector<Bytes> tiff_seeds()
 
 std::vector<Bytes> sheet_seeds()
 {
-    return and_halves({document(false), document(true),
+    return and_endless(and_halves({document(false), document(true),
                        R"({"sheet":{"arrangement":"lenticular","pitch_mm":1,"thickness_mm":3,"ior":1.6},"film":{"pixel_pitch_mm":[0.1,0.1]},)"
-                       R"("aperture":{"distance_mm":300,"width_mm":null}})"});
+                       R"("aperture":{"distance_mm":300,"width_mm":null}})"}));
 }
 
 std::vector<Bytes> panel_seeds()
@@ -222,22 +244,22 @@ std::vector<Bytes> panel_seeds()
         if (panel.calibration)
             seeds.push_back(to_json(*panel.calibration));
     }
-    return and_halves(seeds);
+    return and_endless(and_halves(seeds));
 }
 
 std::vector<Bytes> tolerance_seeds()
 {
-    return and_halves({R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},"a?[0-9].png":{"min_ssim":null,)"
-                       R"("max_difference":1}}})"});
+    return and_endless(and_halves({R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},"a?[0-9].png":{"min_ssim":null,)"
+                       R"("max_difference":1}}})"}));
 }
 
 std::vector<Bytes> manifest_seeds()
 {
-    return and_halves({R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],"options":["+A0.1"],"declare":{"N":2}}],)"
+    return and_endless(and_halves({R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],"options":["+A0.1"],"declare":{"N":2}}],)"
                        R"("sheets":[{"name":"s","camera":"lens_sheet{square pitch 1 thickness 3 ior 1.6} film{dpi 300}"}],)"
                        R"("papers":[{"name":"p","paper":"A5","options":["--mirror"]}],"panels":[{"name":"l","panel":"thesis-lcd"}],)"
                        R"("previews":[{"name":"v","options":["--eye","0,0,400"]}]})",
-                       R"({"output":"out","scenes":[{"name":"a","file":"/dev/null"}],"jobs":[{"scene":"a"}]})"});
+                       R"({"output":"out","scenes":[{"name":"a","file":"/dev/null"}],"jobs":[{"scene":"a"}]})"}));
 }
 
 std::vector<Bytes> profile_seeds()
