@@ -152,15 +152,18 @@ programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitiz
 test_programs = $(sort $(foreach layer,$(or $(LAYERS),unit render replay cli sanitized),$(programs_of_$(layer))))
 
 # The unmodified POV-Ray that the tests compare with (tests/unmodified): compiled here only where the distribution has none of this version.
-.PHONY: unmodified check-quick check-long
+.PHONY: unmodified test-programs quick-programs check-quick check-long
 unmodified: povray-integral
 	@$(test_environment) $(abs_top_srcdir)/tests/unmodified --path > /dev/null 2>&1 || $(MAKE) pristine
 
-check-local: $(test_programs) unmodified
+test-programs: all $(test_programs) unmodified
+quick-programs: all $(programs_of_quick) unmodified
+
+check-local: test-programs
 	@$(test_environment) $(abs_top_srcdir)/tests/run $(LAYERS)
 
 # What says so of itself ("# quick: yes"), for an answer in minutes.
-check-quick: all $(programs_of_quick) unmodified
+check-quick: quick-programs
 	@$(test_environment) $(abs_top_srcdir)/tests/run --quick $(LAYERS)
 
 # The same tests at full size (see tests/README): hours. They compare with POV-Ray as compiled here, whatever is installed.
