@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "bench/error_against_time.h"
 
+#include "integral/compare/compare.h"
 #include "integral/io/image_file.h"
-#include "integral/replay/compare.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,8 +15,8 @@
 #include "bench/pictures.h"
 #include "bench/program.h"
 
+#include "integral/compare/compare.h"
 #include "integral/io/image_file.h"
-#include "integral/replay/compare.h"
 
 #include <algorithm>
 #include <cmath>

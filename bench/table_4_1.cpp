@@ -9,8 +9,8 @@
 #include "bench/program.h"
 
 #include "integral/base/constants.h"
+#include "integral/compare/compare.h"
 #include "integral/io/image_file.h"
-#include "integral/replay/compare.h"
 
 #include <algorithm>
 #include <cmath>

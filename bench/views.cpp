@@ -4,10 +4,10 @@
 #include "bench/error_against_time.h"
 #include "bench/pictures.h"
 
+#include "integral/compare/compare.h"
 #include "integral/io/image_file.h"
 #include "integral/optics/lens_mapping.h"
 #include "integral/replay/arrange.h"
-#include "integral/replay/compare.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,6 +12,7 @@ include $(srcdir)/integral/base/local.mk
 include $(srcdir)/integral/optics/local.mk
 include $(srcdir)/integral/lightfield/local.mk
 include $(srcdir)/integral/replay/local.mk
+include $(srcdir)/integral/compare/local.mk
 include $(srcdir)/integral/output/local.mk
 include $(srcdir)/integral/analysis/local.mk
 include $(srcdir)/integral/io/local.mk

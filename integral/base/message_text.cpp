@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/base/message_text.h"
 
+#include <cstdio>
 #include <new>
+#include <unistd.h>
 
 namespace integral {
 
@@ -34,6 +36,12 @@ std::string excerpt(const std::string& text, std::size_t most)
 std::string reason_of(const std::exception& error)
 {
     return dynamic_cast<const std::bad_alloc*>(&error) ? "it needs more memory than there is" : error.what();
+}
+
+void say(const std::string& command, const std::string& text)
+{
+    const char* const line_start = isatty(STDERR_FILENO) ? "\r\033[K" : ""; // a progress bar may stand in the line
+    std::fprintf(stderr, "%sintegral %s: %s\n", line_start, command.c_str(), one_line(text).c_str());
 }
 
 } // namespace integral

@@ -20,6 +20,10 @@ std::string excerpt(const std::string& text, std::size_t most = 80);
 /// Why something failed: what the error says, or that there is too little memory.
 std::string reason_of(const std::exception& error);
 
+/// Says one line on standard error, "integral COMMAND: TEXT". Names and other programs' words in the
+/// text cannot steer the terminal: each control character becomes a question mark.
+void say(const std::string& command, const std::string& text);
+
 } // namespace integral
 
 #endif

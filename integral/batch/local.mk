@@ -4,6 +4,18 @@
 build_lib_libintegral_a_SOURCES += \
   integral/batch/batch_folder.cpp \
   integral/batch/batch_folder.h \
+  integral/batch/batch_report.cpp \
+  integral/batch/batch_report.h \
+  integral/batch/batch_run.cpp \
+  integral/batch/batch_run.h \
+  integral/batch/batch_schedule.cpp \
+  integral/batch/batch_schedule.h \
+  integral/batch/batch_steps.cpp \
+  integral/batch/batch_steps.h \
+  integral/batch/batch_strips.cpp \
+  integral/batch/batch_strips.h \
+  integral/batch/child_process.cpp \
+  integral/batch/child_process.h \
   integral/batch/content_hash.cpp \
   integral/batch/content_hash.h \
   integral/batch/located_json.cpp \
@@ -14,10 +26,14 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/manifest.h \
   integral/batch/plan.cpp \
   integral/batch/plan.h \
+  integral/batch/renderer.cpp \
+  integral/batch/renderer.h \
   integral/batch/renderer_options.cpp \
   integral/batch/renderer_options.h \
   integral/batch/scene_files.cpp \
   integral/batch/scene_files.h \
+  integral/batch/slurm.cpp \
+  integral/batch/slurm.h \
   integral/batch/step_record.cpp \
   integral/batch/step_record.h \
   integral/batch/strips.cpp \

@@ -4,9 +4,9 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
 #include "integral/base/number_text.h"
-#include "integral/cli/batch_strips.h"
+#include "integral/batch/batch_strips.h"
+#include "integral/batch/slurm.h"
 #include "integral/cli/progress.h"
-#include "integral/cli/slurm.h"
 
 #include <algorithm>
 #include <chrono>

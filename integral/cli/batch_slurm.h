@@ -4,7 +4,7 @@
 #ifndef INTEGRAL_CLI_BATCH_SLURM_H
 #define INTEGRAL_CLI_BATCH_SLURM_H
 
-#include "integral/cli/batch_run.h"
+#include "integral/batch/batch_run.h"
 #include "integral/cli/command.h"
 
 namespace integral {

@@ -56,12 +56,6 @@ int in_range(const options::variables_map& arguments, const char* option, int le
     return value;
 }
 
-void say(const std::string& command, const std::string& text)
-{
-    const char* const line_start = isatty(STDERR_FILENO) ? "\r\033[K" : ""; // a progress bar may stand in the line
-    std::fprintf(stderr, "%sintegral %s: %s\n", line_start, command.c_str(), one_line(text).c_str());
-}
-
 void print_result(const options::variables_map& arguments, const std::string& text)
 {
     const std::string output = text_of(arguments, "output");

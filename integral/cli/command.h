@@ -3,6 +3,9 @@
 #ifndef INTEGRAL_CLI_COMMAND_H
 #define INTEGRAL_CLI_COMMAND_H
 
+#include "integral/base/interrupt.h"
+#include "integral/base/message_text.h"
+
 #include <boost/program_options.hpp>
 
 #include <stdexcept>
@@ -25,11 +28,6 @@ enum ExitStatus {
 /// The command line makes no sense. One line, for standard error.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
-};
-
-/// The user stopped the work.
-struct Interrupted : std::runtime_error {
-    Interrupted() : std::runtime_error("interrupted") {}
 };
 
 /// One command. All that help says is here or in the options' own descriptions.
@@ -64,10 +62,6 @@ bool given(const options::variables_map& arguments, const char* option);
 
 /// The value of an option that is a whole number. Throws UsageError where it is not from `least` to `most`.
 int in_range(const options::variables_map& arguments, const char* option, int least, int most);
-
-/// Says one line on standard error, "integral COMMAND: TEXT". Names and other programs' words in the
-/// text cannot steer the terminal: each control character becomes a question mark.
-void say(const std::string& command, const std::string& text);
 
 /// Prints a result to standard output, or to -o's FILE whole. Throws OutputError.
 void print_result(const options::variables_map& arguments, const std::string& text);

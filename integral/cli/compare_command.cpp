@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral compare: how far two frames or views are apart.
 #include "integral/cli/command.h"
-#include "integral/cli/compare_figures.h"
+#include "integral/cli/compare_options.h"
 #include "integral/cli/compare_suite.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
+#include "integral/compare/compare.h"
+#include "integral/compare/figures_json.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
-#include "integral/replay/compare.h"
 
 #include <nlohmann/json.hpp>
 

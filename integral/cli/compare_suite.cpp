@@ -2,10 +2,10 @@
 #include "integral/cli/compare_suite.h"
 
 #include "integral/base/message_text.h"
-#include "integral/cli/compare_figures.h"
+#include "integral/cli/compare_options.h"
 #include "integral/cli/progress.h"
-#include "integral/cli/suite_report.h"
 #include "integral/cli/values.h"
+#include "integral/compare/suite_report.h"
 #include "integral/io/image_file.h"
 
 #include <algorithm>

@@ -5,25 +5,13 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_check.cpp \
   integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
-  integral/cli/batch_report.cpp \
-  integral/cli/batch_report.h \
-  integral/cli/batch_run.cpp \
-  integral/cli/batch_run.h \
-  integral/cli/batch_schedule.cpp \
-  integral/cli/batch_schedule.h \
   integral/cli/batch_slurm.cpp \
   integral/cli/batch_slurm.h \
-  integral/cli/batch_steps.cpp \
-  integral/cli/batch_steps.h \
-  integral/cli/batch_strips.cpp \
-  integral/cli/batch_strips.h \
-  integral/cli/child_process.cpp \
-  integral/cli/child_process.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
-  integral/cli/compare_figures.cpp \
-  integral/cli/compare_figures.h \
+  integral/cli/compare_options.cpp \
+  integral/cli/compare_options.h \
   integral/cli/compare_suite.cpp \
   integral/cli/compare_suite.h \
   integral/cli/geometry_options.cpp \
@@ -46,8 +34,6 @@ build_bin_integral_SOURCES += \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
   integral/cli/rectify_command.cpp \
-  integral/cli/renderer.cpp \
-  integral/cli/renderer.h \
   integral/cli/replay_command.cpp \
   integral/cli/replay_html.cpp \
   integral/cli/replay_html.h \
@@ -56,16 +42,6 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_command.cpp \
   integral/cli/sheet_plots.cpp \
   integral/cli/sheet_plots.h \
-  integral/cli/sheet_report.cpp \
-  integral/cli/sheet_report.h \
-  integral/cli/slurm.cpp \
-  integral/cli/slurm.h \
-  integral/cli/suite_pair.cpp \
-  integral/cli/suite_pair.h \
-  integral/cli/suite_pictures.cpp \
-  integral/cli/suite_pictures.h \
-  integral/cli/suite_report.cpp \
-  integral/cli/suite_report.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
   integral/cli/views_command.cpp \

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/scene_depth.h"
 
-#include "integral/cli/renderer.h"
-#include "integral/cli/sheet_report.h"
+#include "integral/batch/renderer.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/sheet_figures.h"
+#include "integral/lightfield/sheet_report.h"
 
 #include <nlohmann/json.hpp>
 

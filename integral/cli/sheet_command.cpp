@@ -5,9 +5,9 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/scene_depth.h"
 #include "integral/cli/sheet_plots.h"
-#include "integral/cli/sheet_report.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/sheet_report.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 #ifndef INTEGRAL_CLI_SHEET_PLOTS_H
 #define INTEGRAL_CLI_SHEET_PLOTS_H
 
-#include "integral/cli/sheet_report.h"
 #include "integral/io/plot.h"
+#include "integral/lightfield/sheet_report.h"
 
 namespace integral {
 

@@ -9,6 +9,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/exr_codec.cpp \
   integral/io/exr_header.cpp \
   integral/io/exr_header.h \
+  integral/io/html_page.cpp \
+  integral/io/html_page.h \
   integral/io/image_file.cpp \
   integral/io/image_file.h \
   integral/io/input_file.cpp \

@@ -5,9 +5,9 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/depth_range.cpp \
   integral/lightfield/depth_range.h \
   integral/lightfield/encoding.h \
-  integral/lightfield/eye_place.h \
   integral/lightfield/error_estimate.cpp \
   integral/lightfield/error_estimate.h \
+  integral/lightfield/eye_place.h \
   integral/lightfield/first_samples.cpp \
   integral/lightfield/first_samples.h \
   integral/lightfield/frame.cpp \
@@ -32,5 +32,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/sampling_forecast.h \
   integral/lightfield/sheet_figures.cpp \
   integral/lightfield/sheet_figures.h \
+  integral/lightfield/sheet_report.cpp \
+  integral/lightfield/sheet_report.h \
   integral/lightfield/tabulated_curve.h \
   integral/lightfield/view_grid.h

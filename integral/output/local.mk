@@ -18,8 +18,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/known_panels.cpp \
   integral/output/looking_glass.cpp \
   integral/output/looking_glass.h \
-  integral/output/html_page.cpp \
-  integral/output/html_page.h \
   integral/output/page.cpp \
   integral/output/page.h \
   integral/output/page_marks.cpp \

@@ -4,12 +4,6 @@
 build_lib_libintegral_a_SOURCES += \
   integral/replay/arrange.cpp \
   integral/replay/arrange.h \
-  integral/replay/compare.cpp \
-  integral/replay/compare.h \
-  integral/replay/compare_geometry.cpp \
-  integral/replay/compare_geometry.h \
-  integral/replay/compare_limits.cpp \
-  integral/replay/compare_limits.h \
   integral/replay/interpolate.h \
   integral/replay/parallel_views.cpp \
   integral/replay/parallel_views.h \
@@ -19,10 +13,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/replay.h \
   integral/replay/replay_page.cpp \
   integral/replay/replay_page.h \
-  integral/replay/similarity.cpp \
-  integral/replay/similarity.h \
-  integral/replay/tolerances.cpp \
-  integral/replay/tolerances.h \
   integral/replay/view_lenses.cpp \
   integral/replay/view_lenses.h \
   integral/replay/views_loss.cpp

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What interpolated views lose: block by block of the film, so that neither all views nor a second
 // frame have to be in memory.
-#include "integral/replay/compare.h"
+#include "integral/compare/compare.h"
 #include "integral/replay/view_lenses.h"
 
 #include <algorithm>

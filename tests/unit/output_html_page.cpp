@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What pages are made of: escaped text, links, pictures scaled down.
+#include "integral/io/html_page.h"
 #include "integral/io/markup.h"
-#include "integral/output/html_page.h"
 
 #include <boost/test/unit_test.hpp>
 

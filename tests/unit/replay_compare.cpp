@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The figures of comparisons, against values worked out by hand.
-#include "integral/replay/compare.h"
-#include "integral/replay/similarity.h"
+#include "integral/compare/compare.h"
+#include "integral/compare/similarity.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The tolerances of a suite: the document, which entries a name gets, and limits against figures; geometry compared.
-#include "integral/replay/compare_geometry.h"
-#include "integral/replay/tolerances.h"
+#include "integral/compare/compare_geometry.h"
+#include "integral/compare/tolerances.h"
 
 #include <boost/test/unit_test.hpp>
 

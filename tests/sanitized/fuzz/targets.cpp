@@ -5,12 +5,12 @@
 
 #include "integral/batch/manifest.h"
 #include "integral/cli/scene_depth.h"
+#include "integral/compare/compare.h"
+#include "integral/compare/tolerances.h"
 #include "integral/io/image_file.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/panel.h"
-#include "integral/replay/compare.h"
 #include "integral/replay/replay.h"
-#include "integral/replay/tolerances.h"
 
 #include <cstdlib>
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/batch/child_process.h"
+
+#include "integral/base/file_bytes.h"
+#include "integral/base/interrupt.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace integral {
+
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::string& folder, const std::string& log)
+{
+    std::vector<char*> arguments;
+    for (const std::string& word : words)
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const int said = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const pid_t parent = getpid();
+    process_ = said < 0 || nothing < 0 ? -1 : fork();
+    const int error = errno;
+    if (process_ == 0) { // only calls that are safe between fork and exec
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() != parent) // it had ended before
+            _exit(program_cannot_be_run);
+        dup2(nothing, 0);
+        dup2(said, 1);
+        dup2(said, 2);
+        if (chdir(folder.c_str()) == 0)
+            execvp(arguments[0], arguments.data());
+        const char* why = std::strerror(errno);
+        for (const char* text : {"Error: ", static_cast<const char*>(arguments[0]), " cannot be run: ", why, "\n"})
+            if (write(2, text, std::strlen(text)) < 0)
+                break;
+        _exit(program_cannot_be_run);
+    }
+    if (said >= 0)
+        close(said);
+    if (nothing >= 0)
+        close(nothing);
+    if (process_ < 0)
+        throw OutputError(log + (said < 0 ? ": cannot be written: " : ": no process can be made: ") + std::strerror(error));
+}
+
+ChildProcess::~ChildProcess()
+{
+    if (process_ > 0) {
+        kill(process_, SIGKILL);
+        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR)
+            ;
+    }
+}
+
+std::optional<ChildEnd> ChildProcess::ended()
+{
+    int status = 0;
+    struct rusage usage = {};
+    const pid_t ended = wait4(process_, &status, WNOHANG, &usage);
+    if (ended == 0 || (ended < 0 && errno == EINTR))
+        return std::nullopt;
+    process_ = -1;
+    ChildEnd end;
+    end.status = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    end.signal = ended > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    end.memory = double(usage.ru_maxrss) * 1024;
+    return end;
+}
+
+ChildEnd ChildProcess::wait()
+{
+    bool told = false; // an interrupt may have come to this program alone
+    for (;;) {
+        if (const auto end = ended()) {
+            stop_if_interrupted();
+            return *end;
+        }
+        if (interrupted() && !told) {
+            stop();
+            told = true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+}
+
+void ChildProcess::stop() { kill(process_, SIGTERM); }
+
+double ChildProcess::memory_now() const
+{
+    std::ifstream file("/proc/" + std::to_string(process_) + "/statm");
+    double all = 0, resident = 0;
+    file >> all >> resident;
+    return resident * double(sysconf(_SC_PAGESIZE));
+}
+
+} // namespace integral

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/compare/compare.h"
+
+#include "integral/base/parallel.h"
+#include "integral/compare/similarity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+/// The encoding in which two pictures are compared.
+Encoding common_encoding(const Image& a, const Image& b)
+{
+    return a.encoding.kind == Encoding::Kind::linear ? b.encoding : a.encoding;
+}
+
+/// Reads pixels over black in an encoding.
+class Viewed {
+public:
+    Viewed(const Image& image, Encoding encoding)
+        : image_(image), encoding_(encoding), as_stored_(same_encoding(image.encoding, encoding))
+    {
+        if (!as_stored_ || (image.channels == 4 && !image.premultiplied))
+            linear_.emplace(image);
+    }
+
+    Color operator()(int x, int y) const
+    {
+        const Color stored = stored_pixel(image_, x, y);
+        if (as_stored_ && (stored.a == 1 || image_.premultiplied))
+            return stored;
+        const Color light = (*linear_)(x, y);
+        const auto e = [&](float v) { return float(encode(encoding_, v)); };
+        return {e(light.r), e(light.g), e(light.b), stored.a};
+    }
+
+private:
+    const Image& image_;
+    std::optional<LinearReader> linear_; ///< where stored values may not do
+    Encoding encoding_;
+    bool as_stored_;
+};
+
+void require_same_size(const Image& a, const Image& b)
+{
+    const auto size = [](const Image& i) {
+        return std::to_string(i.width) + "x" + std::to_string(i.height);
+    };
+    if (a.width != b.width || a.height != b.height)
+        throw std::invalid_argument("it has " + size(b) + " pixels, the other has " + size(a) +
+                                    "; compare pictures of one size");
+}
+
+/// Whether `value` is the new largest; NaN is larger than all.
+bool exceeds(double value, double largest)
+{
+    return !std::isnan(largest) && !(value <= largest);
+}
+
+float luma(Color c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
+
+/// Sums of squared differences, lens by lens.
+class MicroImages {
+public:
+    explicit MicroImages(const FrameMetadata& metadata)
+        : film_(metadata.film), lattice_(metadata.sheet)
+    {
+    }
+
+    LensIndex lens_of(int x, int y) const
+    {
+        return lattice_.nearest(film_from_pixel(film_, {x + 0.5, y + 0.5}));
+    }
+
+    void add(LensIndex lens, double squares, int channels)
+    {
+        if (!last_ || last_->first != std::make_pair(lens.j, lens.i))
+            last_ = &*sums_.try_emplace({lens.j, lens.i}).first;
+        last_->second.squares += squares;
+        last_->second.count += channels;
+    }
+
+    WorstMicroImage worst() const
+    {
+        WorstMicroImage worst;
+        worst.rmse = -1;
+        for (const auto& [index, sum] : sums_) {
+            const double rmse = std::sqrt(sum.squares / double(sum.count));
+            if (exceeds(rmse, worst.rmse)) {
+                worst.rmse = rmse;
+                worst.lens = {index.second, index.first};
+            }
+        }
+        worst.pole = lattice_.pole(worst.lens);
+        return worst;
+    }
+
+private:
+    struct Sum {
+        double squares = 0;
+        std::int64_t count = 0;
+    };
+    Film film_;
+    Lattice lattice_;
+    using Sums = std::map<std::pair<std::int64_t, std::int64_t>, Sum>; // by row, then column
+    Sums sums_;
+    Sums::value_type* last_ = nullptr; // neighbouring pixels mostly have one lens
+};
+
+/// Two pictures' differences, pixel by pixel, of some rows.
+struct Differences {
+    std::vector<double> squares; ///< of a pixel's channels, added up
+    std::vector<float> luma_a, luma_b;
+    std::vector<LensIndex> lenses; ///< if they are asked for
+    std::vector<double> largest;   ///< of a row's channels
+    std::vector<std::int64_t>
+        close; ///< a row's pixels of which no channel differs by more than 2/255
+};
+
+} // namespace
+
+struct Comparer::State {
+    State(const Frame& a, const Frame& b, bool similarity)
+        : width(a.image.width), height(a.image.height),
+          alpha(a.image.channels == 4 && b.image.channels == 4)
+    {
+        require_same_size(a.image, b.image);
+        result.encoding = common_encoding(a.image, b.image);
+        if (a.metadata || b.metadata)
+            micro_images.emplace(a.metadata ? *a.metadata : *b.metadata);
+        if (similarity)
+            this->similarity.emplace(width, height);
+    }
+
+    /// Row `row` of some, whose pixels stand in row `y` of a and b.
+    void take_row(const Viewed& a, const Viewed& b, int y, int row)
+    {
+        double row_largest = 0;
+        std::int64_t row_close = 0;
+        for (int x = 0; x < width; ++x) {
+            const std::size_t at = std::size_t(row) * width + x;
+            const Color p = a(x, y), q = b(x, y);
+            const double difference[4] = {double(p.r) - q.r, double(p.g) - q.g, double(p.b) - q.b,
+                                          alpha ? double(p.a) - q.a : 0};
+            double squares = 0, largest = 0;
+            for (const double v : difference) {
+                squares += v * v;
+                if (exceeds(std::fabs(v), largest))
+                    largest = std::fabs(v);
+            }
+            if (exceeds(largest, row_largest))
+                row_largest = largest;
+            row_close += largest <= 2.0 / 255 + 1e-6;
+            d.squares[at] = squares;
+            d.luma_a[at] = luma(p);
+            d.luma_b[at] = luma(q);
+            if (micro_images)
+                d.lenses[at] = micro_images->lens_of(x, taken + row);
+        }
+        d.largest[std::size_t(row)] = row_largest;
+        d.close[std::size_t(row)] = row_close;
+    }
+
+    /// Rows [y, y + rows) of a and b.
+    void take(const Viewed& a, const Viewed& b, int y, int rows)
+    {
+        const std::size_t pixels = std::size_t(rows) * width;
+        d.squares.resize(pixels);
+        d.luma_a.resize(pixels);
+        d.luma_b.resize(pixels);
+        d.lenses.resize(micro_images ? pixels : 0);
+        d.largest.resize(std::size_t(rows));
+        d.close.resize(std::size_t(rows));
+        for_each_row(rows, 0, [&](int row) { take_row(a, b, y + row, row); });
+        // In order, so that the sums are the same however many threads there are.
+        for (int row = 0; row < rows; ++row) {
+            if (exceeds(d.largest[std::size_t(row)], result.largest_difference))
+                result.largest_difference = d.largest[std::size_t(row)];
+            close += d.close[std::size_t(row)];
+        }
+        for (std::size_t at = 0; at < pixels; ++at) {
+            squares += d.squares[at];
+            if (micro_images)
+                micro_images->add(d.lenses[at], d.squares[at], channels());
+        }
+        if (similarity)
+            similarity->add(d.luma_a.data(), d.luma_b.data(), rows);
+        taken += rows;
+    }
+
+    int channels() const { return alpha ? 4 : 3; }
+
+    int width, height;
+    bool alpha; ///< of both
+    Comparison result;
+    std::optional<MicroImages> micro_images;
+    std::optional<Similarity> similarity;
+    Differences d;
+    double squares = 0;
+    std::int64_t close = 0;
+    int taken = 0;
+};
+
+Comparer::Comparer(const Frame& a, const Frame& b, bool similarity)
+    : state_(std::make_unique<State>(a, b, similarity))
+{
+}
+
+Comparer::~Comparer() = default;
+
+void Comparer::add(const Image& a, const Image& b)
+{
+    const Viewed seen_a(a, state_->result.encoding), seen_b(b, state_->result.encoding);
+    for (int y = 0; y < a.height; y += Similarity::most_rows)
+        state_->take(seen_a, seen_b, y, std::min(Similarity::most_rows, a.height - y));
+}
+
+Comparison Comparer::result() const
+{
+    const State& s = *state_;
+    Comparison result = s.result;
+    const double pixels = double(s.width) * s.height;
+    result.rmse = std::sqrt(s.squares / (pixels * s.channels()));
+    result.psnr = result.rmse == 0 ? std::numeric_limits<double>::infinity()
+                                   : 20 * std::log10(1 / result.rmse);
+    if (s.similarity)
+        result.ssim = s.similarity->mean();
+    result.within_two = double(s.close) / pixels;
+    if (s.micro_images)
+        result.worst = s.micro_images->worst();
+    return result;
+}
+
+Comparison compare(const Frame& a, const Frame& b)
+{
+    Comparer comparer(a, b);
+    comparer.add(a.image, b.image);
+    return comparer.result();
+}
+
+Image difference_form(const Image& a, const Image& b)
+{
+    const int bits = sample_bits(a) == 8 && sample_bits(b) == 8 ? 8 : 16;
+    return form_of(bits, a.width, a.height, 3, common_encoding(a, b));
+}
+
+Image difference_picture(const Image& a, const Image& b, double gain)
+{
+    require_same_size(a, b);
+    const Encoding encoding = common_encoding(a, b);
+    const Viewed seen_a(a, encoding), seen_b(b, encoding);
+    Image result = blank_like(difference_form(a, b), a.width, a.height);
+    for_each_row(a.height, 0, [&](int y) {
+        for (int x = 0; x < a.width; ++x) {
+            const Color p = seen_a(x, y), q = seen_b(x, y);
+            const auto d = [&](float u, float v) { return float(gain * std::fabs(u - v)); };
+            store_pixel(result, x, y, {d(p.r, q.r), d(p.g, q.g), d(p.b, q.b), 1});
+        }
+    });
+    return result;
+}
+
+} // namespace integral

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/compare: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/compare/compare.cpp \
+  integral/compare/compare.h \
+  integral/compare/compare_geometry.cpp \
+  integral/compare/compare_geometry.h \
+  integral/compare/compare_limits.cpp \
+  integral/compare/compare_limits.h \
+  integral/compare/figures_json.cpp \
+  integral/compare/figures_json.h \
+  integral/compare/similarity.cpp \
+  integral/compare/similarity.h \
+  integral/compare/suite_pair.cpp \
+  integral/compare/suite_pair.h \
+  integral/compare/suite_pictures.cpp \
+  integral/compare/suite_pictures.h \
+  integral/compare/suite_report.cpp \
+  integral/compare/suite_report.h \
+  integral/compare/tolerances.cpp \
+  integral/compare/tolerances.h
