@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The words of messages: one line, no longer than a person reads.
+#include "integral/base/file_bytes.h"
 #include "integral/base/message_text.h"
 
 #include <boost/test/unit_test.hpp>
