@@ -2,6 +2,7 @@
 #include "integral/batch/batch_folder.h"
 
 #include "integral/batch/content_hash.h"
+#include "integral/io/codecs.h"
 #include "integral/io/file_bytes.h"
 
 #include <cerrno>
@@ -114,6 +115,8 @@ void publish(const BatchFolder& folder, const BatchStep& step, StepRecord record
 bool is_whole(const std::string& path)
 {
     const double size = size_of(path);
+    if (extension_of(path) == "exr")
+        return is_whole_exr(path);
     if (extension_of(path) != "png")
         return size > 0;
     constexpr std::size_t end_chunk = 12;

@@ -5,6 +5,8 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_check.cpp \
   integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
+  integral/cli/batch_memory.cpp \
+  integral/cli/batch_memory.h \
   integral/cli/batch_report.cpp \
   integral/cli/batch_report.h \
   integral/cli/batch_run.cpp \

@@ -146,6 +146,18 @@ DecodedImage decode_picture(const std::string& bytes)
     return picture;
 }
 
+PictureHeader decode_start(const std::string& bytes)
+{
+    constexpr Offset magic_and_version = 8;
+    ByteSource source(bytes);
+    int version = static_cast<unsigned char>(bytes[4]) | static_cast<unsigned char>(bytes[5]) << 8;
+    source.seekg(magic_and_version);
+    Imf::Header header;
+    header.readFrom(source, version);
+    const Imath::Box2i window = header.dataWindow();
+    return {width_of(window), height_of(window), 32, document_of(header)};
+}
+
 DecodedDepths decode_z(const std::string& bytes)
 {
     Imf::Header::setMaxImageSize(largest_side, largest_side);
@@ -193,6 +205,24 @@ template <class Decode> auto guarded(Decode decode, const std::string& bytes)
 } // namespace
 
 DecodedImage decode_exr(const std::string& bytes) { return guarded(decode_picture, bytes); }
+
+PictureHeader decode_exr_header(const std::string& bytes) { return guarded(decode_start, bytes); }
+
+bool is_whole_exr(const std::string& path)
+{
+    try {
+        Imf::InputFile file(path.c_str(), 0);
+        const Imath::Box2i window = file.header().dataWindow();
+        std::vector<float> row(std::size_t(width_of(window)));
+        Imf::FrameBuffer target; // every row goes to the same place
+        target.insert("R", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x), sizeof(float), 0));
+        file.setFrameBuffer(target);
+        file.readPixels(window.min.y, window.max.y);
+        return file.isComplete();
+    } catch (const std::exception&) {
+        return false;
+    }
+}
 
 DecodedDepths decode_depths(const std::string& bytes) { return guarded(decode_z, bytes); }
 

@@ -216,13 +216,13 @@ std::vector<png_bytep> row_pointers(Image& image)
 
 } // namespace
 
-PngHeader decode_png_header(const std::string& bytes)
+PictureHeader decode_png_header(const std::string& bytes)
 {
     ReadSession s;
     s.input = &bytes;
     if (!read_header(s))
         throw std::runtime_error(s.message);
-    return {int(png_get_image_width(s.png, s.info)), int(png_get_image_height(s.png, s.info)), document_of(s)};
+    return {int(png_get_image_width(s.png, s.info)), int(png_get_image_height(s.png, s.info)), int(png_get_bit_depth(s.png, s.info)), document_of(s)};
 }
 
 DecodedImage decode_png(const std::string& bytes)
