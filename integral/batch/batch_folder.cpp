@@ -3,6 +3,8 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/batch/content_hash.h"
+#include "integral/base/file_bytes.h"
+#include "integral/io/codecs.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -114,6 +116,8 @@ void publish(const BatchFolder& folder, const BatchStep& step, StepRecord record
 bool is_whole(const std::string& path)
 {
     const double size = size_of(path);
+    if (extension_of(path) == "exr")
+        return is_whole_exr(path);
     if (extension_of(path) != "png")
         return size > 0;
     constexpr std::size_t end_chunk = 12;

@@ -7,6 +7,12 @@
 #include "integral/batch/batch_schedule.h"
 #include "integral/batch/batch_steps.h"
 #include "integral/batch/lock_file.h"
+#include "integral/base/file_bytes.h"
+#include "integral/batch/batch_memory.h"
+#include "integral/batch/batch_schedule.h"
+#include "integral/batch/batch_steps.h"
+#include "integral/cli/command.h"
+#include "integral/cli/progress.h"
 
 #include <chrono>
 #include <csignal>
@@ -200,7 +206,7 @@ private:
         const auto twin = by_inputs_.find(hash);
         if (twin != by_inputs_.end() && twin->second != i && results_[std::size_t(twin->second)].fate == StepFate::waiting)
             return; // it is running
-        const double pixels = pixels_of(step, frame), memory = memory_.expected(step, pixels, record);
+        const double pixels = pixels_of(step, frame), memory = memory_.expected(step, frame, pixels, record);
         const bool copies = twin != by_inputs_.end() && outputs_.count(twin->second);
         if (!copies && !has_memory(i, memory))
             return;
@@ -282,7 +288,7 @@ private:
         const std::string reason = publish_made(folder_, step, frame_of(step), log, one.end, record);
         std::error_code ignored;
         if (reason.empty()) {
-            memory_.learn(step, record);
+            memory_.learn(step, frame_of(step), record);
             std::filesystem::remove(folder_.log(step), ignored);
             clean(step);
             say_remark(one.step, record);

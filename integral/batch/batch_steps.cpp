@@ -3,6 +3,7 @@
 
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
+#include "integral/batch/renderer.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 
@@ -57,7 +58,7 @@ std::string last_line(const std::string& text)
     return last;
 }
 
-/// A file's first bytes: of a PNG, those that hold all that comes before its pixels.
+/// A file's first bytes: of a frame, those that hold all that comes before its pixels.
 std::string beginning_of(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -74,19 +75,9 @@ bool disk_is_full(const std::string& path)
     return statvfs(path.substr(0, path.rfind('/')).c_str(), &disk) == 0 && double(disk.f_bavail) * double(disk.f_frsize) < least;
 }
 
-FrameSize size_of_frame(const std::string& path)
-{
-    if (extension_of(path) == "png") {
-        const auto [width, height] = picture_size(path);
-        return {width, height};
-    }
-    const FrameMetadata metadata = read_metadata(path);
-    return {metadata.film.width, metadata.film.height};
-}
-
 std::string thumbnail_size(const std::string& frame)
 {
-    const FrameSize size = size_of_frame(frame);
+    const PictureHeader size = frame_header(frame);
     const double scale = double(thumbnail_side) / std::max(size.width, size.height);
     const auto side = [&](int pixels) { return std::to_string(std::max(1, int(std::lround(pixels * scale)))); };
     return side(size.width) + "x" + side(size.height);
@@ -146,13 +137,33 @@ std::vector<std::string> command_line(const BatchFolder& folder, const BatchStep
     return words;
 }
 
+PictureHeader frame_header(const std::string& path)
+{
+    try {
+        const std::string bytes = beginning_of(path);
+        return extension_of(path) == "exr" ? decode_exr_header(bytes) : decode_png_header(bytes);
+    } catch (const std::exception& error) {
+        throw InputError(path + ": it cannot be read: " + error.what());
+    }
+}
+
+FrameMetadata metadata_in(const PictureHeader& header)
+{
+    try {
+        if (!header.document.empty())
+            return frame_metadata_from_json(header.document);
+    } catch (const std::invalid_argument&) { // a document of something else
+    }
+    throw InputError("the scene's camera is not integral; give it a sheet of the manifest's \"sheets\"");
+}
+
 double pixels_of(const BatchStep& step, const std::string& frame)
 {
     if (step.size.width > 0)
         return double(step.size.width) * step.size.height;
-    if (!frame.empty() && extension_of(frame) == "png") {
-        const FrameSize size = size_of_frame(frame);
-        return double(size.width) * size.height;
+    if (!frame.empty()) {
+        const PictureHeader header = frame_header(frame);
+        return double(header.width) * header.height;
     }
     return default_pixels;
 }
@@ -181,23 +192,9 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
 
 void read_figures(const std::string& frame, StepRecord& record)
 {
-    FrameMetadata metadata;
-    try {
-        if (extension_of(frame) == "png") {
-            const PngHeader header = decode_png_header(beginning_of(frame));
-            if (header.document.empty())
-                throw std::runtime_error("no document");
-            metadata = frame_metadata_from_json(header.document);
-            record.pixels = double(header.width) * header.height;
-        } else {
-            metadata = read_metadata(frame);
-            record.pixels = double(metadata.film.width) * metadata.film.height;
-        }
-    } catch (const std::bad_alloc& error) {
-        throw InputError(reason_of(error));
-    } catch (const std::exception&) {
-        throw InputError("the scene's camera is not integral; give it a sheet of the manifest's \"sheets\"");
-    }
+    const PictureHeader header = frame_header(frame);
+    const FrameMetadata metadata = metadata_in(header);
+    record.pixels = double(header.width) * header.height;
     if (metadata.render)
         record.render_seconds = metadata.render->seconds;
     if (metadata.render && metadata.render->error)

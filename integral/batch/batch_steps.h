@@ -5,6 +5,8 @@
 
 #include "integral/batch/batch_folder.h"
 #include "integral/batch/child_process.h"
+#include "integral/io/codecs.h"
+#include "integral/lightfield/frame.h"
 
 namespace integral {
 
@@ -13,6 +15,12 @@ BatchPrograms batch_programs();
 
 /// The command line of a step: program, words, threads, output.
 std::vector<std::string> command_line(const BatchFolder& folder, const BatchStep& step, const std::string& frame, int threads);
+
+/// What a frame's file says before its pixels. Throws InputError where it is no picture.
+PictureHeader frame_header(const std::string& path);
+
+/// The document of a frame. Throws InputError where it has none.
+FrameMetadata metadata_in(const PictureHeader& header);
 
 /// Pixels of the frame that a step makes or takes, as far as the plan or the file says; else those of the renderer's own default.
 double pixels_of(const BatchStep& step, const std::string& frame);

@@ -120,7 +120,7 @@ std::vector<RendererOption> renderer_options_in(const std::string& word)
         if (word[begin] == '+' || word[begin] == '-') {
             ++reader.at;
             const std::string letters = reader.until(name_ends);
-            all.push_back({Kind::letters, letters, reader.at_quote() ? reader.in_quotes() : ""});
+            all.push_back({Kind::letters, letters, reader.at_quote() ? reader.in_quotes() : "", word[begin] == '+'});
             continue;
         }
         const std::string name = reader.until(name_ends);

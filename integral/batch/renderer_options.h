@@ -17,6 +17,7 @@ struct RendererOption {
     Kind kind = Kind::path;
     std::string name;  ///< the keyword, or the letters with what follows them: as written, in any case
     std::string value; ///< of a keyword; in quotation marks after letters; a path
+    bool on = true;    ///< letters: after +, not -
 };
 
 /// The options in one word of the command line: POV-Ray splits it at blanks that are not in quotation

@@ -144,11 +144,42 @@ std::vector<SlurmTask> tasks_in(const std::string& text)
     return tasks;
 }
 
+bool has_backslash(const std::string& text) { return text.find('\\') != std::string::npos; }
+
+/// Slurm's pattern for the files that tasks' words go to. A folder's own % is written %%. Where there
+/// is a backslash, Slurm leaves all patterns as they are: then the script names the file.
+std::string log_pattern(const std::string& folder)
+{
+    if (has_backslash(folder))
+        return "/dev/null";
+    std::string pattern;
+    for (const char c : folder)
+        pattern += c == '%' ? "%%" : std::string(1, c);
+    return pattern + "/%A_%a.txt";
+}
+
+/// What a task's script has to begin with, for a folder that no pattern can name.
+std::string redirection(const std::string& folder)
+{
+    if (!has_backslash(folder))
+        return "";
+    return "exec >> " + for_shell(folder) + "/\"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID.txt\" 2>&1\n";
+}
+
 } // namespace
+
+std::string for_shell(const std::string& text)
+{
+    std::string safe = "'";
+    for (const char c : text)
+        safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return safe + "'";
+}
 
 std::string slurm_submit(const SlurmRequest& request)
 {
-    std::vector<std::string> words{"sbatch", "--parsable", "--job-name=" + request.name, "--output=" + request.log, "--chdir=" + request.folder,
+    std::vector<std::string> words{"sbatch", "--parsable", "--job-name=" + request.name,
+                                   "--output=" + log_pattern(request.log_folder), "--chdir=" + request.folder,
                                    "--ntasks=1", "--cpus-per-task=" + std::to_string(request.cpus), "--open-mode=append"};
     const auto add = [&](const char* option, const std::string& value) {
         if (!value.empty())
@@ -160,7 +191,7 @@ std::string slurm_submit(const SlurmRequest& request)
     words.push_back("--array=0-" + std::to_string(request.tasks - 1));
     add("--dependency=afterany:", joined(request.after, ':'));
     words.insert(words.end(), request.options.begin(), request.options.end());
-    const Said said = run(words, request.script);
+    const Said said = run(words, "#!/bin/sh\n" + redirection(request.log_folder) + request.commands);
     const std::string number = said.output.substr(0, said.output.find_first_of(";\n")); // NUMBER[;CLUSTER]
     if (said.status != 0 || number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
         refuse("sbatch", said);

@@ -17,10 +17,13 @@ struct SlurmRequest {
     std::vector<std::string> options; ///< more of sbatch's own
     int tasks = 1;                    ///< of the array, numbered from 0
     std::vector<std::string> after;   ///< jobs that must have ended, well or not, before this begins
-    std::string log;                  ///< what it says goes there, with sbatch's %A and %a
+    std::string log_folder;           ///< what task T of job J says goes to J_T.txt there
     std::string folder;               ///< to work in
-    std::string script;
+    std::string commands;             ///< of /bin/sh
 };
+
+/// A text as one word for a shell.
+std::string for_shell(const std::string& text);
 
 /// Submits an array and returns its number. Throws InputError with sbatch's reason.
 std::string slurm_submit(const SlurmRequest& request);

@@ -5,10 +5,22 @@
 #include "integral/cli/command.h"
 #include "integral/cli/lcd_image.h"
 #include "integral/cli/print_options.h"
+#include "integral/base/file_bytes.h"
+#include "integral/cli/values.h"
 
+#include <algorithm>
 
 namespace integral {
 namespace {
+
+constexpr int most_pixels_a_side = 1000000;
+constexpr double usual_view = 1000 * 1000; // pixels, where --size does not say them
+
+/// A panel's file, or the name that integral lcd knows.
+std::string file_of(const Manifest& manifest, const BatchTarget& panel)
+{
+    return extension_of(panel.what) == "json" ? path_in(manifest.folder, panel.what) : panel.what;
+}
 
 /// What a command reads of a target's options. Throws UsageError.
 options::variables_map options_of(const Command& command, const BatchTarget& target, Names words)
@@ -63,9 +75,46 @@ void check_targets(const Manifest& manifest)
         check_at(paper.options_place, print_command, [&] { options_of(print_command, paper, {}); });
     }
     for (const BatchTarget& panel : manifest.panels)
-        check_panel(panel, extension_of(panel.what) == "json" ? path_in(manifest.folder, panel.what) : panel.what);
+        check_panel(panel, file_of(manifest, panel));
     for (const BatchTarget& preview : manifest.previews)
         check_at(preview.options_place, replay_command, [&] { options_of(replay_command, preview, {}); });
+}
+
+double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel_pitch)
+{
+    const auto area = [](const options::variables_map& arguments, const char* option, double otherwise) {
+        if (!given(arguments, option))
+            return otherwise;
+        const PixelSize size = parse_size(option, text_of(arguments, option), most_pixels_a_side);
+        return double(size.width) * size.height;
+    };
+    const auto called = [&](const std::vector<BatchTarget>& targets) {
+        return *std::find_if(targets.begin(), targets.end(),
+                             [&](const BatchTarget& one) { return one.name == step.target; });
+    };
+    try {
+        if (step.kind == StepKind::print) {
+            const BatchTarget paper = called(manifest.papers);
+            if (paper.what.empty() || paper.format == "pdf")
+                return 0;
+            const Paper size = parse_paper_size(paper.what);
+            return size.width / pixel_pitch.x * size.height / pixel_pitch.y;
+        }
+        if (step.kind == StepKind::panel) {
+            const BatchTarget target = called(manifest.panels);
+            const auto arguments = options_of(lcd_command, target, {"--panel", file_of(manifest, target)});
+            const Panel panel = panel_of(arguments);
+            constexpr double views = 4; // of --size, in memory beside the image
+            return double(panel.film.width) * panel.film.height + views * area(arguments, "size", 0);
+        }
+        if (step.kind == StepKind::preview) {
+            const options::variables_map arguments = options_of(replay_command, called(manifest.previews), {});
+            return area(arguments, "size", usual_view) * area(arguments, "grid", given(arguments, "stereo") ? 2 : 1);
+        }
+    } catch (const UsageError&) { // its command says what is wrong
+    } catch (const InputError&) {
+    }
+    return usual_view;
 }
 
 } // namespace integral

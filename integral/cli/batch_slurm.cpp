@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -80,14 +81,6 @@ std::map<Task, Queued> queue_of(const std::string& folder)
     return queued;
 }
 
-std::string for_shell(const std::string& text)
-{
-    std::string safe = "'";
-    for (const char c : text)
-        safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return safe + "'";
-}
-
 /// Submits a batch's tasks.
 class Submitter {
 public:
@@ -99,13 +92,15 @@ public:
             throw UsageError("a manifest from standard input cannot be submitted; put it into a file");
         std::filesystem::create_directories(folder_);
         std::filesystem::create_directories(log_);
-        request_.name = "integral:" + std::filesystem::path(batch.manifest.path).stem().string();
+        request_.name = one_line("integral:" + std::filesystem::path(batch.manifest.path).stem().string());
         request_.partition = text_of(arguments, "partition");
         request_.time = text_of(arguments, "time");
-        request_.memory = given(arguments, "memory") ? text_of(arguments, "memory") + "M" : "";
+        if (batch.wanted.memory > 0)
+            request_.memory = with_decimals(std::ceil(batch.wanted.memory / (1 << 20)), 0) + "M";
         request_.cpus = in_range(arguments, "cpus", 1, 4096);
         if (given(arguments, "sbatch"))
             request_.options = arguments["sbatch"].as<std::vector<std::string>>();
+        request_.log_folder = log_;
         request_.folder = std::filesystem::current_path();
         retries_ = in_range(arguments, "retry", 0, 100);
     }
@@ -128,10 +123,9 @@ private:
         SlurmRequest request = request_;
         request.tasks = int(some.size());
         request.after = after;
-        request.log = log_ + "/%A_%a.txt";
         const std::string program = std::filesystem::read_symlink("/proc/self/exe");
         // A line of the list is an option and its value, without blanks in either.
-        request.script = "#!/bin/sh\ntask=$(sed -n \"$((SLURM_ARRAY_TASK_ID + 1))p\" " + for_shell(list) + ")\nexec " + for_shell(program) + " batch "
+        request.commands = "task=$(sed -n \"$((SLURM_ARRAY_TASK_ID + 1))p\" " + for_shell(list) + ")\nexec " + for_shell(program) + " batch "
                          + for_shell(manifest_) + " --jobs " + std::to_string(request.cpus) + " --retry " + std::to_string(retries_) + " $task\n";
         std::string job;
         try {

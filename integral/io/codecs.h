@@ -62,13 +62,19 @@ DecodedImage decode_png(const std::string& bytes);
 DecodedImage decode_exr(const std::string& bytes);
 DecodedImage decode_tiff(const std::string& bytes);
 
-/// What a PNG says before its pixels: its size and the JSON document, empty if there is none.
-/// `bytes` may end anywhere behind that. Throws as read_png does.
-struct PngHeader {
-    int width = 0, height = 0;
+/// What a file says before its pixels: size, bits a sample, and the JSON document, empty if there is
+/// none.
+struct PictureHeader {
+    int width = 0, height = 0, bits = 0;
     std::string document;
 };
-PngHeader decode_png_header(const std::string& bytes);
+
+/// Each takes a file's first bytes, which hold all that comes before the pixels. Throws as decode_png does.
+PictureHeader decode_png_header(const std::string& bytes);
+PictureHeader decode_exr_header(const std::string& bytes);
+
+/// Whether an OpenEXR file can be read to its end. Keeps a few rows of it in memory.
+bool is_whole_exr(const std::string& path);
 
 /// The channels Z and A of a depth frame, its size and its document.
 struct DecodedDepths {

@@ -143,6 +143,21 @@ template <class Work> auto guarded(Work work)
     }
 }
 
+/// What stands before the pixels, of a file's first bytes.
+PictureHeader decode_start(const InputFile& input)
+{
+    constexpr int magic_and_version = 8;
+    ExrSource source(checked(input));
+    const std::string beginning = input.beginning(magic_and_version);
+    int version = static_cast<unsigned char>(beginning[4]) |
+                  static_cast<unsigned char>(beginning[5]) << 8;
+    source.seekg(magic_and_version);
+    Imf::Header header;
+    header.readFrom(source, version);
+    const Imath::Box2i window = header.dataWindow();
+    return {width_of(window), height_of(window), 32, document_of(header)};
+}
+
 class ExrReader : public RowReader {
 public:
     explicit ExrReader(const InputFile& input) : exr_(input)
@@ -261,6 +276,24 @@ DecodedDepths decode_z(const InputFile& input)
 }
 
 } // namespace
+
+PictureHeader decode_exr_header(const std::string& bytes) { return guarded([&] { return decode_start(InputFile::of_bytes(bytes)); }); }
+
+bool is_whole_exr(const std::string& path)
+{
+    try {
+        Imf::InputFile file(path.c_str(), 0);
+        const Imath::Box2i window = file.header().dataWindow();
+        std::vector<float> row(std::size_t(width_of(window)));
+        Imf::FrameBuffer target; // every row goes to the same place
+        target.insert("R", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x), sizeof(float), 0));
+        file.setFrameBuffer(target);
+        file.readPixels(window.min.y, window.max.y);
+        return file.isComplete();
+    } catch (const std::exception&) {
+        return false;
+    }
+}
 
 std::unique_ptr<RowReader> read_exr(const InputFile& file)
 {

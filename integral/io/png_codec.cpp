@@ -402,11 +402,12 @@ private:
 
 } // namespace
 
-PngHeader decode_png_header(const std::string& bytes)
+PictureHeader decode_png_header(const std::string& bytes)
 {
     const InputFile file = InputFile::of_bytes(bytes);
     const PngReader reader(file, false);
-    return {reader.head().image.width, reader.head().image.height, reader.head().document};
+    const Image& form = reader.head().image;
+    return {form.width, form.height, sample_bits(form), reader.head().document};
 }
 
 std::unique_ptr<RowReader> read_png(const InputFile& file)

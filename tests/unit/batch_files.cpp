@@ -7,6 +7,8 @@
 #include "integral/batch/lock_file.h"
 #include "integral/batch/scene_files.h"
 #include "integral/batch/step_record.h"
+#include "integral/base/file_bytes.h"
+#include "integral/io/image_file.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -252,6 +254,14 @@ BOOST_AUTO_TEST_CASE(only_whole_pictures)
     folder.write("a.png", "......." + end);
     folder.write("b.png", "......." + end.substr(0, 11));
     folder.write("c.png", "");
+    const Image picture = make_image<float>(40, 30, 3, Encoding{Encoding::Kind::linear, 1});
+    write_frame(folder.path + "/a.exr", {picture, std::nullopt});
+    const std::string exr = read_file(folder.path + "/a.exr");
+    BOOST_TEST(is_whole(folder.path + "/a.exr"));
+    for (const std::size_t size : {std::size_t(0), std::size_t(5), exr.size() / 2, exr.size() - 1}) {
+        folder.write("b.exr", exr.substr(0, size));
+        BOOST_TEST(!is_whole(folder.path + "/b.exr"), size);
+    }
     BOOST_TEST(is_whole(folder.path + "/a.png"));
     BOOST_TEST(!is_whole(folder.path + "/b.png"));
     BOOST_TEST(!is_whole(folder.path + "/c.png"));

@@ -318,6 +318,13 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
     BOOST_TEST(refusal_of(decode_png, png).find("chunk") != std::string::npos);
 
     const std::string exr = encode_exr({noise<float>(5, 4, 3, linear), "", {}});
+    const PictureHeader start = decode_exr_header(encode_exr({noise<float>(50, 40, 3, linear), "{}", {}}).substr(0, 700));
+    BOOST_TEST(start.width == 50);
+    BOOST_TEST(start.height == 40);
+    BOOST_TEST(start.bits == 32);
+    BOOST_TEST(start.document == "{}");
+    for (std::size_t size = 0; size < 300; size += 7)
+        BOOST_CHECK_THROW(decode_exr_header(exr.substr(0, size)), std::runtime_error);
     constexpr std::size_t magic_and_version = 8;
     const auto with_attribute = [&](const std::string& bytes) { return exr.substr(0, magic_and_version) + bytes + exr.substr(magic_and_version); };
     BOOST_TEST(refusal_of(decode_exr, with_attribute("a\0b\0\1\0\0\0x"s)).find("attribute") == std::string::npos);

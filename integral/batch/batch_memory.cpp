@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/batch/batch_memory.h"
+
+#include "integral/batch/renderer_options.h"
+#include "integral/cli/batch_check.h"
+#include "integral/batch/batch_steps.h"
+#include "integral/base/file_bytes.h"
+#include "integral/base/number_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace integral {
+namespace {
+
+constexpr double mebibyte = 1 << 20;
+constexpr double program = 24 * mebibyte; ///< what each takes for the smallest picture
+
+std::string megabytes(double bytes)
+{
+    return with_decimals(std::ceil(bytes / mebibyte), 0) + " MB";
+}
+
+/// Bytes of memory that programs can still have, by the kernel's account.
+double free_memory()
+{
+    std::ifstream file("/proc/meminfo");
+    std::string line;
+    while (std::getline(file, line))
+        if (line.rfind("MemAvailable:", 0) == 0)
+            return std::atof(line.c_str() + 13) * 1024;
+    return 1e300; // a kernel that does not say
+}
+
+std::string in_small_letters(std::string text)
+{
+    for (char& c : text)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// Whether a frame may be anti-aliased: an .ini file, which is not read for this, may ask for it.
+bool may_antialias(const Names& words)
+{
+    bool may = false;
+    for (const std::string& word : words)
+        for (const RendererOption& option : renderer_options_in(word)) {
+            const std::string name = in_small_letters(option.name);
+            const std::string value = in_small_letters(option.value);
+            const bool letters = option.kind == RendererOption::Kind::letters;
+            if (option.kind == RendererOption::Kind::path)
+                may = true;
+            else if (letters && (name == "a" || name.rfind("a0", 0) == 0))
+                may = option.on;
+            else if (!letters && name == "antialias")
+                may = value == "on" || value == "true" || value == "yes" || value == "1";
+        }
+    return may;
+}
+
+/// Pixels of the largest picture that the .ini files among a frame's words may ask for, in whatever
+/// section; 0 if they name no size.
+double pixels_in_settings(const BatchStep& step)
+{
+    double width = 0, height = 0;
+    for (const std::string& word : step.words)
+        for (const RendererOption& option : renderer_options_in(word)) {
+            if (option.kind != RendererOption::Kind::path)
+                continue;
+            const std::string name = option.value.substr(0, option.value.find('['));
+            std::ifstream settings(path_in(step.folder, name));
+            for (std::string line; std::getline(settings, line);) {
+                line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
+                const auto side = [&](const char* keyword, const char* letter) {
+                    return std::atof(value_of_option({line}, keyword, letter).c_str());
+                };
+                width = std::max(width, side("width", "w"));
+                height = std::max(height, side("height", "h"));
+            }
+        }
+    return width * height;
+}
+
+/// Bytes of the renderer, without the scene's.
+double of_frame(const BatchStep& step, double pixels)
+{
+    constexpr double kept_in_memory = 140 * mebibyte; // the picture beyond that is in a file
+    double bytes = program + std::min(24 * pixels, kept_in_memory);
+    if (extension_of(step.output) == "exr")
+        bytes += 9 * pixels;
+    if (may_antialias(step.words))
+        bytes += 16 * mebibyte + 60 * pixels;
+    if (!value_of_option(step.words, "integral_depth_image", "").empty())
+        bytes += 12 * pixels;
+    if (!value_of_option(step.words, "integral_error_image", "").empty())
+        bytes += 18 * pixels;
+    return bytes;
+}
+
+/// Bytes for each pixel of the frame, and of what is made of it.
+struct PerPixel {
+    double frame = 0, output = 0;
+    double fixed = 0; ///< bytes
+};
+
+PerPixel per_pixel(const BatchStep& step, bool deep)
+{
+    const std::string format = extension_of(step.output);
+    const bool exr = format == "exr";
+    switch (step.kind) {
+    case StepKind::print: return deep ? PerPixel{24, 8} : PerPixel{12, 4};
+    case StepKind::panel:
+        return {deep ? 13.0 : 6.0, deep ? exr ? 32.0 : 20.0 : exr ? 26.0 : 9.0, 40 * mebibyte};
+    default: break;
+    }
+    const double frame = format == "html" ? (deep ? 30 : 20) : deep ? 13 : 4;
+    return {frame, deep ? 20.0 : exr ? 16.0 : 6.0};
+}
+
+/// Steps that need alike: a scene's frames, or what one target's command makes.
+std::string likes(const Manifest& manifest, const BatchStep& step)
+{
+    const std::size_t job = std::size_t(step.job);
+    const bool is_frame = step.kind == StepKind::frame;
+    return std::string(name_of(step.kind)) + " "
+           + (is_frame ? manifest.scenes[std::size_t(manifest.jobs[job].scene)].name : step.target);
+}
+
+} // namespace
+
+FrameLook look_at_frame(const std::string& path)
+{
+    const PictureHeader header = frame_header(path);
+    std::error_code none;
+    const double bytes = double(std::filesystem::file_size(path, none));
+    return {header.bits > 8, metadata_in(header).film.pixel_pitch, bytes};
+}
+
+double MemoryForecast::bound(const BatchStep& step, const std::string& frame, double pixels)
+{
+    if (step.kind == StepKind::frame)
+        return of_frame(step, step.size.width > 0 ? pixels
+                                                  : std::max(pixels, pixels_in_settings(step)));
+    const auto known = bounds_.find(step.name);
+    if (known != bounds_.end())
+        return known->second;
+    const FrameLook look = look_at_frame(frame);
+    const PerPixel each = per_pixel(step, look.deep);
+    const double made = output_pixels(manifest_, step, look.pixel_pitch);
+    return bounds_[step.name] = program + each.fixed + look.bytes + each.frame * pixels
+                                + each.output * made;
+}
+
+double MemoryForecast::expected(const BatchStep& step, const std::string& frame, double pixels,
+                                const StepRecord& before)
+{
+    const double most = bound(step, frame, pixels);
+    const auto known = learnt_.find(likes(manifest_, step));
+    if (known == learnt_.end())
+        return std::max(most, before.memory);
+    const auto [bytes, its_bound] = known->second;
+    // A larger picture needs more by as much as its bound is higher; a smaller one less, but no
+    // less than its share.
+    const double by_difference = bytes + most - its_bound;
+    return most > its_bound ? by_difference : std::max(by_difference, bytes * most / its_bound);
+}
+
+void MemoryForecast::learn(const BatchStep& step, const std::string& frame,
+                           const StepRecord& record)
+{
+    auto& known = learnt_[likes(manifest_, step)];
+    known = std::max(known, {record.memory, bound(step, frame, record.pixels)});
+}
+
+std::string MemoryForecast::lack(double needed, const std::vector<MemoryUse>& running) const
+{
+    double available = limit_ > 0 ? limit_ : free_memory();
+    for (const MemoryUse& one : running)
+        available -= limit_ > 0 ? std::max(one.expected, one.now)
+                                : std::max(0.0, one.expected - one.now);
+    if (needed <= available)
+        return "";
+    return "it needs about " + megabytes(needed) + " of memory, and "
+           + megabytes(std::max(0.0, available)) + " are left";
+}
+
+} // namespace integral
