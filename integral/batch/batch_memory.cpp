@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/batch_memory.h"
 
-#include "integral/batch/renderer_options.h"
-#include "integral/cli/batch_check.h"
-#include "integral/batch/batch_steps.h"
 #include "integral/base/file_bytes.h"
 #include "integral/base/number_text.h"
+#include "integral/batch/batch_steps.h"
+#include "integral/batch/renderer_options.h"
 
 #include <algorithm>
 #include <cctype>
@@ -150,7 +149,7 @@ double MemoryForecast::bound(const BatchStep& step, const std::string& frame, do
         return known->second;
     const FrameLook look = look_at_frame(frame);
     const PerPixel each = per_pixel(step, look.deep);
-    const double made = output_pixels(manifest_, step, look.pixel_pitch);
+    const double made = output_pixels_(step, look.pixel_pitch);
     return bounds_[step.name] = program + each.fixed + look.bytes + each.frame * pixels
                                 + each.output * made;
 }

@@ -7,6 +7,7 @@
 #include "integral/batch/step_record.h"
 #include "integral/optics/vec.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -24,6 +25,10 @@ struct FrameLook {
 /// Throws InputError where it is no integral frame.
 FrameLook look_at_frame(const std::string& path);
 
+/// Pixels of the picture that a step makes of a frame whose pixels have this pitch (mm): of a printed
+/// page, a view or a sheet of views, a panel's image. Who knows the commands' options tells it.
+using OutputPixels = std::function<double(const BatchStep& step, Vec2 pixel_pitch)>;
+
 /// Bytes of a program that runs.
 struct MemoryUse {
     double expected = 0, now = 0;
@@ -35,7 +40,10 @@ struct MemoryUse {
 class MemoryForecast {
 public:
     /// `limit`: bytes that all together may take; 0: what the machine has free.
-    MemoryForecast(const Manifest& manifest, double limit) : manifest_(manifest), limit_(limit) {}
+    MemoryForecast(const Manifest& manifest, double limit, OutputPixels output_pixels)
+        : manifest_(manifest), limit_(limit), output_pixels_(std::move(output_pixels))
+    {
+    }
 
     /// Bytes for a step. `frame` is the path of what it takes, and `pixels` are that frame's, or those
     /// that it makes; `before` is its record of its last run. Throws InputError.
@@ -53,6 +61,7 @@ private:
 
     const Manifest& manifest_;
     double limit_;
+    OutputPixels output_pixels_;
     std::map<std::string, double> bounds_; ///< by step's name
     std::map<std::string, std::pair<double, double>> learnt_; ///< by likes(): bytes, and their bound
 };

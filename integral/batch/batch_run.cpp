@@ -4,15 +4,10 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
 #include "integral/base/message_text.h"
-#include "integral/batch/batch_schedule.h"
-#include "integral/batch/batch_steps.h"
-#include "integral/batch/lock_file.h"
-#include "integral/base/file_bytes.h"
 #include "integral/batch/batch_memory.h"
 #include "integral/batch/batch_schedule.h"
 #include "integral/batch/batch_steps.h"
-#include "integral/cli/command.h"
-#include "integral/cli/progress.h"
+#include "integral/batch/lock_file.h"
 
 #include <chrono>
 #include <csignal>
@@ -33,7 +28,7 @@ class Run {
 public:
     Run(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs, const RunOptions& options, const BatchFolder& folder)
         : plan_(plan), inputs_(inputs), options_(options), folder_(folder), results_(plan.steps.size()), tries_(plan.steps.size()),
-          said_(plan.steps.size()), memory_(manifest, options.memory)
+          said_(plan.steps.size()), memory_(manifest, options.memory, options.output_pixels)
     {
         for (std::size_t i = 0; i < plan.steps.size(); ++i)
             if (options.jobs.empty() || options.jobs.count(plan.steps[i].job))

@@ -5,6 +5,7 @@
 
 #include "integral/base/parallel.h"
 #include "integral/batch/batch_folder.h"
+#include "integral/batch/batch_memory.h"
 #include "integral/batch/plan.h"
 
 #include <map>
@@ -16,6 +17,7 @@ struct RunOptions {
     int at_once = 1;      ///< programs that run at the same time
     int retries = 0;      ///< after a failure
     double memory = 0;    ///< bytes that all together may take; 0: what the machine has free
+    OutputPixels output_pixels; ///< for the bounds of memory
     std::set<int> jobs;   ///< of the manifest; empty: all
 };
 

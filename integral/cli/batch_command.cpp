@@ -60,6 +60,7 @@ RunOptions run_options(const options::variables_map& arguments, const Manifest& 
         if (!(run.memory > 0))
             throw UsageError("--memory " + text_of(arguments, "memory") + ": more than 0 MB is expected");
     }
+    run.output_pixels = [&manifest](const BatchStep& step, Vec2 pixel_pitch) { return output_pixels(manifest, step, pixel_pitch); };
     run.jobs = chosen_jobs(arguments, manifest);
     return run;
 }
