@@ -11,15 +11,18 @@
 namespace integral {
 namespace {
 
-/// Hands a text out one character at a time and counts its lines: the parser's last token ends at the last character, handed
-/// out, that was no space.
+/// Hands a text out one character at a time and counts its lines: the parser's last token ends at
+/// the last character handed out that was no space.
 class LineCounter : public std::streambuf {
 public:
     explicit LineCounter(const std::string& text) : text_(text) {}
     int line() const { return token_line_; }
 
 protected:
-    int_type underflow() override { return at_ < text_.size() ? traits_type::to_int_type(text_[at_]) : traits_type::eof(); }
+    int_type underflow() override
+    {
+        return at_ < text_.size() ? traits_type::to_int_type(text_[at_]) : traits_type::eof();
+    }
     int_type uflow() override
     {
         if (at_ == text_.size())
@@ -38,8 +41,8 @@ private:
     int line_ = 1, token_line_ = 1;
 };
 
-/// Makes the document of what the parser finds, and notes the line of each value. The library's own maker looks each field up among all that
-/// the object has already, and knows no limits.
+/// Makes the document of what the parser finds, and notes the line of each value. The library's own
+/// maker looks each field up among all that the object has already, and knows no limits.
 class Builder : public nlohmann::json_sax<Json> {
 public:
     explicit Builder(const LineCounter& counter) : counter_(counter) {}
@@ -47,7 +50,10 @@ public:
     bool boolean(bool value) override { return add(value); }
     bool number_integer(Json::number_integer_t value) override { return add(value); }
     bool number_unsigned(Json::number_unsigned_t value) override { return add(value); }
-    bool number_float(Json::number_float_t value, const Json::string_t&) override { return add(value); }
+    bool number_float(Json::number_float_t value, const Json::string_t&) override
+    {
+        return add(value);
+    }
     bool string(Json::string_t& value) override { return add(std::move(value)); }
     bool binary(Json::binary_t&) override { return false; } // JSON has none
     bool start_object(std::size_t) override { return open(Json::object()); }
@@ -58,21 +64,28 @@ public:
     {
         Open& in = open_.back();
         if (name.size() > longest_json_name)
-            refuse("the name of a field has more than " + std::to_string(longest_json_name) + " bytes; shorten it");
+            refuse("the name of a field has more than " + std::to_string(longest_json_name) +
+                   " bytes; shorten it");
         if (in.names.size() == most_json_fields)
-            refuse("an object has more than " + std::to_string(most_json_fields) + " fields; leave some out");
+            refuse("an object has more than " + std::to_string(most_json_fields) +
+                   " fields; leave some out");
         if (!in.names.insert(name).second)
             refuse("the field " + excerpt(name) + " stands twice in one object");
         in.value->get_ref<Json::object_t&>().emplace_back(std::move(name), Json());
         return true;
     }
-    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override
+    bool parse_error(std::size_t, const std::string&,
+                     const nlohmann::detail::exception& error) override
     {
-        // [json.exception.parse_error.101] parse error at line 7, column 5: syntax error while ... - unexpected ...
+        // [json.exception.parse_error.101] parse error at line 7, column 5: syntax error while
+        // parsing a value - unexpected ...
         const std::string said = error.what();
         const auto reason = said.find(" - "), colon = said.find(": ");
-        const std::string what = reason != std::string::npos ? said.substr(reason + 3) : colon != std::string::npos ? said.substr(colon + 2) : said;
-        refuse(error.id == 406 ? "a number is out of range" : "this is no JSON: " + excerpt(what, 160));
+        const std::string what = reason != std::string::npos  ? said.substr(reason + 3)
+                                 : colon != std::string::npos ? said.substr(colon + 2)
+                                                              : said;
+        refuse(error.id == 406 ? "a number is out of range"
+                               : "this is no JSON: " + excerpt(what, 160));
     }
 
     Json root;
@@ -83,7 +96,10 @@ private:
         Json* value; ///< an object or a list
         std::set<std::string> names;
     };
-    [[noreturn]] void refuse(const std::string& what) const { throw JsonError(counter_.line(), what); }
+    [[noreturn]] void refuse(const std::string& what) const
+    {
+        throw JsonError(counter_.line(), what);
+    }
     bool add(Json value)
     {
         place(std::move(value));
@@ -92,7 +108,8 @@ private:
     bool open(Json value)
     {
         if (open_.size() == deepest_json)
-            refuse("objects and lists are nested more than " + std::to_string(deepest_json) + " deep; nest them less");
+            refuse("objects and lists are nested more than " + std::to_string(deepest_json) +
+                   " deep; nest them less");
         Json& placed = place(std::move(value));
         open_.push_back({&placed, {}});
         return true;
@@ -105,13 +122,18 @@ private:
     Json& place(Json value)
     {
         if (lines.size() == most_json_values)
-            refuse("the document has more than " + std::to_string(most_json_values) + " values; leave some out");
+            refuse("the document has more than " + std::to_string(most_json_values) +
+                   " values; leave some out");
         lines.push_back(counter_.line());
-        Json& to = open_.empty() ? root : open_.back().value->is_array() ? next_of(open_.back().value->get_ref<Json::array_t&>())
-                                                                         : open_.back().value->get_ref<Json::object_t&>().back().second;
-        return to = std::move(value);
+        if (open_.empty())
+            return root = std::move(value);
+        Json& in = *open_.back().value;
+        if (in.is_object())
+            return in.get_ref<Json::object_t&>().back().second = std::move(value);
+        Json::array_t& list = in.get_ref<Json::array_t&>();
+        list.push_back(std::move(value));
+        return list.back();
     }
-    static Json& next_of(Json::array_t& list) { return list.emplace_back(), list.back(); }
 
     const LineCounter& counter_;
     std::vector<Open> open_;
@@ -121,7 +143,8 @@ private:
 template <class Take> void read(const std::string& text, Take take)
 {
     if (text.size() > most_json_megabytes << 20)
-        throw JsonError(1, "the document has more than " + std::to_string(most_json_megabytes) + " MB; leave some of it out");
+        throw JsonError(1, "the document has more than " + std::to_string(most_json_megabytes) +
+                               " MB; leave some of it out");
     LineCounter counter(text);
     std::istream stream(&counter);
     Builder builder(counter);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The one reader of JSON documents. It takes time and memory in proportion to a document's bytes, and refuses what exceeds the limits below.
+// The one reader of JSON documents. It takes time and memory in proportion to a document's bytes,
+// and refuses what exceeds the limits below.
 #ifndef INTEGRAL_BASE_JSON_H
 #define INTEGRAL_BASE_JSON_H
 
@@ -18,11 +19,16 @@ constexpr std::size_t deepest_json = 64; ///< objects and lists within one anoth
 constexpr std::size_t most_json_megabytes = 16;
 constexpr std::size_t most_json_values = 1000000; ///< objects and lists count, too
 constexpr std::size_t most_json_fields = 100000;  ///< of one object
-constexpr std::size_t longest_json_name = 4096;   ///< bytes of a field's name: files' names are fields of a suite
+constexpr std::size_t longest_json_name = 4096;   ///< bytes of a field's name, which may be a path
 
-/// Says that a text is no JSON, exceeds a limit or has a field twice in one object: "line LINE: REASON".
+/// Says that a text is no JSON, exceeds a limit or has a field twice in one object. The message is
+/// "line LINE: REASON".
 struct JsonError : std::invalid_argument {
-    JsonError(int where, const std::string& why) : std::invalid_argument("line " + std::to_string(where) + ": " + why), line(where), reason(why) {}
+    JsonError(int where, const std::string& why)
+        : std::invalid_argument("line " + std::to_string(where) + ": " + why), line(where),
+          reason(why)
+    {
+    }
     int line; ///< from 1
     std::string reason;
 };

@@ -37,7 +37,8 @@ void refuse_others(const JsonObject& object, std::initializer_list<const char*> 
         std::string names;
         for (const char* const name : legal)
             names += (names.empty() ? "" : name == *(legal.end() - 1) ? " and " : ", ") + std::string(name);
-        refuse(object.path_of(excerpt(field.key()).c_str()), "is not a field of it: those are " + names);
+        refuse(object.path_of(excerpt(field.key()).c_str()),
+               "is not a field of it: those are " + names);
     }
 }
 

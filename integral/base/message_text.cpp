@@ -35,7 +35,8 @@ std::string excerpt(const std::string& text, std::size_t most)
 
 std::string reason_of(const std::exception& error)
 {
-    return dynamic_cast<const std::bad_alloc*>(&error) ? "it needs more memory than there is" : error.what();
+    return dynamic_cast<const std::bad_alloc*>(&error) ? "it needs more memory than there is"
+                                                       : error.what();
 }
 
 void say(const std::string& command, const std::string& text)

@@ -73,7 +73,8 @@ std::vector<std::pair<std::string, Located>> Located::fields() const
         refuse("an object {...} is expected");
     std::vector<std::pair<std::string, Located>> all;
     for (const auto& item : value_->items())
-        all.emplace_back(item.key(), at(item.value(), (name_.empty() ? "" : name_ + ".") + excerpt(item.key())));
+        all.emplace_back(
+            item.key(), at(item.value(), (name_.empty() ? "" : name_ + ".") + excerpt(item.key())));
     return all;
 }
 

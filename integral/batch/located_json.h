@@ -40,7 +40,7 @@ public:
 
 private:
     struct Document {
-        Document(const std::string& its_path, const std::string& text) : path(its_path), json(text) {}
+        Document(const std::string& name, const std::string& text) : path(name), json(text) {}
         std::string path;
         LinedJson json;
     };

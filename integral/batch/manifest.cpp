@@ -60,7 +60,8 @@ std::string readable_file(const Located& field, const std::string& folder)
     if (name.empty())
         field.refuse("the name of a file is expected");
     if (stat(path.c_str(), &status) != 0 || (S_ISREG(status.st_mode) && access(path.c_str(), R_OK) != 0))
-        field.refuse(excerpt(name) + " cannot be read: " + std::strerror(errno) + "; names start at the manifest's folder");
+        field.refuse(excerpt(name) + " cannot be read: " + std::strerror(errno) +
+                     "; names start at the manifest's folder");
     if (!S_ISREG(status.st_mode))
         field.refuse(excerpt(name) + " is no file");
     return name;
@@ -92,14 +93,17 @@ Names command_options(const Located& object, const std::string& own_field)
         if (word.empty())
             one.refuse("an option of the command is expected");
         if (name == "--output" || short_output || name == "--html")
-            one.refuse(excerpt(word) + ": the batch names the output itself; the field \"format\" says its kind");
+            one.refuse(excerpt(word) +
+                       ": the batch names the output itself; the field \"format\" says its kind");
         for (const char* other : {"--printer", "--show", "--play", "--help", "--chart", "--even"})
             if (name == other)
-                one.refuse(excerpt(word) + ": a batch writes files, which are printed and shown afterwards");
+                one.refuse(excerpt(word) +
+                           ": a batch writes files, which are printed and shown afterwards");
         if (name == "--" + own_field)
             one.refuse(excerpt(word) + ": there is a field for it");
         if (word.rfind("--", 0) == 0 && name.find(' ') != std::string::npos)
-            one.refuse(excerpt(word) + ": each word stands by itself, as in \"--eye\", \"-30,0,120\"");
+            one.refuse(excerpt(word) +
+                       ": each word stands by itself, as in \"--eye\", \"-30,0,120\"");
         all.push_back(word);
     }
     return all;
@@ -160,7 +164,8 @@ template <class Thing> std::optional<Names> chosen(const Located& object, const 
     for (const Located& one : object.field(field).list()) {
         names.push_back(one.text());
         if (index_of(things, names.back()) < 0)
-            one.refuse(excerpt(names.back()) + " is not among the manifest's " + field + ": " + list_of(names_of(things)));
+            one.refuse(excerpt(names.back()) + " is not among the manifest's " + field + ": " +
+                       list_of(names_of(things)));
         if (std::count(names.begin(), names.end(), names.back()) > 1)
             one.refuse(names.back() + " stands here twice");
     }
@@ -279,7 +284,10 @@ void exclude_jobs(const Located& list, Manifest& manifest)
         const auto fits = [&](const BatchJob& job) { return fnmatch(pattern.c_str(), job.name.c_str(), 0) == 0; };
         const auto kept = std::remove_if(manifest.jobs.begin(), manifest.jobs.end(), fits);
         if (kept == manifest.jobs.end())
-            one.refuse("no job is called " + excerpt(pattern) + (manifest.jobs.empty() ? "" : "; there is, for one, " + manifest.jobs.front().name));
+            one.refuse("no job is called " + excerpt(pattern) +
+                       (manifest.jobs.empty()
+                            ? ""
+                            : "; there is, for one, " + manifest.jobs.front().name));
         manifest.jobs.erase(kept, manifest.jobs.end());
     }
 }

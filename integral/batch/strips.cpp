@@ -94,7 +94,8 @@ StripFile read_strip(const std::string& path)
         strip.height = record.at("of_rows").get<int>();
         strip.picture.document = record.at("frame").get<std::string>();
     } catch (const JsonError& error) {
-        throw InputError(path + ": it does not say which rows of a frame it holds: " + error.what() + "; delete it, so that it is rendered anew");
+        throw InputError(path + ": it does not say which rows of a frame it holds: " +
+                         error.what() + "; delete it, so that it is rendered anew");
     } catch (const Json::exception&) {
         throw InputError(path + ": it does not say which rows of a frame it holds; delete it, so that it is rendered anew");
     }

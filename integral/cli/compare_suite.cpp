@@ -111,7 +111,8 @@ Suite suite_of(const SuiteFolders& folders, const Tolerances& tolerances, const 
     }
     for (const auto& entry : tolerances.entries)
         if (std::none_of(names.begin(), names.end(), [&](const std::string& name) { return matches(entry.pattern, name); }))
-            suite.unused.push_back("line " + std::to_string(entry.line) + ": \"" + excerpt(entry.pattern) + "\" matches no file");
+            suite.unused.push_back("line " + std::to_string(entry.line) + ": \"" +
+                                   excerpt(entry.pattern) + "\" matches no file");
     return suite;
 }
 

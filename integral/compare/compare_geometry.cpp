@@ -52,7 +52,8 @@ std::string difference(const Json& reference, const Json& result, const std::str
     } else if (reference == result) {
         return "";
     }
-    return path + " is " + excerpt(result.dump()) + ", its reference's " + excerpt(reference.dump());
+    return path + " is " + excerpt(result.dump()) + ", its reference's " +
+           excerpt(reference.dump());
 }
 
 } // namespace

@@ -27,10 +27,12 @@ const Json& object_at(int line, const std::string& name, const Json& json)
     return json;
 }
 
-std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const LinedJson& document, const std::string& name, const Json& json)
+std::vector<std::pair<std::size_t, std::optional<double>>>
+limits_at(const LinedJson& document, const std::string& name, const Json& json)
 {
     std::vector<std::pair<std::size_t, std::optional<double>>> limits;
-    for (const auto& [word, value] : object_at(document.line_of(json), quoted(name), json).items()) {
+    for (const auto& [word, value] :
+         object_at(document.line_of(json), quoted(name), json).items()) {
         const int line = document.line_of(value);
         std::size_t kind = 0;
         while (kind < limit_count && word != limit_kinds[kind].word)
@@ -56,14 +58,16 @@ Tolerances tolerances_from_json(const std::string& text)
 {
     const LinedJson document(text);
     Tolerances tolerances;
-    for (const auto& [word, value] : object_at(document.line_of(document.root()), "the document", document.root()).items()) {
+    for (const auto& [word, value] :
+         object_at(document.line_of(document.root()), "the document", document.root()).items()) {
         const int line = document.line_of(value);
         if (word == "defaults") {
             for (const auto& [kind, limit] : limits_at(document, word, value))
                 tolerances.defaults[kind] = limit;
         } else if (word == "files") {
             for (const auto& [pattern, limits] : object_at(line, quoted(word), value).items())
-                tolerances.entries.push_back({pattern, document.line_of(limits), limits_at(document, pattern, limits)});
+                tolerances.entries.push_back(
+                    {pattern, document.line_of(limits), limits_at(document, pattern, limits)});
         } else {
             refuse(line, quoted(word) + " is unknown; there are: defaults, files");
         }

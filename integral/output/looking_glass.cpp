@@ -155,7 +155,10 @@ LookingGlassCalibration looking_glass_from_json(const std::string& text)
     if (found.empty())
         throw NoCalibration();
     if (found.size() > 1)
-        throw std::invalid_argument("holds the calibrations of " + (found.size() > most_displays ? "more than " + std::to_string(most_displays) : std::to_string(found.size())) +
+        throw std::invalid_argument("holds the calibrations of " +
+                                    (found.size() > most_displays
+                                         ? "more than " + std::to_string(most_displays)
+                                         : std::to_string(found.size())) +
                                     " displays; leave one");
     return calibration_from({found.front(), ""});
 }

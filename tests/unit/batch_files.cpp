@@ -156,8 +156,10 @@ BOOST_AUTO_TEST_CASE(records_come_back)
     write_file(path, earlier.substr(0, comma) + "\n}\n");
     BOOST_TEST(read_record(path).starts == 3);
     BOOST_TEST(read_record(path).remark == "");
-    const std::string deep = earlier.substr(0, comma) + ",\n\"x\": " + std::string(10000, '[') + std::string(10000, ']') + "}";
-    for (const std::string& broken : {std::string(), std::string("{"), std::string("[]"), std::string("{\"state\": 3}"), std::string("null"), deep}) {
+    const std::string deep = earlier.substr(0, comma) + ",\n\"x\": " + std::string(10000, '[') +
+                             std::string(10000, ']') + "}";
+    for (const std::string& broken : {std::string(), std::string("{"), std::string("[]"),
+                                      std::string("{\"state\": 3}"), std::string("null"), deep}) {
         write_file(path, broken);
         BOOST_TEST(int(read_record(path).state) == int(StepState::none), broken.substr(0, 100));
         BOOST_TEST(read_record(path).starts == 0, broken.substr(0, 100));
@@ -426,7 +428,8 @@ BOOST_AUTO_TEST_CASE(json_knows_its_lines)
     BOOST_TEST(refusal("[]") == "m.json:1: an object {...} is expected, of the fields a, b");
     BOOST_TEST(refusal("").rfind("m.json:1: this is no JSON: ", 0) == 0);
     BOOST_TEST(refusal("{\n\"a\": 1e999}") == "m.json:2: a number is out of range");
-    BOOST_TEST(refusal("\n" + std::string(100000, '[')) == "m.json:2: objects and lists are nested more than 64 deep; nest them less");
+    BOOST_TEST(refusal("\n" + std::string(100000, '[')) ==
+               "m.json:2: objects and lists are nested more than 64 deep; nest them less");
     const Located root = Located::parse("m.json", "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
     BOOST_TEST(root.field("x/y").list()[1].line() == 3);
     BOOST_TEST(root.field("z").field("k").line() == 7);

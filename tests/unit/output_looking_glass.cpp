@@ -171,17 +171,22 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
         BOOST_REQUIRE_MESSAGE(text.find(old_text) != std::string::npos, old_text);
         return text.replace(text.find(old_text), old_text.size(), new_text);
     };
-    BOOST_TEST(refusal("{") == "line 1: this is no JSON: unexpected end of input; expected string literal");
+    BOOST_TEST(refusal("{") ==
+               "line 1: this is no JSON: unexpected end of input; expected string literal");
     BOOST_TEST(refusal(R"({"panel": 1})") == "holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
     BOOST_TEST(refusal("[" + whole + "," + with("\"LKG", "\"XKG") + "]") == "holds the calibrations of 2 displays; leave one");
     BOOST_TEST(refusal("[" + whole + "," + whole + "]") == "");
     std::string many;
     for (int k = 0; k < 1000; ++k)
-        many += (k == 0 ? "" : ",") + std::string("{\"pitch\":") + std::to_string(k) + ",\"slope\":2}";
-    BOOST_TEST(refusal("[" + many + "]") == "holds the calibrations of more than 16 displays; leave one");
+        many +=
+            (k == 0 ? "" : ",") + std::string("{\"pitch\":") + std::to_string(k) + ",\"slope\":2}";
+    BOOST_TEST(refusal("[" + many + "]") ==
+               "holds the calibrations of more than 16 displays; leave one");
     const std::string deep = std::string(60000, '[') + "{}" + std::string(60000, ']');
-    BOOST_TEST(refusal("[" + deep + "]") == "line 1: objects and lists are nested more than 64 deep; nest them less");
-    BOOST_TEST(refusal("[\"" + deep + "\"]") == refusal("[]")); // a text that is no document is a text
+    BOOST_TEST(refusal("[" + deep + "]") ==
+               "line 1: objects and lists are nested more than 64 deep; nest them less");
+    BOOST_TEST(refusal("[\"" + deep + "\"]") ==
+               refusal("[]")); // a text that is no document is a text
     BOOST_TEST(refusal(with("\"center\"", "\"centre\"")) == "center is missing");
     BOOST_TEST(refusal(with("\"DPI\": {\"value\"", "\"DPI\": {\"worth\"")) == "DPI.value is missing");
     BOOST_TEST(refusal(with("\"screenW\": {\"value\": 2160", "\"screenW\": {\"value\": 2160.5")) == "screenW must be a whole number");
@@ -192,7 +197,8 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
                "pitch.value is -1, and must be within 0.001 and 10000");
     BOOST_TEST(refusal(with("\"CellPatternMode\": {\"value\": 4", "\"CellPatternMode\": {\"value\": 5")) ==
                "CellPatternMode.value is 5, and must be within 0 and 4");
-    BOOST_TEST(refusal(with("\"GOffsetY\": 0.28", "\"GOffset\": 0.28")) == "subpixelCells[0].GOffsetY is missing");
+    BOOST_TEST(refusal(with("\"GOffsetY\": 0.28", "\"GOffset\": 0.28")) ==
+               "subpixelCells[0].GOffsetY is missing");
     BOOST_TEST(refusal(with("\"flipImageX\": {\"value\": 0", "\"flipImageX\": {\"value\": 2")) ==
                "flipImageX.value is 2, and must be within 0 and 1");
 }

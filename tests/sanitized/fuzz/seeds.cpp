@@ -70,7 +70,8 @@ std::vector<Bytes> and_halves(std::vector<Bytes> seeds)
     return seeds;
 }
 
-/// JSON documents that are nested as deep as the fuzzing's inputs are long, and that have as many fields.
+/// JSON documents that are nested as deep as the fuzzing's inputs are long, and that have as many
+/// fields.
 std::vector<Bytes> endless_documents()
 {
     constexpr int bytes = 4000;
@@ -79,7 +80,8 @@ std::vector<Bytes> endless_documents()
         deep += "{\"files\":[";
     for (int k = 0; many.size() < bytes; ++k)
         many += "\"" + std::to_string(k) + "\":{},";
-    return {deep, "{\"sheet\":" + Bytes(bytes / 2, '[') + Bytes(bytes / 2, ']') + "}", many + "\"\":\"{\"}", "{\"" + Bytes(bytes, 'n') + "\":0}",
+    return {deep, "{\"sheet\":" + Bytes(bytes / 2, '[') + Bytes(bytes / 2, ']') + "}",
+            many + "\"\":\"{\"}", "{\"" + Bytes(bytes, 'n') + "\":0}",
             "[\"" + Bytes(bytes / 2, '[') + "{}" + Bytes(bytes / 2 - 10, ']') + "\"]"};
 }
 
@@ -231,9 +233,10 @@ std::vector<Bytes> tiff_seeds()
 
 std::vector<Bytes> sheet_seeds()
 {
-    return and_endless(and_halves({document(false), document(true),
-                       R"({"sheet":{"arrangement":"lenticular","pitch_mm":1,"thickness_mm":3,"ior":1.6},"film":{"pixel_pitch_mm":[0.1,0.1]},)"
-                       R"("aperture":{"distance_mm":300,"width_mm":null}})"}));
+    return and_endless(and_halves(
+        {document(false), document(true),
+         R"({"sheet":{"arrangement":"lenticular","pitch_mm":1,"thickness_mm":3,"ior":1.6},"film":{"pixel_pitch_mm":[0.1,0.1]},)"
+         R"("aperture":{"distance_mm":300,"width_mm":null}})"}));
 }
 
 std::vector<Bytes> panel_seeds()
@@ -249,17 +252,19 @@ std::vector<Bytes> panel_seeds()
 
 std::vector<Bytes> tolerance_seeds()
 {
-    return and_endless(and_halves({R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},"a?[0-9].png":{"min_ssim":null,)"
-                       R"("max_difference":1}}})"}));
+    return and_endless(and_halves(
+        {R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},"a?[0-9].png":{"min_ssim":null,)"
+         R"("max_difference":1}}})"}));
 }
 
 std::vector<Bytes> manifest_seeds()
 {
-    return and_endless(and_halves({R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],"options":["+A0.1"],"declare":{"N":2}}],)"
-                       R"("sheets":[{"name":"s","camera":"lens_sheet{square pitch 1 thickness 3 ior 1.6} film{dpi 300}"}],)"
-                       R"("papers":[{"name":"p","paper":"A5","options":["--mirror"]}],"panels":[{"name":"l","panel":"thesis-lcd"}],)"
-                       R"("previews":[{"name":"v","options":["--eye","0,0,400"]}]})",
-                       R"({"output":"out","scenes":[{"name":"a","file":"/dev/null"}],"jobs":[{"scene":"a"}]})"}));
+    return and_endless(and_halves(
+        {R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],"options":["+A0.1"],"declare":{"N":2}}],)"
+         R"("sheets":[{"name":"s","camera":"lens_sheet{square pitch 1 thickness 3 ior 1.6} film{dpi 300}"}],)"
+         R"("papers":[{"name":"p","paper":"A5","options":["--mirror"]}],"panels":[{"name":"l","panel":"thesis-lcd"}],)"
+         R"("previews":[{"name":"v","options":["--eye","0,0,400"]}]})",
+         R"({"output":"out","scenes":[{"name":"a","file":"/dev/null"}],"jobs":[{"scene":"a"}]})"}));
 }
 
 std::vector<Bytes> profile_seeds()
