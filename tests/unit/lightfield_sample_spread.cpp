@@ -110,6 +110,9 @@ BOOST_AUTO_TEST_CASE(random_rays_are_even_and_independent_over_the_lens_s_part)
     // A pixel across which the border of two slanted lenses runs.
     CameraParameters p = parameters_of(Arrangement::square);
     p.sheet.slant = 20;
+    // As wide as fills an upright lens, so that nearly all of the pixel's area is one lens's.
+    const double width = *filling_width(p.sheet, 300, p.sheet.pitch);
+    p.capture_aperture = Vec2{width, width};
     const IntegralCamera camera = camera_of(p);
     const PixelSampler sampler(camera, 4);
     Vec2 border{0, 0};
