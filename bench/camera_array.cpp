@@ -32,11 +32,13 @@ std::vector<EyePosition> CameraArray::eyes() const
     return result;
 }
 
-void render(const Renderer& renderer, const std::string& scene, const std::vector<std::string>& options,
-            const CameraArray& array, const std::function<void(const Image&, int)>& see)
+void render(const Renderer& renderer, const std::string& scene,
+            const std::vector<std::string>& options, const CameraArray& array,
+            const std::function<void(const Image&, int)>& see)
 {
     const int count = array.columns * array.rows;
-    const int parts = std::clamp(count / 2, 1, renderers); // a single picture's file would not be numbered
+    const int parts = std::clamp(count / 2, 1, renderers); // a single picture's file would not be
+                                                           // numbered
     std::mutex seeing;
     const auto declare = [](const char* name, double value) {
         return std::string("Declare=") + name + "=" + std::to_string(value);
@@ -48,10 +50,12 @@ void render(const Renderer& renderer, const std::string& scene, const std::vecto
         own.work_folder += "/array-" + std::to_string(part);
         std::filesystem::create_directories(own.work_folder);
         std::vector<std::string> words = options;
-        words.insert(words.end(), {"+W" + std::to_string(array.picture_width), "+H" + std::to_string(array.picture_height),
-                                   declare("Array_Columns", array.columns), declare("Array_Rows", array.rows),
-                                   declare("Array_Width", array.width), declare("Array_Height", array.height),
-                                   declare("Array_First", first), "+KFI1", "+KFF" + std::to_string(pictures)});
+        words.insert(words.end(),
+                     {"+W" + std::to_string(array.picture_width),
+                      "+H" + std::to_string(array.picture_height),
+                      declare("Array_Columns", array.columns), declare("Array_Rows", array.rows),
+                      declare("Array_Width", array.width), declare("Array_Height", array.height),
+                      declare("Array_First", first), "+KFI1", "+KFF" + std::to_string(pictures)});
         own.render(scene, "array", std::nullopt, words);
         const std::size_t digits = pictures > 1 ? std::to_string(pictures).size() : 0;
         for (int k = 0; k < pictures; ++k) {
@@ -65,7 +69,8 @@ void render(const Renderer& renderer, const std::string& scene, const std::vecto
 }
 
 GatheredFrame::GatheredFrame(const Frame& like)
-    : like_(like), optics_(like.metadata->sheet, like.metadata->aperture, LensModel::extended_pinhole),
+    : like_(like),
+      optics_(like.metadata->sheet, like.metadata->aperture, LensModel::extended_pinhole),
       film_(std::size_t(like.image.width) * like.image.height)
 {
 }
@@ -73,14 +78,17 @@ GatheredFrame::GatheredFrame(const Frame& like)
 void GatheredFrame::add(const Image& picture, const EyePosition& eye)
 {
     const Film& film = like_.metadata->film;
-    const Film window{picture.width, picture.height,
-                      {film.width * film.pixel_pitch.x / picture.width, film.height * film.pixel_pitch.y / picture.height}};
+    const Film window{picture.width,
+                      picture.height,
+                      {film.width * film.pixel_pitch.x / picture.width,
+                       film.height * film.pixel_pitch.y / picture.height}};
     const LinearReader read(picture);
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const Vec2 point = film_from_pixel(window, {x + 0.5, y + 0.5});
             const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -like_.metadata->aperture.distance};
-            const Vec2 pixel = pixel_from_film(film, optics_.film_point_seen(point, (1 / length(to_eye)) * to_eye));
+            const Vec2 pixel = pixel_from_film(
+                film, optics_.film_point_seen(point, (1 / length(to_eye)) * to_eye));
             if (!(pixel.x >= 0 && pixel.x < film.width && pixel.y >= 0 && pixel.y < film.height))
                 continue;
             const Color c = read(x, y);
@@ -96,7 +104,8 @@ Frame GatheredFrame::frame() const
         for (int x = 0; x < result.image.width; ++x) {
             const Light& light = film_[std::size_t(y) * result.image.width + x];
             const double part = light.rays ? 1.0 / light.rays : 0;
-            store_linear(result.image, x, y, {float(part * light.r), float(part * light.g), float(part * light.b), 1});
+            store_linear(result.image, x, y,
+                         {float(part * light.r), float(part * light.g), float(part * light.b), 1});
         }
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Error against run time: renders a ladder of settings, six scenes behind two sheets, and measures each frame and its
-// replayed view against a converged frame of both samplings (doc/error-against-time.md).
+// Error against run time: renders a ladder of settings, six scenes behind two sheets, and measures
+// each frame and its replayed view against a converged frame of both samplings
+// (doc/error-against-time.md).
 #include "bench/error_against_time.h"
 #include "bench/program.h"
 
@@ -28,23 +29,23 @@ std::string all_scenes()
 options::options_description make_options()
 {
     options::options_description all("Options");
-    all.add_options()
-        ("output,o", options::value<std::string>()->value_name("FOLDER"),
-         "where the table, the plots and the frames are written")
-        ("quick", "fewer settings and smaller frames: minutes instead of an hour")
-        ("samplers", "only the settings that compare anti-aliasing with brute force")
-        ("light-field", "of these, only anti-aliasing in the light field and brute force, against a reference of a quarter of the samples")
-        ("scene", options::value<std::vector<std::string>>()->value_name("NAME"),
-         ("only this one, of " + all_scenes() + "; may be given again").c_str())
-        ("size", options::value<std::string>()->value_name("WxH"),
-         "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with --quick, --samplers or --light-field; K times that)")
-        ("finer", options::value<int>()->value_name("K")->default_value(1),
-         "1 to 8: pixels and lenses K times finer, as if the scene were K times as large")
-        ("renderer", options::value<std::string>()->value_name("FILE"),
-         "povray-integral (default: the one built beside this program)")
-        ("scenes", options::value<std::string>()->value_name("FOLDER"),
-         "the scenes (default: bench/scenes of this build's source)")
-        ("help", "print this");
+    all.add_options()("output,o", options::value<std::string>()->value_name("FOLDER"),
+                      "where the table, the plots and the frames are written")(
+        "quick", "fewer settings and smaller frames: minutes instead of an hour")(
+        "samplers", "only the settings that compare anti-aliasing with brute force")(
+        "light-field", "of these, only anti-aliasing in the light field and brute force, against a "
+                       "reference of a quarter of the samples")(
+        "scene", options::value<std::vector<std::string>>()->value_name("NAME"),
+        ("only this one, of " + all_scenes() + "; may be given again").c_str())(
+        "size", options::value<std::string>()->value_name("WxH"),
+        "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with "
+        "--quick, --samplers or --light-field; K times that)")(
+        "finer", options::value<int>()->value_name("K")->default_value(1),
+        "1 to 8: pixels and lenses K times finer, as if the scene were K times as large")(
+        "renderer", options::value<std::string>()->value_name("FILE"),
+        "povray-integral (default: the one built beside this program)")(
+        "scenes", options::value<std::string>()->value_name("FOLDER"),
+        "the scenes (default: bench/scenes of this build's source)")("help", "print this");
     return all;
 }
 
@@ -79,14 +80,17 @@ void set_size(Renderer& renderer, const options::variables_map& arguments)
         return;
     const std::string text = arguments["size"].as<std::string>();
     std::smatch match;
-    const auto legal = [&](int side) { return side >= 60 && side <= 2000 && side % (10 * renderer.finer) == 0; };
+    const auto legal = [&](int side) {
+        return side >= 60 && side <= 2000 && side % (10 * renderer.finer) == 0;
+    };
     if (std::regex_match(text, match, std::regex("([0-9]{1,4})x([0-9]{1,4})"))) {
         renderer.width = std::stoi(match[1]);
         renderer.height = std::stoi(match[2]);
         if (legal(renderer.width) && legal(renderer.height))
             return;
     }
-    throw UsageError("--size " + text + ": WIDTHxHEIGHT is expected, each a multiple of " + std::to_string(10 * renderer.finer) + " from 60 to 2000");
+    throw UsageError("--size " + text + ": WIDTHxHEIGHT is expected, each a multiple of " +
+                     std::to_string(10 * renderer.finer) + " from 60 to 2000");
 }
 
 Renderer make_renderer(const options::variables_map& arguments, const std::string& folder)
@@ -94,14 +98,17 @@ Renderer make_renderer(const options::variables_map& arguments, const std::strin
     Renderer renderer;
     set_size(renderer, arguments);
     const auto path = [&](const char* option, const files::path& usual) {
-        return arguments.count(option) ? arguments[option].as<std::string>() : usual.lexically_normal().string();
+        return arguments.count(option) ? arguments[option].as<std::string>()
+                                       : usual.lexically_normal().string();
     };
     renderer.program = path("renderer", own_folder() / "../bin/povray-integral");
     renderer.scene_folder = path("scenes", own_folder() / "../../bench/scenes");
     if (!files::exists(renderer.program))
-        throw UsageError(renderer.program + ": there is no renderer here; build it (make) or name it with --renderer");
+        throw UsageError(renderer.program +
+                         ": there is no renderer here; build it (make) or name it with --renderer");
     if (!files::is_directory(renderer.scene_folder))
-        throw UsageError(renderer.scene_folder + ": there are no scenes here; name their folder with --scenes");
+        throw UsageError(renderer.scene_folder +
+                         ": there are no scenes here; name their folder with --scenes");
     renderer.work_folder = folder + "/frames";
     return renderer;
 }
@@ -139,8 +146,10 @@ int run(const options::variables_map& arguments)
     say(speedups_summary(panels));
     write_plots(panels, folder);
     const Honesty counts = honesty(panels);
-    std::cout << "The program's own interval of 95% holds the measured error in " << counts.held << " of "
-              << counts.intervals << " frames.\nWritten: error-against-time.csv, speedups.md, fronts.md, eyes.csv and the plots in "
+    std::cout << "The program's own interval of 95% holds the measured error in " << counts.held
+              << " of " << counts.intervals
+              << " frames.\nWritten: error-against-time.csv, speedups.md, fronts.md, eyes.csv and "
+                 "the plots in "
               << folder << std::endl;
     return 0;
 }
@@ -154,7 +163,9 @@ int main(int count, char** words)
         const options::variables_map arguments = parsed(count, words, all);
         if (!arguments.count("help"))
             return run(arguments);
-        std::cout << "error_against_time [--quick | --samplers | --light-field] [--scene NAME] -o FOLDER\n\n" << all;
+        std::cout << "error_against_time [--quick | --samplers | --light-field] [--scene NAME] -o "
+                     "FOLDER\n\n"
+                  << all;
         return 0;
     });
 }

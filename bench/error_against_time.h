@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The parts of bench/error_against_time: the ladder of settings, the renderer as a subprocess, what is measured, and
-// the report of it.
+// The parts of bench/error_against_time: the ladder of settings, the renderer as a subprocess, what
+// is measured, and the report of it.
 #ifndef BENCH_ERROR_AGAINST_TIME_H
 #define BENCH_ERROR_AGAINST_TIME_H
 
@@ -18,10 +18,11 @@ namespace integral::bench {
 // ---- the ladder (error_against_time_ladder.cpp) ----
 
 struct Sheet {
-    std::string name;  ///< in file names, and of its lenses in the scene language
-    std::string title; ///< in plots
+    std::string name;             ///< in file names, and of its lenses in the scene language
+    std::string title;            ///< in plots
     double pitch, thickness, ior; ///< mm
-    std::string words(int finer = 1) const; ///< of the scene language, of lenses so many times finer
+    std::string words(int finer = 1) const; ///< of the scene language, of lenses so many times
+                                            ///< finer
 };
 
 /// Settings of one kind are one series of the plots.
@@ -33,45 +34,51 @@ const char* title_of(Family);
 /// One rung: how a frame is sampled.
 struct Setting {
     Family family;
-    std::string name;  ///< beside its point in the plots
-    std::string words; ///< of the integral camera
+    std::string name;                 ///< beside its point in the plots
+    std::string words;                ///< of the integral camera
     std::vector<std::string> options; ///< of the renderer
-    std::string full_name() const; ///< as a user would write it
+    std::string full_name() const;    ///< as a user would write it
 };
 
 const std::vector<std::string>& scene_names(); ///< files bench/scenes/NAME.pov
 const std::vector<Sheet>& sheets();
 enum class Extent {
     all,
-    samplers, ///< those that compare anti-aliasing with brute force, in the reference's lens model and mapping
+    samplers, ///< those that compare anti-aliasing with brute force, in the reference's lens model
+              ///< and mapping
     light_field, ///< the same without POV-Ray's own anti-aliasing
     quick
 };
-/// The first is the plainest: one ray a pixel, mapping auto. The others' run times are multiples of its.
+/// The first is the plainest: one ray a pixel, mapping auto. The others' run times are multiples of
+/// its.
 std::vector<Setting> ladder(Extent extent);
-/// The 4-D frame that errors are measured against, sampled from another seed than the ladder's frames.
+/// The 4-D frame that errors are measured against, sampled from another seed than the ladder's
+/// frames.
 Setting reference_setting(Extent extent);
 
 // ---- the renderer (error_against_time_renderer.cpp) ----
 
 struct RenderCost {
-    double seconds = 0;        ///< of tracing, by the clock
-    double cpu_seconds = 0;    ///< of the processor, without parsing: tracing and radiosity's pretrace
+    double seconds = 0;     ///< of tracing, by the clock
+    double cpu_seconds = 0; ///< of the processor, without parsing: tracing and radiosity's pretrace
     long long camera_rays = 0; ///< that left the sheet
     long long rays = 0;        ///< and all that these gave rise to but those to lights
 };
 
 /// The program under measurement.
 struct Renderer {
-    std::string program;      ///< povray-integral
-    std::string scene_folder; ///< bench/scenes
-    std::string work_folder;  ///< where frames and logs are written; must exist
+    std::string program;       ///< povray-integral
+    std::string scene_folder;  ///< bench/scenes
+    std::string work_folder;   ///< where frames and logs are written; must exist
     int width = 0, height = 0; ///< pixels of the frames
-    int finer = 1;             ///< so many times finer than 300 dpi are these, and finer than their own the sheets; not the perspective pictures
+    int finer = 1; ///< so many times finer than 300 dpi are these, and finer than their own the
+                   ///< sheets; not the perspective pictures
 
-    /// Renders WORK/NAME.png on one thread, 16 bits a sample. Without `camera` it is the scene's perspective picture,
-    /// `times` as wide and high. Throws std::runtime_error with the program's last words where it fails.
-    RenderCost render(const std::string& scene, const std::string& name, const std::optional<std::string>& camera,
+    /// Renders WORK/NAME.png on one thread, 16 bits a sample. Without `camera` it is the scene's
+    /// perspective picture, `times` as wide and high. Throws std::runtime_error with the program's
+    /// last words where it fails.
+    RenderCost render(const std::string& scene, const std::string& name,
+                      const std::optional<std::string>& camera,
                       const std::vector<std::string>& options, int times = 1) const;
     std::string picture(const std::string& name) const { return work_folder + "/" + name + ".png"; }
 };
@@ -82,20 +89,25 @@ std::string camera_words(const Sheet& sheet, const Setting& setting, int finer =
 
 // ---- measurements (error_against_time_measure.cpp) ----
 
-/// 3 x 3 over the aperture; behind cylinders, which show nothing new along themselves, 9 in a row across it.
+/// 3 x 3 over the aperture; behind cylinders, which show nothing new along themselves, 9 in a row
+/// across it.
 constexpr int eyes_across = 3;
 
 struct Measurement {
     Setting setting;
-    RenderCost cost;              ///< the least seconds of all runs
+    RenderCost cost; ///< the least seconds of all runs
     int runs = 0;
-    double times = 0;             ///< cpu_seconds / those of the plainest setting
-    double rmse = 0, psnr = 0;    ///< of the frame against the reference
-    ViewFigures to_reference;     ///< of the view from the aperture's centre, against the reference frame's view
-    ViewFigures from_side;        ///< the same from near the aperture's right edge
-    ViewFigures to_perspective;   ///< of the view from the centre, against the scene's perspective picture from there
-    std::vector<ViewFigures> from_eyes; ///< of the view from each of the panel's eyes, against the perspective picture from there
-    double own_error = 0;         ///< RMSE over the pixels that this setting lights, freed of the reference's own error
+    double times = 0;           ///< cpu_seconds / those of the plainest setting
+    double rmse = 0, psnr = 0;  ///< of the frame against the reference
+    ViewFigures to_reference;   ///< of the view from the aperture's centre, against the reference
+                                ///< frame's view
+    ViewFigures from_side;      ///< the same from near the aperture's right edge
+    ViewFigures to_perspective; ///< of the view from the centre, against the scene's perspective
+                                ///< picture from there
+    std::vector<ViewFigures> from_eyes; ///< of the view from each of the panel's eyes, against the
+                                        ///< perspective picture from there
+    double own_error = 0; ///< RMSE over the pixels that this setting lights, freed of the
+                          ///< reference's own error
     std::optional<ErrorEstimate> estimate; ///< the program's, of own_error
     bool on_front_of_seconds = false, on_front_of_rays = false;
 };
@@ -106,7 +118,7 @@ struct Panel {
     Sheet sheet;
     int width = 0, height = 0; ///< pixels
     std::vector<EyePosition> eyes;
-    Measurement reference;     ///< its estimate is its own error; its figures against itself are 0
+    Measurement reference; ///< its estimate is its own error; its figures against itself are 0
     std::vector<Measurement> rungs;
     std::string name() const { return scene + "-" + sheet.name; }
     double pixels() const { return double(width) * height; }
@@ -116,8 +128,8 @@ struct Panel {
 Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, Extent extent,
               const std::function<void(const std::string&)>& say);
 
-/// Of several settings, those that no other beats: of which none is at most as dear and at most as wrong. Costs within
-/// 5% and errors within 1% count as equal, and of equals the first stays.
+/// Of several settings, those that no other beats: of which none is at most as dear and at most as
+/// wrong. Costs within 5% and errors within 1% count as equal, and of equals the first stays.
 std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
 
 /// A way to sample: the families of settings of which a user would take the best.
@@ -125,11 +137,13 @@ using Sampler = std::vector<Family>;
 const Sampler& brute_force(); ///< so many samples for every pixel
 const Sampler& by_pixels();   ///< POV-Ray's own anti-aliasing
 
-/// The CPU seconds at which the sampler's front has that own_error: log(time) between its settings, over log(error).
-/// Nothing where its settings do not reach that error, or all err less. Only settings of mapping auto count.
+/// The CPU seconds at which the sampler's front has that own_error: log(time) between its settings,
+/// over log(error). Nothing where its settings do not reach that error, or all err less. Only
+/// settings of mapping auto count.
 std::optional<double> seconds_at(const Panel& panel, const Sampler& sampler, double error);
 
-/// How often the program's interval holds own_error, over the settings of the reference's own lens model.
+/// How often the program's interval holds own_error, over the settings of the reference's own lens
+/// model.
 struct Honesty {
     int held = 0, intervals = 0;
 };
@@ -141,11 +155,13 @@ Honesty honesty(const std::vector<Panel>& panels);
 
 std::string csv(const std::vector<Panel>& panels);
 std::string fronts_table(const std::vector<Panel>& panels); ///< Markdown
-/// Each anti-aliased setting's time beside that of brute force and of POV-Ray's anti-aliasing at the same error; Markdown.
+/// Each anti-aliased setting's time beside that of brute force and of POV-Ray's anti-aliasing at
+/// the same error; Markdown.
 std::string speedups(const Panel& panel);
 std::string speedups_summary(const std::vector<Panel>& panels); ///< each panel's best
 std::string eyes_table(const std::vector<Panel>& panels);       ///< CSV: every view from every eye
-/// FOLDER/SCENE-SHEET-FIGURE-against-COST.svg and .png, and FOLDER/fronts-against-COST and FOLDER/estimate.
+/// FOLDER/SCENE-SHEET-FIGURE-against-COST.svg and .png, and FOLDER/fronts-against-COST and
+/// FOLDER/estimate.
 void write_plots(const std::vector<Panel>& panels, const std::string& folder);
 
 } // namespace integral::bench

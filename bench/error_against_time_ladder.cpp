@@ -21,8 +21,11 @@ Setting pixel(int samples)
 
 Setting both(int pixel_samples, int beam_samples)
 {
-    return {Family::both, std::to_string(pixel_samples) + "x" + std::to_string(beam_samples),
-            "pixel_samples " + std::to_string(pixel_samples) + " beam_samples " + std::to_string(beam_samples), {}};
+    return {Family::both,
+            std::to_string(pixel_samples) + "x" + std::to_string(beam_samples),
+            "pixel_samples " + std::to_string(pixel_samples) + " beam_samples " +
+                std::to_string(beam_samples),
+            {}};
 }
 
 Setting mapping(const std::string& name)
@@ -36,7 +39,8 @@ Setting model(const std::string& name, const std::string& words)
 }
 
 /// In the light field. `rule`: +A, +R and +AM. `sharing`: what Integral_Sharing is, if not auto.
-Setting light_field(const std::string& name, std::vector<std::string> rule, const std::string& sharing = "")
+Setting light_field(const std::string& name, std::vector<std::string> rule,
+                    const std::string& sharing = "")
 {
     if (!sharing.empty())
         rule.push_back("Integral_Sharing=" + sharing);
@@ -44,7 +48,8 @@ Setting light_field(const std::string& name, std::vector<std::string> rule, cons
 }
 
 /// POV-Ray's own methods, on the pixels' grid.
-Setting antialias(const std::string& name, std::vector<std::string> rule, const std::string& words = "")
+Setting antialias(const std::string& name, std::vector<std::string> rule,
+                  const std::string& words = "")
 {
     rule.push_back("Integral_Antialiasing=pixels");
     return {Family::antialias, name, words, rule};
@@ -53,14 +58,18 @@ Setting antialias(const std::string& name, std::vector<std::string> rule, const 
 std::vector<Setting> light_field_settings()
 {
     return {
-        light_field("0.3", {"+A0.3", "+R5", "+AM2"}), light_field("0.1", {"+A0.1", "+R5", "+AM2"}),
-        light_field("0.05", {"+A0.05", "+R5", "+AM2"}), light_field("0.03", {"+A0.03", "+R5", "+AM2"}),
-        light_field("0.02", {"+A0.02", "+R5", "+AM2"}), light_field("0.01", {"+A0.01", "+R5", "+AM2"}),
+        light_field("0.3", {"+A0.3", "+R5", "+AM2"}),
+        light_field("0.1", {"+A0.1", "+R5", "+AM2"}),
+        light_field("0.05", {"+A0.05", "+R5", "+AM2"}),
+        light_field("0.03", {"+A0.03", "+R5", "+AM2"}),
+        light_field("0.02", {"+A0.02", "+R5", "+AM2"}),
+        light_field("0.01", {"+A0.01", "+R5", "+AM2"}),
         light_field("0.1 alone", {"+A0.1", "+R5", "+AM2"}, "off"),
         light_field("0.03 alone", {"+A0.03", "+R5", "+AM2"}, "off"),
         light_field("0.03 shared 4", {"+A0.03", "+R5", "+AM2"}, "4"),
         light_field("0.01 shared 4", {"+A0.01", "+R5", "+AM2"}, "4"),
-        light_field("AM1 R3", {"+A0.1", "+R3", "+AM1"}), light_field("AM1 R5", {"+A0.1", "+R5", "+AM1"}),
+        light_field("AM1 R3", {"+A0.1", "+R3", "+AM1"}),
+        light_field("AM1 R5", {"+A0.1", "+R5", "+AM1"}),
         light_field("AM1 R8", {"+A0.03", "+R8", "+AM1"}),
     };
 }
@@ -69,9 +78,12 @@ std::vector<Setting> light_field_settings()
 std::vector<Setting> pixel_grid_settings()
 {
     return {
-        antialias("AM1", {"+A0.3", "+R3", "+AM1"}), antialias("AM2", {"+A0.3", "+R3", "+AM2"}),
-        antialias("AM1 0.1", {"+A0.1", "+R3", "+AM1"}), antialias("AM1 0", {"+A0.0", "+R3", "+AM1"}),
-        antialias("AM2 0.1", {"+A0.1", "+R3", "+AM2"}), antialias("AM2 0", {"+A0.0", "+R3", "+AM2"}),
+        antialias("AM1", {"+A0.3", "+R3", "+AM1"}),
+        antialias("AM2", {"+A0.3", "+R3", "+AM2"}),
+        antialias("AM1 0.1", {"+A0.1", "+R3", "+AM1"}),
+        antialias("AM1 0", {"+A0.0", "+R3", "+AM1"}),
+        antialias("AM2 0.1", {"+A0.1", "+R3", "+AM2"}),
+        antialias("AM2 0", {"+A0.0", "+R3", "+AM2"}),
         antialias("AM1 +R2 beam 4", {"+A0.3", "+R2", "+AM1"}, "beam_samples 4"),
         antialias("AM1 beam 4", {"+A0.3", "+R3", "+AM1"}, "beam_samples 4"),
         antialias("AM1 0.1 beam 4", {"+A0.1", "+R3", "+AM1"}, "beam_samples 4"),
@@ -80,7 +92,10 @@ std::vector<Setting> pixel_grid_settings()
     };
 }
 
-void append(std::vector<Setting>& list, const std::vector<Setting>& more) { list.insert(list.end(), more.begin(), more.end()); }
+void append(std::vector<Setting>& list, const std::vector<Setting>& more)
+{
+    list.insert(list.end(), more.begin(), more.end());
+}
 
 } // namespace
 
@@ -108,7 +123,8 @@ std::string Setting::full_name() const
 
 const std::vector<std::string>& scene_names()
 {
-    static const std::vector<std::string> names = {"matte", "textured", "radiosity", "glass", "detail", "soft"};
+    static const std::vector<std::string> names = {"matte", "textured", "radiosity",
+                                                   "glass", "detail",   "soft"};
     return names;
 }
 
@@ -124,26 +140,40 @@ const std::vector<Sheet>& sheets()
 std::vector<Setting> ladder(Extent extent)
 {
     if (extent == Extent::quick)
-        return {mapping("auto"), mapping("closest"), beam(4), beam(16), pixel(4), both(2, 2), both(4, 4),
-                light_field("0.1", {"+A0.1", "+R4", "+AM2"}), light_field("0.1 alone", {"+A0.1", "+R4", "+AM2"}, "off"),
-                light_field("AM1 R3", {"+A0.1", "+R3", "+AM1"}), antialias("AM1", {"+A0.3", "+R3", "+AM1"}),
-                model("pinhole", "pinhole"), model("hybrid", "hybrid"), model("full 16", "full beam_samples 16")};
-    std::vector<Setting> result = {mapping("auto"), beam(2), beam(3), beam(4), beam(8), both(2, 2), both(2, 4), both(4, 4),
-                                   both(4, 8), both(8, 8)};
+        return {mapping("auto"),
+                mapping("closest"),
+                beam(4),
+                beam(16),
+                pixel(4),
+                both(2, 2),
+                both(4, 4),
+                light_field("0.1", {"+A0.1", "+R4", "+AM2"}),
+                light_field("0.1 alone", {"+A0.1", "+R4", "+AM2"}, "off"),
+                light_field("AM1 R3", {"+A0.1", "+R3", "+AM1"}),
+                antialias("AM1", {"+A0.3", "+R3", "+AM1"}),
+                model("pinhole", "pinhole"),
+                model("hybrid", "hybrid"),
+                model("full 16", "full beam_samples 16")};
+    std::vector<Setting> result = {mapping("auto"), beam(2),    beam(3),    beam(4),    beam(8),
+                                   both(2, 2),      both(2, 4), both(4, 4), both(4, 8), both(8, 8)};
     append(result, light_field_settings());
     if (extent != Extent::light_field)
         append(result, pixel_grid_settings());
     if (extent == Extent::all)
-        append(result, {mapping("closest"), mapping("accurate"), mapping("exhaustive"), beam(16), beam(64), pixel(4), pixel(16),
-                        antialias("AM1 linear", {"+A0.3", "+R3", "+AM1", "Antialias_Gamma=1"}),
-                        model("pinhole", "pinhole"), model("hybrid", "hybrid"), model("full 4", "full beam_samples 4"),
-                        model("full 16", "full beam_samples 16"), model("full 4x4", "full pixel_samples 4 beam_samples 4")});
+        append(result,
+               {mapping("closest"), mapping("accurate"), mapping("exhaustive"), beam(16), beam(64),
+                pixel(4), pixel(16),
+                antialias("AM1 linear", {"+A0.3", "+R3", "+AM1", "Antialias_Gamma=1"}),
+                model("pinhole", "pinhole"), model("hybrid", "hybrid"),
+                model("full 4", "full beam_samples 4"), model("full 16", "full beam_samples 16"),
+                model("full 4x4", "full pixel_samples 4 beam_samples 4")});
     return result;
 }
 
 Setting reference_setting(Extent extent)
 {
-    Setting setting = extent == Extent::quick || extent == Extent::light_field ? both(8, 32) : both(16, 64);
+    Setting setting = extent == Extent::quick || extent == Extent::light_field ? both(8, 32)
+                                                                               : both(16, 64);
     setting.name = "reference";
     setting.options = {"Integral_Seed=20011"};
     return setting;
@@ -151,7 +181,8 @@ Setting reference_setting(Extent extent)
 
 std::string camera_words(const Sheet& sheet, const Setting& setting, int finer)
 {
-    return "lens_sheet { " + sheet.words(finer) + " } film { dpi " + std::to_string(int(dots_per_inch) * finer) + " } " + setting.words;
+    return "lens_sheet { " + sheet.words(finer) + " } film { dpi " +
+           std::to_string(int(dots_per_inch) * finer) + " } " + setting.words;
 }
 
 } // namespace integral::bench

@@ -13,12 +13,15 @@ namespace integral::bench {
 
 namespace {
 
-constexpr double side = 0.45;           // of the aperture's width: where the view from its edge is taken
-constexpr double short_run = 0.3;       // seconds: below this a run is repeated within its round
-constexpr double long_run = 1;          // seconds: above this one run is enough
+constexpr double side = 0.45;     // of the aperture's width: where the view from its edge is taken
+constexpr double short_run = 0.3; // seconds: below this a run is repeated within its round
+constexpr double long_run = 1;    // seconds: above this one run is enough
 constexpr int rounds = 2, most_repeats = 3;
 
-Frame view_of(const Frame& frame, const EyePosition& eye) { return bench::view_of(frame, eye, usual_form); }
+Frame view_of(const Frame& frame, const EyePosition& eye)
+{
+    return bench::view_of(frame, eye, usual_form);
+}
 
 EyePosition eye_at_side(const Frame& frame) { return {side * frame.metadata->aperture.width, 0}; }
 
@@ -39,7 +42,8 @@ private:
     {
         std::vector<std::string> options = setting.options;
         options.push_back(audit ? "Integral_Audit=on" : "Integral_Audit=off");
-        return renderer_.render(scene_, name, camera_words(sheet_, setting, renderer_.finer), options);
+        return renderer_.render(scene_, name, camera_words(sheet_, setting, renderer_.finer),
+                                options);
     }
 
     const Renderer& renderer_;
@@ -74,7 +78,8 @@ void Bench::make_wanted(Panel& panel)
     reference_ = read_frame_with_metadata(renderer_.picture(frame));
     reference.estimate = reference_.metadata->render->error;
     if (!reference.estimate || reference.estimate->method != ErrorMethod::split_halves)
-        throw std::runtime_error(renderer_.picture(frame) + ": does not tell its own error by its samples' halves");
+        throw std::runtime_error(renderer_.picture(frame) +
+                                 ": does not tell its own error by its samples' halves");
     reference_view_ = view_of(reference_, {});
     reference_side_view_ = view_of(reference_, eye_at_side(reference_));
 
@@ -117,7 +122,8 @@ void Bench::judge(Measurement& measurement) const
     measurement.to_perspective = view_figures(view, perspective_);
     measurement.from_eyes = figures_from_eyes(frame);
     measurement.estimate = frame.metadata->render->error;
-    const double measured = lit_rmse(frame, reference_), floor = reference_.metadata->render->error->rms;
+    const double measured = lit_rmse(frame, reference_),
+                 floor = reference_.metadata->render->error->rms;
     measurement.own_error = std::sqrt(std::max(0.0, measured * measured - floor * floor));
 }
 
@@ -129,7 +135,8 @@ void mark_fronts(Panel& panel)
         rays.push_back(double(rung.cost.camera_rays));
         errors.push_back(rung.rmse);
     }
-    const auto front_of_seconds = pareto_front(seconds, errors), front_of_rays = pareto_front(rays, errors);
+    const auto front_of_seconds = pareto_front(seconds, errors),
+               front_of_rays = pareto_front(rays, errors);
     for (std::size_t i = 0; i < panel.rungs.size(); ++i) {
         panel.rungs[i].on_front_of_seconds = front_of_seconds[i];
         panel.rungs[i].on_front_of_rays = front_of_rays[i];
@@ -144,8 +151,10 @@ std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vect
     std::vector<bool> front(costs.size(), true);
     for (std::size_t i = 0; i < costs.size(); ++i)
         for (std::size_t other = 0; other < costs.size() && front[i]; ++other) {
-            const bool no_worse = costs[other] <= same_cost * costs[i] && errors[other] <= same_error * errors[i];
-            const bool better = same_cost * costs[other] < costs[i] || same_error * errors[other] < errors[i];
+            const bool no_worse = costs[other] <= same_cost * costs[i] &&
+                                  errors[other] <= same_error * errors[i];
+            const bool better = same_cost * costs[other] < costs[i] ||
+                                same_error * errors[other] < errors[i];
             front[i] = !(no_worse && (better || other < i));
         }
     return front;
@@ -172,9 +181,10 @@ Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& s
         bench.judge(rung);
         rung.times = rung.cost.cpu_seconds / plainest;
         char line[200];
-        std::snprintf(line, sizeof line, "  %-40s %8.3f s %7.2f x   RMSE %.4f   view %.1f dB   estimate %.4f",
-                      rung.setting.full_name().c_str(), rung.cost.cpu_seconds, rung.times, rung.rmse, rung.to_reference.psnr,
-                      rung.estimate ? rung.estimate->rms : 0.0);
+        std::snprintf(line, sizeof line,
+                      "  %-40s %8.3f s %7.2f x   RMSE %.4f   view %.1f dB   estimate %.4f",
+                      rung.setting.full_name().c_str(), rung.cost.cpu_seconds, rung.times,
+                      rung.rmse, rung.to_reference.psnr, rung.estimate ? rung.estimate->rms : 0.0);
         say(line);
     }
     mark_fronts(panel);
@@ -202,17 +212,21 @@ std::optional<double> seconds_at(const Panel& panel, const Sampler& sampler, dou
         if (counts && std::count(sampler.begin(), sampler.end(), family) > 0 && rung.own_error > 0)
             all.push_back(&rung);
     }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Measurement* a, const Measurement* b) { return a->cost.cpu_seconds < b->cost.cpu_seconds; });
+    std::stable_sort(all.begin(), all.end(), [](const Measurement* a, const Measurement* b) {
+        return a->cost.cpu_seconds < b->cost.cpu_seconds;
+    });
     const Measurement* last = nullptr; // of the front, which still errs more
     for (const Measurement* next : all) {
         if (last && next->own_error >= last->own_error)
             continue;
         if (next->own_error <= error) {
             if (!last)
-                return next->own_error == error ? std::optional<double>(next->cost.cpu_seconds) : std::nullopt;
-            const double along = std::log(last->own_error / error) / std::log(last->own_error / next->own_error);
-            return last->cost.cpu_seconds * std::pow(next->cost.cpu_seconds / last->cost.cpu_seconds, along);
+                return next->own_error == error ? std::optional<double>(next->cost.cpu_seconds)
+                                                : std::nullopt;
+            const double along = std::log(last->own_error / error) /
+                                 std::log(last->own_error / next->own_error);
+            return last->cost.cpu_seconds *
+                   std::pow(next->cost.cpu_seconds / last->cost.cpu_seconds, along);
         }
         last = next;
     }
@@ -223,7 +237,8 @@ bool judged_by_reference_model(const Setting& setting) { return setting.family !
 
 bool holds(const Measurement& measurement)
 {
-    return measurement.estimate->low <= measurement.own_error && measurement.own_error <= measurement.estimate->high;
+    return measurement.estimate->low <= measurement.own_error &&
+           measurement.own_error <= measurement.estimate->high;
 }
 
 Honesty honesty(const std::vector<Panel>& panels)

@@ -42,17 +42,23 @@ const Figure figures[] = {
      [](const Measurement& m) { return m.to_reference.psnr; }, true, false},
     {"view-ssim", "The replayed view against the reference's", "1 \u2212 SSIM of the view", true,
      [](const Measurement& m) { return 1 - m.to_reference.ssim; }, false, false},
-    {"side-view-psnr", "The view from the aperture's edge against the reference's", "PSNR of the view (dB)", false,
-     [](const Measurement& m) { return m.from_side.psnr; }, true, false},
-    {"side-view-ssim", "The view from the aperture's edge against the reference's", "1 \u2212 SSIM of the view", true,
-     [](const Measurement& m) { return 1 - m.from_side.ssim; }, false, false},
-    {"view-perspective-psnr", "The replayed view against the perspective picture", "PSNR of the view (dB)", false,
-     [](const Measurement& m) { return m.to_perspective.psnr; }, true, true},
-    {"eyes-perspective-psnr", "The views from nine eyes against the perspective pictures", "mean PSNR of the views (dB)", false,
+    {"side-view-psnr", "The view from the aperture's edge against the reference's",
+     "PSNR of the view (dB)", false, [](const Measurement& m) { return m.from_side.psnr; }, true,
+     false},
+    {"side-view-ssim", "The view from the aperture's edge against the reference's",
+     "1 \u2212 SSIM of the view", true, [](const Measurement& m) { return 1 - m.from_side.ssim; },
+     false, false},
+    {"view-perspective-psnr", "The replayed view against the perspective picture",
+     "PSNR of the view (dB)", false, [](const Measurement& m) { return m.to_perspective.psnr; },
+     true, true},
+    {"eyes-perspective-psnr", "The views from nine eyes against the perspective pictures",
+     "mean PSNR of the views (dB)", false,
      [](const Measurement& m) { return mean(m.from_eyes).psnr; }, true, true},
-    {"eyes-perspective-ssim", "The views from nine eyes against the perspective pictures", "1 \u2212 mean SSIM of the views", true,
+    {"eyes-perspective-ssim", "The views from nine eyes against the perspective pictures",
+     "1 \u2212 mean SSIM of the views", true,
      [](const Measurement& m) { return 1 - mean(m.from_eyes).ssim; }, false, true},
-    {"view-perspective-ssim", "The replayed view against the perspective picture", "1 \u2212 SSIM of the view", true,
+    {"view-perspective-ssim", "The replayed view against the perspective picture",
+     "1 \u2212 SSIM of the view", true,
      [](const Measurement& m) { return 1 - m.to_perspective.ssim; }, false, true},
 };
 
@@ -64,17 +70,22 @@ struct Cost {
 };
 
 const Cost costs[] = {
-    {"seconds", "run time", "run time, in run times of the plainest setting (lens_mapping auto, one ray a pixel)",
+    {"seconds", "run time",
+     "run time, in run times of the plainest setting (lens_mapping auto, one ray a pixel)",
      [](const Panel&, const Measurement& m) { return m.times; }},
     {"rays", "rays", "camera rays for each pixel of the frame",
-     [](const Panel& panel, const Measurement& m) { return double(m.cost.camera_rays) / panel.pixels(); }},
+     [](const Panel& panel, const Measurement& m) {
+         return double(m.cost.camera_rays) / panel.pixels();
+     }},
 };
 
 std::string about(const Panel& panel)
 {
     return panel.scene + ".pov, " + panel.sheet.title + ", " + std::to_string(panel.width) + " x " +
-           std::to_string(panel.height) + " pixels; plainest setting: " + text_of("%.3f", panel.rungs.front().cost.cpu_seconds) +
-           " CPU seconds; the reference's own RMSE: " + text_of("%.4f", panel.reference.estimate->rms);
+           std::to_string(panel.height) +
+           " pixels; plainest setting: " + text_of("%.3f", panel.rungs.front().cost.cpu_seconds) +
+           " CPU seconds; the reference's own RMSE: " +
+           text_of("%.4f", panel.reference.estimate->rms);
 }
 
 /// Those of a series' points that stand on each other get one name, on the first.
@@ -103,7 +114,8 @@ PlotSeries front_of(const Panel& panel, const Figure& figure, const Cost& cost)
     const std::vector<bool> front = pareto_front(x, errors);
     std::vector<std::size_t> order(x.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
     PlotSeries series;
     series.label = "Pareto front";
     series.style = PlotSeries::Style::dashed;
@@ -129,7 +141,8 @@ Plot plot_of(const Panel& panel, const Figure& figure, const Cost& cost)
         PlotSeries series;
         series.label = title_of(family);
         series.style = family == Family::beam || family == Family::pixel || family == Family::both
-                           ? PlotSeries::Style::line_and_points : PlotSeries::Style::points;
+                           ? PlotSeries::Style::line_and_points
+                           : PlotSeries::Style::points;
         for (const Measurement& rung : panel.rungs)
             if (rung.setting.family == family) {
                 series.x.push_back(cost.value(panel, rung));
@@ -180,7 +193,8 @@ Plot estimates(const std::vector<Panel>& panels)
     Plot plot;
     plot.title = "The program's own error estimate beside the measured error";
     plot.subtitle = std::to_string(counts.held) + " of " + std::to_string(counts.intervals) +
-                    " intervals of 95% hold the measured error; other lens models are judged by converged frames of "
+                    " intervals of 95% hold the measured error; other lens models are judged by "
+                    "converged frames of "
                     "their own kind";
     plot.width = 1000;
     plot.height = 640;
@@ -195,8 +209,9 @@ Plot estimates(const std::vector<Panel>& panels)
         for (const Measurement& rung : panel.rungs) {
             if (!rung.estimate || !(rung.own_error > 0))
                 continue;
-            PlotSeries& series = !judged_by_reference_model(rung.setting) ? model
-                               : rung.estimate->method == ErrorMethod::audit ? audit : halves;
+            PlotSeries& series = !judged_by_reference_model(rung.setting)      ? model
+                                 : rung.estimate->method == ErrorMethod::audit ? audit
+                                                                               : halves;
             series.x.push_back(rung.own_error);
             series.y.push_back(rung.estimate->rms / rung.own_error);
             series.low.push_back(rung.estimate->low / rung.own_error);
@@ -228,8 +243,8 @@ void write_plots(const std::vector<Panel>& panels, const std::string& folder)
     for (const Cost& cost : costs) {
         for (const Panel& panel : panels)
             for (const Figure& figure : figures)
-                write_both(plot_of(panel, figure, cost),
-                           folder + "/" + panel.name() + "-" + figure.file + "-against-" + cost.file);
+                write_both(plot_of(panel, figure, cost), folder + "/" + panel.name() + "-" +
+                                                             figure.file + "-against-" + cost.file);
         write_both(fronts(panels, cost), folder + "/fronts-against-" + cost.file);
     }
     write_both(estimates(panels), folder + "/estimate");

@@ -40,9 +40,10 @@ std::vector<char*> pointers(std::vector<std::string>& texts)
     return result;
 }
 
-/// Runs a program to its end, both of its output streams into the file `log`. Returns its exit status, or 128 and the
-/// signal that ended it.
-int run(std::vector<std::string> command, std::vector<std::string> environment, const std::string& log)
+/// Runs a program to its end, both of its output streams into the file `log`. Returns its exit
+/// status, or 128 and the signal that ended it.
+int run(std::vector<std::string> command, std::vector<std::string> environment,
+        const std::string& log)
 {
     posix_spawn_file_actions_t streams;
     posix_spawn_file_actions_init(&streams);
@@ -50,15 +51,16 @@ int run(std::vector<std::string> command, std::vector<std::string> environment, 
     posix_spawn_file_actions_addopen(&streams, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     posix_spawn_file_actions_adddup2(&streams, 1, 2);
     pid_t child = 0;
-    const int failure =
-        posix_spawn(&child, command[0].c_str(), &streams, nullptr, pointers(command).data(), pointers(environment).data());
+    const int failure = posix_spawn(&child, command[0].c_str(), &streams, nullptr,
+                                    pointers(command).data(), pointers(environment).data());
     posix_spawn_file_actions_destroy(&streams);
     if (failure != 0)
         throw std::runtime_error(command[0] + ": cannot be run: " + std::strerror(failure));
     int status = 0;
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR)
-            throw std::runtime_error(std::string("waiting for the renderer: ") + std::strerror(errno));
+            throw std::runtime_error(std::string("waiting for the renderer: ") +
+                                     std::strerror(errno));
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -86,19 +88,25 @@ std::string Sheet::words(int finer) const
 {
     std::ostringstream text;
     text.precision(12);
-    text << name << " pitch " << pitch / finer << " thickness " << thickness / finer << " ior " << ior;
+    text << name << " pitch " << pitch / finer << " thickness " << thickness / finer << " ior "
+         << ior;
     return text.str();
 }
 
-RenderCost Renderer::render(const std::string& scene, const std::string& name, const std::optional<std::string>& camera,
+RenderCost Renderer::render(const std::string& scene, const std::string& name,
+                            const std::optional<std::string>& camera,
                             const std::vector<std::string>& options, int times) const
 {
     const std::string ini = work_folder + "/settings.ini", log = work_folder + "/" + name + ".log";
     const int coarser = camera ? 1 : finer;
     write_file(ini, "Display=off\nVerbose=off\nBits_Per_Color=16\nWork_Threads=1\n");
     std::vector<std::string> command = {
-        program, "+I" + scene_folder + "/" + scene + ".pov", "+L" + scene_folder, "+O" + picture(name),
-        "+W" + std::to_string(times * width / coarser), "+H" + std::to_string(times * height / coarser),
+        program,
+        "+I" + scene_folder + "/" + scene + ".pov",
+        "+L" + scene_folder,
+        "+O" + picture(name),
+        "+W" + std::to_string(times * width / coarser),
+        "+H" + std::to_string(times * height / coarser),
         "Declare=Film_Width=" + std::to_string(width * mm_per_inch / (finer * dots_per_inch))};
     if (camera)
         command.push_back("Integral_Camera=" + *camera);
@@ -109,16 +117,19 @@ RenderCost Renderer::render(const std::string& scene, const std::string& name, c
     std::string said = read_file(log);
     std::replace(said.begin(), said.end(), '\r', '\n');
     if (status != 0)
-        throw std::runtime_error(program + " ended with status " + std::to_string(status) + " on " + scene + ".pov:\n" +
-                                 last_lines(said, 15));
+        throw std::runtime_error(program + " ended with status " + std::to_string(status) + " on " +
+                                 scene + ".pov:\n" + last_lines(said, 15));
     RenderCost cost;
-    cost.cpu_seconds = number_in(said, "Trace Time:[^\\n]*\\n[^\\n]* with +([0-9.]+) CPU-seconds", log);
+    cost.cpu_seconds = number_in(said, "Trace Time:[^\\n]*\\n[^\\n]* with +([0-9.]+) CPU-seconds",
+                                 log);
     if (std::regex_search(said, std::regex("Radiosity Time:[^\\n]*seconds\\)")))
-        cost.cpu_seconds += number_in(said, "Radiosity Time:[^\\n]*\\n[^\\n]* with +([0-9.]+) CPU-seconds", log);
+        cost.cpu_seconds += number_in(
+            said, "Radiosity Time:[^\\n]*\\n[^\\n]* with +([0-9.]+) CPU-seconds", log);
     cost.rays = (long long)(number_in(said, "\\nRays: +([0-9]+) +Saved:", log));
     if (!camera)
         return cost;
-    cost.camera_rays = (long long)(number_in(said, "\\nRays: +([0-9]+) [^\\n]* an imaged point", log));
+    cost.camera_rays = (long long)(number_in(said, "\\nRays: +([0-9]+) [^\\n]* an imaged point",
+                                             log));
     const auto metadata = read_metadata(picture(name));
     if (!metadata.render)
         throw std::runtime_error(picture(name) + ": does not tell how it was rendered");

@@ -27,22 +27,24 @@ std::string quoted(const std::string& text) { return '"' + text + '"'; }
 void add_eyes(std::ostringstream& row, const Measurement& m)
 {
     const ViewFigures middle = mean(m.from_eyes), worst = least(m.from_eyes);
-    row << number(middle.psnr) << ',' << number(worst.psnr) << ',' << number(middle.ssim) << ',' << number(worst.ssim) << ',';
+    row << number(middle.psnr) << ',' << number(worst.psnr) << ',' << number(middle.ssim) << ','
+        << number(worst.ssim) << ',';
 }
 
 void add_estimate(std::ostringstream& row, const std::optional<ErrorEstimate>& estimate)
 {
     if (estimate)
-        row << number(estimate->rms) << ',' << number(estimate->low) << ',' << number(estimate->high) << ','
-            << name_of(estimate->method) << ',' << estimate->pixels;
+        row << number(estimate->rms) << ',' << number(estimate->low) << ','
+            << number(estimate->high) << ',' << name_of(estimate->method) << ','
+            << estimate->pixels;
     else
         row << ",,,,";
 }
 
 void add_cost(std::ostringstream& row, const Measurement& m)
 {
-    row << m.runs << ',' << number(m.cost.seconds) << ',' << number(m.cost.cpu_seconds) << ',' << number(m.times) << ','
-        << m.cost.camera_rays << ',' << m.cost.rays << ',';
+    row << m.runs << ',' << number(m.cost.seconds) << ',' << number(m.cost.cpu_seconds) << ','
+        << number(m.times) << ',' << m.cost.camera_rays << ',' << m.cost.rays << ',';
 }
 
 void add_row(std::ostringstream& row, const Panel& panel, const Measurement& m)
@@ -50,9 +52,10 @@ void add_row(std::ostringstream& row, const Panel& panel, const Measurement& m)
     row << panel.scene << ',' << panel.sheet.name << ',' << quoted(m.setting.full_name()) << ','
         << quoted(title_of(m.setting.family)) << ',';
     add_cost(row, m);
-    row << number(m.rmse) << ',' << number(m.psnr) << ',' << number(m.to_reference.psnr) << ',' << number(m.to_reference.ssim)
-        << ',' << number(m.from_side.psnr) << ',' << number(m.from_side.ssim) << ',' << number(m.to_perspective.psnr)
-        << ',' << number(m.to_perspective.ssim) << ',';
+    row << number(m.rmse) << ',' << number(m.psnr) << ',' << number(m.to_reference.psnr) << ','
+        << number(m.to_reference.ssim) << ',' << number(m.from_side.psnr) << ','
+        << number(m.from_side.ssim) << ',' << number(m.to_perspective.psnr) << ','
+        << number(m.to_perspective.ssim) << ',';
     add_eyes(row, m);
     row << number(m.own_error) << ',';
     add_estimate(row, m.estimate);
@@ -63,7 +66,8 @@ void add_row(std::ostringstream& row, const Panel& panel, const Measurement& m)
 void add_reference(std::ostringstream& row, const Panel& panel)
 {
     const Measurement& m = panel.reference;
-    row << panel.scene << ',' << panel.sheet.name << ',' << quoted(m.setting.full_name()) << ",reference,";
+    row << panel.scene << ',' << panel.sheet.name << ',' << quoted(m.setting.full_name())
+        << ",reference,";
     add_cost(row, m);
     row << ",,,,,," << number(m.to_perspective.psnr) << ',' << number(m.to_perspective.ssim) << ',';
     add_eyes(row, m);
@@ -107,7 +111,8 @@ std::string told(const Best& best)
     if (!best.of)
         return "\u2013";
     char text[200];
-    std::snprintf(text, sizeof text, "%.2f (`%s`, %.4f)", best.times, best.of->setting.full_name().c_str(), best.of->own_error);
+    std::snprintf(text, sizeof text, "%.2f (`%s`, %.4f)", best.times,
+                  best.of->setting.full_name().c_str(), best.of->own_error);
     return text;
 }
 
@@ -117,19 +122,24 @@ std::string speedups(const Panel& panel)
 {
     std::ostringstream text;
     text << "### " << panel.scene << ", " << panel.sheet.title << "\n\n"
-         << "| setting | seconds | RMSE of the lit pixels | brute force's time there | POV-Ray's +A's time there |\n"
+         << "| setting | seconds | RMSE of the lit pixels | brute force's time there | POV-Ray's "
+            "+A's time there |\n"
             "|---|---|---|---|---|\n";
     for (const Measurement& rung : panel.rungs) {
         if (!anti_aliased(rung))
             continue;
         const double seconds = rung.cost.cpu_seconds;
         char line[300];
-        std::snprintf(line, sizeof line, "| `%s` | %.3f | %.4f | ", rung.setting.full_name().c_str(), seconds, rung.own_error);
+        std::snprintf(line, sizeof line, "| `%s` | %.3f | %.4f | ",
+                      rung.setting.full_name().c_str(), seconds, rung.own_error);
         text << line << ratio(seconds_at(panel, brute_force(), rung.own_error), seconds) << " | "
              << (rung.setting.family == Family::light_field
-                     ? ratio(seconds_at(panel, by_pixels(), rung.own_error), seconds) : "") << " |\n";
+                     ? ratio(seconds_at(panel, by_pixels(), rung.own_error), seconds)
+                     : "")
+             << " |\n";
     }
-    text << "\nTimes are multiples of the setting's own: above 1 it is the faster. A dash: that error is not reached, or "
+    text << "\nTimes are multiples of the setting's own: above 1 it is the faster. A dash: that "
+            "error is not reached, or "
             "all err less.\n\n";
     return text.str();
 }
@@ -138,7 +148,8 @@ std::string speedups_summary(const std::vector<Panel>& panels)
 {
     std::ostringstream text;
     text << "### The most that +A in the light field saves\n\n"
-         << "| scene, sheet | brute force's time by its (setting, RMSE) | POV-Ray's +A's time by its | brute force's by "
+         << "| scene, sheet | brute force's time by its (setting, RMSE) | POV-Ray's +A's time by "
+            "its | brute force's by "
             "POV-Ray's +A's |\n|---|---|---|---|\n";
     for (const Panel& panel : panels)
         text << "| " << panel.scene << ", " << panel.sheet.name << " | "
@@ -154,9 +165,9 @@ std::string eyes_table(const std::vector<Panel>& panels)
     text << "scene,sheet,setting,eye_x_mm,eye_y_mm,psnr_db,ssim\n";
     const auto rows = [&](const Panel& panel, const Measurement& m) {
         for (std::size_t k = 0; k < m.from_eyes.size(); ++k)
-            text << panel.scene << ',' << panel.sheet.name << ',' << quoted(m.setting.full_name()) << ','
-                 << number(panel.eyes[k].x) << ',' << number(panel.eyes[k].y) << ',' << number(m.from_eyes[k].psnr) << ','
-                 << number(m.from_eyes[k].ssim) << '\n';
+            text << panel.scene << ',' << panel.sheet.name << ',' << quoted(m.setting.full_name())
+                 << ',' << number(panel.eyes[k].x) << ',' << number(panel.eyes[k].y) << ','
+                 << number(m.from_eyes[k].psnr) << ',' << number(m.from_eyes[k].ssim) << '\n';
     };
     for (const Panel& panel : panels) {
         rows(panel, panel.reference);
@@ -169,10 +180,13 @@ std::string eyes_table(const std::vector<Panel>& panels)
 std::string csv(const std::vector<Panel>& panels)
 {
     std::ostringstream text;
-    text << "scene,sheet,setting,family,runs,seconds,cpu_seconds,times_one_ray,camera_rays,rays,rmse,psnr_db,"
-            "view_psnr_db,view_ssim,side_view_psnr_db,side_view_ssim,view_perspective_psnr_db,view_perspective_ssim,"
+    text << "scene,sheet,setting,family,runs,seconds,cpu_seconds,times_one_ray,camera_rays,rays,"
+            "rmse,psnr_db,"
+            "view_psnr_db,view_ssim,side_view_psnr_db,side_view_ssim,view_perspective_psnr_db,view_"
+            "perspective_ssim,"
             "eyes_mean_psnr_db,eyes_least_psnr_db,eyes_mean_ssim,eyes_least_ssim,"
-            "own_error,estimate,estimate_low,estimate_high,estimate_method,estimate_pixels,front_of_seconds,front_of_rays\n";
+            "own_error,estimate,estimate_low,estimate_high,estimate_method,estimate_pixels,front_"
+            "of_seconds,front_of_rays\n";
     for (const Panel& panel : panels) {
         add_reference(text, panel);
         for (const Measurement& rung : panel.rungs)
@@ -186,7 +200,8 @@ std::string fronts_table(const std::vector<Panel>& panels)
     std::ostringstream text;
     for (const Panel& panel : panels) {
         text << "### " << panel.scene << ", " << panel.sheet.title << "\n\n"
-             << "| setting | seconds | times one ray | rays a pixel | RMSE | PSNR dB | view PSNR dB | view SSIM | "
+             << "| setting | seconds | times one ray | rays a pixel | RMSE | PSNR dB | view PSNR "
+                "dB | view SSIM | "
                 "view to perspective dB |\n"
              << "|---|---|---|---|---|---|---|---|---|\n";
         std::vector<const Measurement*> front;
@@ -194,18 +209,21 @@ std::string fronts_table(const std::vector<Panel>& panels)
             if (rung.on_front_of_seconds)
                 front.push_back(&rung);
         std::stable_sort(front.begin(), front.end(),
-                         [](const Measurement* a, const Measurement* b) { return a->cost.cpu_seconds < b->cost.cpu_seconds; });
+                         [](const Measurement* a, const Measurement* b) {
+                             return a->cost.cpu_seconds < b->cost.cpu_seconds;
+                         });
         const auto row = [&](const Measurement& m, const std::string& errors) {
             char line[300];
-            std::snprintf(line, sizeof line, "| `%s` | %.3f | %.2f | %.1f | %s | %.1f |\n", m.setting.full_name().c_str(),
-                          m.cost.cpu_seconds, m.times, double(m.cost.camera_rays) / panel.pixels(), errors.c_str(),
+            std::snprintf(line, sizeof line, "| `%s` | %.3f | %.2f | %.1f | %s | %.1f |\n",
+                          m.setting.full_name().c_str(), m.cost.cpu_seconds, m.times,
+                          double(m.cost.camera_rays) / panel.pixels(), errors.c_str(),
                           m.to_perspective.psnr);
             text << line;
         };
         for (const Measurement* m : front) {
             char errors[120];
-            std::snprintf(errors, sizeof errors, "%.4f | %.1f | %.1f | %.4f", m->rmse, m->psnr, m->to_reference.psnr,
-                          m->to_reference.ssim);
+            std::snprintf(errors, sizeof errors, "%.4f | %.1f | %.1f | %.4f", m->rmse, m->psnr,
+                          m->to_reference.psnr, m->to_reference.ssim);
             row(*m, errors);
         }
         char own[80];

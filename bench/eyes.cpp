@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Views from 25 eyes over the viewing zone against the perspective pictures that an unmodified POV-Ray takes there, and the
-// limits that the frame's own sampling sets (doc/eyes.md). Behind square lenses 5 x 5 eyes; behind cylinders, which show
-// nothing new along themselves, 25 in a row at the height of capture.
+// Views from 25 eyes over the viewing zone against the perspective pictures that an unmodified
+// POV-Ray takes there, and the limits that the frame's own sampling sets (doc/eyes.md). Behind
+// square lenses 5 x 5 eyes; behind cylinders, which show nothing new along themselves, 25 in a row
+// at the height of capture.
 //
-// Neither limit is rendered by the integral camera; both are made of unmodified POV-Ray's perspective pictures and replayed
-// and judged like a frame:
-//   "sheet and film": the best render. A dense array of perspective cameras over the aperture; each of their rays is put on
-//     the film pixel to which the lens that it meets sends it, and each pixel is the mean of what fell on it: the mean over its
-//     area and its lens's cell. What is lost to lens pitch and to the pixel's angle is lost here, too; sampling errors are not.
-//   "lenses alone": for each eye a frame of its own, of that eye's perspective picture only: each part of the sheet that the
-//     eye sees in one colour has its mean colour. No frame of this sheet and film shows that eye more (but for some tenths of a
-//     decibel, as means are of linear light and PSNR of encoded values), and none shows as much to all eyes.
+// Neither limit is rendered by the integral camera; both are made of unmodified POV-Ray's
+// perspective pictures and replayed and judged like a frame:
+//   "sheet and film": the best render. A dense array of perspective cameras over the aperture; each
+//   of their rays is put on
+//     the film pixel to which the lens that it meets sends it, and each pixel is the mean of what
+//     fell on it: the mean over its area and its lens's cell. What is lost to lens pitch and to the
+//     pixel's angle is lost here, too; sampling errors are not.
+//   "lenses alone": for each eye a frame of its own, of that eye's perspective picture only: each
+//   part of the sheet that the
+//     eye sees in one colour has its mean colour. No frame of this sheet and film shows that eye
+//     more (but for some tenths of a decibel, as means are of linear light and PSNR of encoded
+//     values), and none shows as much to all eyes.
 #include "bench/camera_array.h"
 #include "bench/pictures.h"
 #include "bench/program.h"
@@ -43,7 +48,7 @@ struct Panel {
     Sheet sheet;
     int columns = 0; ///< of the eyes
     std::vector<EyePosition> eyes;
-    std::vector<Seen> all; ///< the settings, then the two limits
+    std::vector<Seen> all;                ///< the settings, then the two limits
     double missing = 0, rays_a_pixel = 0; ///< of "sheet and film"
 };
 
@@ -57,9 +62,9 @@ const std::string floor_below_all_eyes = "Declare=Floor=-40";
 /// What is rendered.
 struct Plan {
     std::vector<std::string> scenes;
-    int width, height;                ///< pixels of the frames
-    int eyes_across;                  ///< the square of this is their number
-    int square_array, row_array;      ///< cameras across the aperture
+    int width, height;           ///< pixels of the frames
+    int eyes_across;             ///< the square of this is their number
+    int square_array, row_array; ///< cameras across the aperture
     std::string pictured_scene, pictured_sheet;
 };
 const Plan whole{{"matte", "detail", "glass"}, 240, 160, 5, 32, 48, "matte", "square"};
@@ -68,8 +73,8 @@ const Plan quick{{"matte"}, 120, 80, 3, 16, 32, "matte", "square"};
 /// A scene behind a sheet.
 class Experiment {
 public:
-    Experiment(const Renderer& integral, const Renderer& pristine, const Plan& plan, const std::string& scene,
-               const Sheet& sheet)
+    Experiment(const Renderer& integral, const Renderer& pristine, const Plan& plan,
+               const std::string& scene, const Sheet& sheet)
         : integral_(integral), pristine_(pristine), plan_(plan)
     {
         panel.scene = scene;
@@ -84,8 +89,12 @@ private:
     {
         const Aperture& aperture = frames_[0].metadata->aperture;
         const bool row = shows_a_row(frames_[0]);
-        return {row && times == perspective_times ? across * across : across, row ? 1 : across, part * aperture.width,
-                row ? 0 : part * aperture.height, plan_.width * times / divided, plan_.height * times / divided};
+        return {row && times == perspective_times ? across * across : across,
+                row ? 1 : across,
+                part * aperture.width,
+                row ? 0 : part * aperture.height,
+                plan_.width * times / divided,
+                plan_.height * times / divided};
     }
     void take_perspectives();
     void gather();
@@ -106,21 +115,25 @@ void Experiment::take_perspectives()
     panel.eyes = eyes_of(frames_[0], plan_.eyes_across);
     panel.columns = cameras.columns;
     fine_.resize(panel.eyes.size());
-    render(pristine_, panel.scene, {floor_below_all_eyes}, cameras, [&](const Image& picture, int k) { fine_[k] = picture; });
+    render(pristine_, panel.scene, {floor_below_all_eyes}, cameras,
+           [&](const Image& picture, int k) { fine_[k] = picture; });
     for (std::size_t k = 0; k < fine_.size(); ++k) {
-        perspectives_.push_back(inner_part(shrunk(fine_[k], perspective_times * usual_form.film_pixels), usual_form));
+        perspectives_.push_back(
+            inner_part(shrunk(fine_[k], perspective_times * usual_form.film_pixels), usual_form));
         GatheredFrame best(frames_[0]);
         best.add(fine_[k], panel.eyes[k]);
-        lenses_.from_eyes.push_back(view_figures(view_of(best.frame(), panel.eyes[k], usual_form), perspectives_[k]));
+        lenses_.from_eyes.push_back(
+            view_figures(view_of(best.frame(), panel.eyes[k], usual_form), perspectives_[k]));
     }
 }
 
-/// Behind square lenses the rays of a picture stand 2 film pixels apart, several to a lens; behind cylinders half a pixel,
-/// as each row of the film has only its own.
+/// Behind square lenses the rays of a picture stand 2 film pixels apart, several to a lens; behind
+/// cylinders half a pixel, as each row of the film has only its own.
 void Experiment::gather()
 {
     const bool row = shows_a_row(frames_[0]);
-    const CameraArray cameras = array(row ? plan_.row_array : plan_.square_array, 1, row ? 2 : 1, row ? 1 : 2);
+    const CameraArray cameras = array(row ? plan_.row_array : plan_.square_array, 1, row ? 2 : 1,
+                                      row ? 1 : 2);
     const std::vector<EyePosition> eyes = cameras.eyes();
     GatheredFrame film(frames_[0]);
     render(pristine_, panel.scene, {floor_below_all_eyes}, cameras,
@@ -130,7 +143,8 @@ void Experiment::gather()
     panel.rays_a_pixel = film.rays_a_pixel();
 }
 
-Seen Experiment::seen_of(const std::string& name, const std::string& title, const Frame& frame) const
+Seen Experiment::seen_of(const std::string& name, const std::string& title,
+                         const Frame& frame) const
 {
     Seen seen{name, title, {}, {}, 0, 0};
     for (std::size_t k = 0; k < panel.eyes.size(); ++k) {
@@ -163,29 +177,34 @@ void Experiment::run()
     gather();
     for (std::size_t i = 0; i < frames_.size(); ++i) {
         const std::string words = settings[i].full_name();
-        panel.all.push_back(seen_of(settings[i].name, words.empty() ? "one ray" : "`" + words + "`", frames_[i]));
+        panel.all.push_back(
+            seen_of(settings[i].name, words.empty() ? "one ray" : "`" + words + "`", frames_[i]));
         panel.all.back().rmse = lit_rmse(frames_[i], ideal_);
     }
     panel.all.push_back(seen_of("sheet-and-film", "limit: sheet and film", ideal_));
     panel.all.push_back(lenses_);
 }
 
-/// Left, middle and right eyes; the perspective picture, the view and their difference, pixels of 2 x 2 of the film's.
+/// Left, middle and right eyes; the perspective picture, the view and their difference, pixels of 2
+/// x 2 of the film's.
 void Experiment::write_picture(const std::string& path) const
 {
     constexpr ViewForm form{2, 7, perspective_times};
     constexpr double gain = 3;
     const std::size_t count = panel.eyes.size(), middle = count / 2;
     LabelledPictures table;
-    table.columns = {"perspective picture", "view of the frame, +A", "difference x 3", "view of sheet and film's limit"};
+    table.columns = {"perspective picture", "view of the frame, +A", "difference x 3",
+                     "view of sheet and film's limit"};
     const char* names[] = {"top left eye", "centre", "bottom right eye"};
     int name = 0;
     for (const std::size_t k : {std::size_t(0), middle, count - 1}) {
-        const Frame picture = inner_part(shrunk(fine_[k], perspective_times * form.film_pixels), form);
+        const Frame picture = inner_part(shrunk(fine_[k], perspective_times * form.film_pixels),
+                                         form);
         const Frame view = view_of(frames_[antialiased], panel.eyes[k], form);
         table.rows.push_back(names[name++]);
-        for (const Image& image : {picture.image, view.image, difference_picture(view.image, picture.image, gain),
-                                   view_of(ideal_, panel.eyes[k], form).image})
+        for (const Image& image :
+             {picture.image, view.image, difference_picture(view.image, picture.image, gain),
+              view_of(ideal_, panel.eyes[k], form).image})
             table.pictures.push_back(image);
     }
     table.write(path, 2);
@@ -205,9 +224,11 @@ std::string csv(const std::vector<Panel>& panels)
     for (const Panel& panel : panels)
         for (const Seen& seen : panel.all)
             for (std::size_t k = 0; k < panel.eyes.size(); ++k)
-                out += panel.scene + "," + panel.sheet.name + "," + std::to_string(k / panel.columns + 1) + "," +
-                       std::to_string(k % panel.columns + 1) + "," + text("%.3f", panel.eyes[k].x) + "," +
-                       text("%.3f", panel.eyes[k].y) + "," + seen.name + "," + text("%.3f", seen.from_eyes[k].psnr) + "," +
+                out += panel.scene + "," + panel.sheet.name + "," +
+                       std::to_string(k / panel.columns + 1) + "," +
+                       std::to_string(k % panel.columns + 1) + "," + text("%.3f", panel.eyes[k].x) +
+                       "," + text("%.3f", panel.eyes[k].y) + "," + seen.name + "," +
+                       text("%.3f", seen.from_eyes[k].psnr) + "," +
                        text("%.4f", seen.from_eyes[k].ssim) + "\n";
     return out;
 }
@@ -215,20 +236,24 @@ std::string csv(const std::vector<Panel>& panels)
 /// Markdown.
 std::string table(const std::vector<Panel>& panels)
 {
-    std::string out = "| scene, sheet | frame | PSNR least | mean | greatest | SSIM least | mean | greatest "
-                      "| frame's RMSE | own |\n"
-                      "|---|---|---|---|---|---|---|---|---|---|\n";
+    std::string out =
+        "| scene, sheet | frame | PSNR least | mean | greatest | SSIM least | mean | greatest "
+        "| frame's RMSE | own |\n"
+        "|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Panel& panel : panels)
         for (const Seen& seen : panel.all) {
-            const ViewFigures low = least(seen.from_eyes), middle = mean(seen.from_eyes), high = greatest(seen.from_eyes);
+            const ViewFigures low = least(seen.from_eyes), middle = mean(seen.from_eyes),
+                              high = greatest(seen.from_eyes);
             out += "| " + panel.scene + ", " + panel.sheet.name + " | " + seen.title;
             for (const double psnr : {low.psnr, middle.psnr, high.psnr})
                 out += text(" | %.2f", psnr);
             for (const double ssim : {low.ssim, middle.ssim, high.ssim})
                 out += text(" | %.3f", ssim);
             out += " | " + (seen.rmse ? text("%.4f", *seen.rmse) : std::string()) + " | " +
-                   (&seen == &panel.all.back() ? std::string()
-                                               : std::to_string(seen.own) + text(", %.1f mm", seen.farthest)) + " |\n";
+                   (&seen == &panel.all.back()
+                        ? std::string()
+                        : std::to_string(seen.own) + text(", %.1f mm", seen.farthest)) +
+                   " |\n";
         }
     return out;
 }
@@ -238,14 +263,18 @@ const char* usage = "eyes [--quick] -o FOLDER\n\n"
 
 options::options_description make_options()
 {
-    const auto path = [](const char* word) { return options::value<std::string>()->value_name(word); };
+    const auto path = [](const char* word) {
+        return options::value<std::string>()->value_name(word);
+    };
     options::options_description all("Options");
-    all.add_options()("output,o", path("FOLDER"), "where the tables, the picture and the frames are written")
-        ("quick", "one scene, nine eyes and small frames: seconds instead of minutes")
-        ("renderer", path("FILE"), "povray-integral (default: the one built beside this program)")
-        ("pristine", path("FILE"), "an unmodified POV-Ray (default: the one built beside this program)")
-        ("scenes", path("FOLDER"), "the scenes (default: bench/scenes of this build's source)")
-        ("help", "print this");
+    all.add_options()("output,o", path("FOLDER"),
+                      "where the tables, the picture and the frames are written")(
+        "quick", "one scene, nine eyes and small frames: seconds instead of minutes")(
+        "renderer", path("FILE"), "povray-integral (default: the one built beside this program)")(
+        "pristine", path("FILE"),
+        "an unmodified POV-Ray (default: the one built beside this program)")(
+        "scenes", path("FOLDER"),
+        "the scenes (default: bench/scenes of this build's source)")("help", "print this");
     return all;
 }
 
@@ -256,15 +285,20 @@ int run(const options::variables_map& arguments)
     const std::string folder = arguments["output"].as<std::string>();
     const Plan& plan = arguments.count("quick") ? quick : whole;
     const auto path = [&](const char* option, const files::path& usual) {
-        const std::string name =
-            arguments.count(option) ? arguments[option].as<std::string>() : (own_folder() / usual).lexically_normal().string();
+        const std::string name = arguments.count(option)
+                                     ? arguments[option].as<std::string>()
+                                     : (own_folder() / usual).lexically_normal().string();
         if (!files::exists(name))
-            throw UsageError(name + ": there is no such thing; build it (make all pristine) or name it with --" + option);
+            throw UsageError(
+                name + ": there is no such thing; build it (make all pristine) or name it with --" +
+                option);
         return name;
     };
     const std::string scenes = path("scenes", "../../bench/scenes");
-    const Renderer integral{path("renderer", "../bin/povray-integral"), scenes, folder + "/frames", plan.width, plan.height};
-    const Renderer pristine{path("pristine", "../pristine/unix/povray"), scenes, folder + "/frames", plan.width, plan.height};
+    const Renderer integral{path("renderer", "../bin/povray-integral"), scenes, folder + "/frames",
+                            plan.width, plan.height};
+    const Renderer pristine{path("pristine", "../pristine/unix/povray"), scenes, folder + "/frames",
+                            plan.width, plan.height};
     files::create_directories(folder + "/frames");
     check_writable(folder + "/eyes.csv");
     std::vector<Panel> panels;
@@ -275,7 +309,8 @@ int run(const options::variables_map& arguments)
             panels.push_back(experiment.panel);
             const Panel& panel = panels.back();
             std::cout << scene << ", " << sheet.name << ": " << text("%.0f", panel.rays_a_pixel)
-                      << " rays a pixel in the limit; none on " << text("%.2f%%", 100 * panel.missing) << " of the lit pixels\n"
+                      << " rays a pixel in the limit; none on "
+                      << text("%.2f%%", 100 * panel.missing) << " of the lit pixels\n"
                       << table({panel}) << std::endl;
             if (scene == plan.pictured_scene && sheet.name == plan.pictured_sheet)
                 experiment.write_picture(folder + "/eyes.png");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How fast the image of a panel of 3840 x 2160 pixels is interlaced: of a quilt of 8 x 6 views in 4096 x 4096 pixels, 8 bits, by a display's published
-// mapping and through the optics of slanted lenses, beside copying such an image in memory. On all cores; the least of nine alternating runs.
+// How fast the image of a panel of 3840 x 2160 pixels is interlaced: of a quilt of 8 x 6 views in
+// 4096 x 4096 pixels, 8 bits, by a display's published mapping and through the optics of slanted
+// lenses, beside copying such an image in memory. On all cores; the least of nine alternating runs.
 #include "integral/output/interlace.h"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ struct Task {
     double seconds = std::numeric_limits<double>::infinity(), processor = seconds;
 };
 
-/// Seconds that all threads of this program have worked: what counts on a machine that is busy with other things, too.
+/// Seconds that all threads of this program have worked: what counts on a machine that is busy with
+/// other things, too.
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 } // namespace
@@ -66,20 +68,26 @@ int main()
     Image panel = panel_image(views, width, height);
     auto& samples = std::get<std::vector<std::uint8_t>>(panel.samples);
     std::vector<std::uint8_t> copy(samples.size(), 1);
-    std::vector<Task> tasks{{"copy in memory", [&] { std::memcpy(copy.data(), samples.data(), samples.size()); }}};
+    std::vector<Task> tasks{
+        {"copy in memory", [&] { std::memcpy(copy.data(), samples.data(), samples.size()); }}};
     for (const bool of_rays : {false, true})
         for (const Neighbours of_views : {Neighbours::nearest, Neighbours::linear})
             for (const Neighbours of_pixels : {Neighbours::nearest, Neighbours::linear})
                 for (const bool portable : {false, true}) {
-                    const auto word = [](Neighbours n) { return n == Neighbours::linear ? "linear" : "nearest"; };
-                    tasks.push_back({std::string(of_rays ? "optics: " : "published: ") + word(of_views) + " views, " + word(of_pixels) + " pixels"
-                                         + (portable ? ", portable" : ""),
-                                     [&, of_rays, of_views, of_pixels, portable] {
-                                         if (of_rays)
-                                             interlace(panel, views, rays, {of_views, of_pixels}, 0, portable);
-                                         else
-                                             interlace(panel, views, published, {of_views, of_pixels}, 0, portable);
-                                     }});
+                    const auto word = [](Neighbours n) {
+                        return n == Neighbours::linear ? "linear" : "nearest";
+                    };
+                    tasks.push_back(
+                        {std::string(of_rays ? "optics: " : "published: ") + word(of_views) +
+                             " views, " + word(of_pixels) + " pixels" +
+                             (portable ? ", portable" : ""),
+                         [&, of_rays, of_views, of_pixels, portable] {
+                             if (of_rays)
+                                 interlace(panel, views, rays, {of_views, of_pixels}, 0, portable);
+                             else
+                                 interlace(panel, views, published, {of_views, of_pixels}, 0,
+                                           portable);
+                         }});
                 }
     for (int round = 0; round < 9; ++round)
         for (Task& task : tasks) {
@@ -93,6 +101,6 @@ int main()
     std::printf("the table of the optics, once a panel: %.1f s\n", table.count());
     std::printf("%-52s %9s %10s %9s %14s\n", "", "ms", "a second", "to copy", "processor ms");
     for (const Task& task : tasks)
-        std::printf("%-52s %9.2f %10.1f %9.1f %14.2f\n", task.name.c_str(), 1e3 * task.seconds, 1 / task.seconds, task.seconds / tasks[0].seconds,
-                    1e3 * task.processor);
+        std::printf("%-52s %9.2f %10.1f %9.1f %14.2f\n", task.name.c_str(), 1e3 * task.seconds,
+                    1 / task.seconds, task.seconds / tasks[0].seconds, 1e3 * task.processor);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What the commands of `integral` take for a large frame: seconds, by the clock and of all
-// processors, and memory at its peak, beside a plain decoding of the same file and the picture's raw
-// size.
+// processors, and memory at its peak, beside a plain decoding of the same file and the picture's
+// raw size.
 //
 //   large_frames [--size 12000x8400] [--integral PROGRAM] [--folder FOLDER] [--poster MM]
 #include "bench/program.h"
@@ -158,10 +158,11 @@ int measure(const options::variables_map& arguments)
         {"compare, picture", {"compare", frame, other, "-o", in("difference.png")}},
         {"replay",
          {"replay", frame, "--eye", "0,0,600", "--size", "800x560", "-o", in("eye.png")}}};
-    std::printf("%d x %d pixels, 8 bits: %.1f MB raw, %.1f MB as PNG, which libpng decodes in %.2f s\n",
-                width, height, raw / 1e6, double(fs::file_size(frame)) / 1e6, decode);
-    std::printf("%-22s %8s %10s %10s %8s %8s %6s\n", "command", "seconds", "processors", "to libpng",
-                "MB", "to raw", "status");
+    std::printf(
+        "%d x %d pixels, 8 bits: %.1f MB raw, %.1f MB as PNG, which libpng decodes in %.2f s\n",
+        width, height, raw / 1e6, double(fs::file_size(frame)) / 1e6, decode);
+    std::printf("%-22s %8s %10s %10s %8s %8s %6s\n", "command", "seconds", "processors",
+                "to libpng", "MB", "to raw", "status");
     std::fflush(stdout);
     for (const auto& [name, words] : runs) {
         std::vector<std::string> all = {program};

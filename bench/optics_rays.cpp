@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Camera rays that integral/optics alone makes in a second, on one core: pixel to a ray of the scene, for every
-// arrangement and mapping, beside a perspective camera's in the same run. The frame is a sheet of 300 x 200 mm at
-// 300 dpi, of which every seventh row is taken, seen from 300 mm through the aperture that fills the lenses.
+// Camera rays that integral/optics alone makes in a second, on one core: pixel to a ray of the
+// scene, for every arrangement and mapping, beside a perspective camera's in the same run. The
+// frame is a sheet of 300 x 200 mm at 300 dpi, of which every seventh row is taken, seen from 300
+// mm through the aperture that fills the lenses.
 //
 // optics_rays                     the table
 // optics_rays SHEET MAPPING       one pass of one of them, for a profiler: square accurate
@@ -17,29 +18,39 @@ using namespace integral;
 
 namespace {
 
-constexpr int width = 3543, height = 2362, row_step = 7, rows = (height + row_step - 1) / row_step, rounds = 7;
+constexpr int width = 3543, height = 2362, row_step = 7, rows = (height + row_step - 1) / row_step,
+              rounds = 7;
 constexpr double pixel_pitch = mm_per_inch / 300, points = double(width) * rows;
 
 const char* const sheet_names[] = {"lenticular", "square", "hexagonal"};
-const LensMapping mappings[] = {LensMapping::closest, LensMapping::automatic, LensMapping::accurate, LensMapping::exhaustive};
+const LensMapping mappings[] = {LensMapping::closest, LensMapping::automatic, LensMapping::accurate,
+                                LensMapping::exhaustive};
 const char* const mapping_names[] = {"closest", "auto", "accurate", "exhaustive"};
 constexpr int mapping_count = 4;
 
-const ViewFrame view{{0, 2, -300}, {0, 0, 300}, {width * pixel_pitch, 0, 0}, {0, height * pixel_pitch, 0}, 1};
+const ViewFrame view{
+    {0, 2, -300}, {0, 0, 300}, {width * pixel_pitch, 0, 0}, {0, height* pixel_pitch, 0}, 1};
 
 IntegralCamera camera_of(int arrangement, double slant, LensMapping mapping)
 {
     CameraParameters parameters;
     const bool lenticular = Arrangement(arrangement) == Arrangement::lenticular;
-    parameters.sheet = {Arrangement(arrangement), lenticular ? 1.27 : 1.124, lenticular ? 3.08 : 3.23,
-                        lenticular ? 1.6 : 1.675, slant, {0, 0}};
+    parameters.sheet = {Arrangement(arrangement),
+                        lenticular ? 1.27 : 1.124,
+                        lenticular ? 3.08 : 3.23,
+                        lenticular ? 1.6 : 1.675,
+                        slant,
+                        {0, 0}};
     parameters.mapping = mapping;
     return make_camera(parameters, view, width, height);
 }
 
-/// What a pass over the sheet costs, and how many of its points have a ray. `sum` keeps the work from being
-/// optimised away.
-struct Pass { double seconds, sum; long traced; };
+/// What a pass over the sheet costs, and how many of its points have a ray. `sum` keeps the work
+/// from being optimised away.
+struct Pass {
+    double seconds, sum;
+    long traced;
+};
 
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -63,7 +74,8 @@ Pass integral_rays(const IntegralCamera& camera)
     Pass pass{-cpu_seconds(), 0, 0};
     for (int j = 0; j < height; j += row_step)
         for (int i = 0; i < width; ++i) {
-            const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, {i + 0.5, j + 0.5}), camera.mapping);
+            const MappedPoint mapped = camera.optics.map(
+                film_from_pixel(camera.film, {i + 0.5, j + 0.5}), camera.mapping);
             if (!mapped.ray)
                 continue;
             const SightLine line = sight_line(camera, pole_beam(*mapped.ray));
@@ -91,7 +103,8 @@ Pass rays_in_runs(const IntegralCamera& camera)
             if (run.given[k])
                 line = run.line[k];
             else {
-                const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, {i + 0.5, j + 0.5}), camera.mapping);
+                const MappedPoint mapped = camera.optics.map(
+                    film_from_pixel(camera.film, {i + 0.5, j + 0.5}), camera.mapping);
                 if (!mapped.ray)
                     continue;
                 line = sight_line(camera, pole_beam(*mapped.ray));
@@ -103,14 +116,15 @@ Pass rays_in_runs(const IntegralCamera& camera)
     return pass;
 }
 
-/// The mapping as it is defined, without a thought of which lenses can matter: every lens of the sheet is asked. Of some of
-/// the sheet's points only, as it is slow.
+/// The mapping as it is defined, without a thought of which lenses can matter: every lens of the
+/// sheet is asked. Of some of the sheet's points only, as it is slow.
 Pass every_lens(const IntegralCamera& camera, long& unlike_accurate)
 {
     constexpr int step = 173;
     const SheetOptics& optics = camera.optics;
     const bool lenticular = optics.sheet().arrangement == Arrangement::lenticular;
-    const double radius = 0.5 * std::hypot(width * pixel_pitch, height * pixel_pitch) + optics.sheet().pitch;
+    const double radius = 0.5 * std::hypot(width * pixel_pitch, height * pixel_pitch) +
+                          optics.sheet().pitch;
     Pass pass{-cpu_seconds(), 0, 0};
     unlike_accurate = 0;
     long asked = 0;
@@ -132,7 +146,8 @@ Pass every_lens(const IntegralCamera& camera, long& unlike_accurate)
             ++asked;
             pass.traced += best.has_value();
             const auto accurate = optics.map(film_point, LensMapping::accurate).ray;
-            unlike_accurate += best.has_value() != accurate.has_value() || (best && best->lens != accurate->lens);
+            unlike_accurate += best.has_value() != accurate.has_value() ||
+                               (best && best->lens != accurate->lens);
         }
     pass.seconds += cpu_seconds();
     pass.seconds *= points / asked; // as if of all
@@ -147,19 +162,26 @@ void keep(Pass& best, const Pass& pass)
 }
 
 /// A line of the table: a pass, beside the perspective camera's and closest's.
-void print_pass(int arrangement, double slant, const char* mapping, const Pass& pass, const Pass& straight, const Pass& closest)
+void print_pass(int arrangement, double slant, const char* mapping, const Pass& pass,
+                const Pass& straight, const Pass& closest)
 {
     const double per_point = pass.seconds / closest.seconds;
-    std::printf("%-10s%6.2f  %-16s %9.2f %8.1f%% %9.2f %11.3f %11.3f\n", sheet_names[arrangement], slant, mapping, points / pass.seconds / 1e6,
-                100 * pass.traced / points, pass.seconds / straight.seconds, per_point, per_point * closest.traced / pass.traced);
+    std::printf("%-10s%6.2f  %-16s %9.2f %8.1f%% %9.2f %11.3f %11.3f\n", sheet_names[arrangement],
+                slant, mapping, points / pass.seconds / 1e6, 100 * pass.traced / points,
+                pass.seconds / straight.seconds, per_point,
+                per_point * closest.traced / pass.traced);
 }
 
 void print_sheet(int arrangement, double slant)
 {
     Pass best[mapping_count], in_runs[2], straight = perspective();
     const bool runs = PixelRuns(camera_of(arrangement, slant, LensMapping::closest)).possible();
-    const auto pass_of = [&](int m) { return integral_rays(camera_of(arrangement, slant, mappings[m])); };
-    const auto run_of = [&](int m) { return rays_in_runs(camera_of(arrangement, slant, mappings[m])); };
+    const auto pass_of = [&](int m) {
+        return integral_rays(camera_of(arrangement, slant, mappings[m]));
+    };
+    const auto run_of = [&](int m) {
+        return rays_in_runs(camera_of(arrangement, slant, mappings[m]));
+    };
     for (int m = 0; m < mapping_count; ++m)
         best[m] = pass_of(m);
     for (int m = 0; m < 2 && runs; ++m)
@@ -174,12 +196,14 @@ void print_sheet(int arrangement, double slant)
     for (int m = 0; m < mapping_count; ++m) {
         print_pass(arrangement, slant, mapping_names[m], best[m], straight, best[0]);
         if (m < 2 && runs)
-            print_pass(arrangement, slant, m == 0 ? "closest, in runs" : "auto, in runs", in_runs[m], straight, best[0]);
+            print_pass(arrangement, slant, m == 0 ? "closest, in runs" : "auto, in runs",
+                       in_runs[m], straight, best[0]);
     }
     long unlike = 0;
     const Pass all = every_lens(camera_of(arrangement, slant, LensMapping::accurate), unlike);
-    std::printf("%-16s  exhaustive / accurate %.1f; every lens of the sheet / accurate %.0f (%ld points get another lens)\n", "",
-                best[3].seconds / best[2].seconds, all.seconds / best[2].seconds, unlike);
+    std::printf("%-16s  exhaustive / accurate %.1f; every lens of the sheet / accurate %.0f (%ld "
+                "points get another lens)\n",
+                "", best[3].seconds / best[2].seconds, all.seconds / best[2].seconds, unlike);
 }
 
 int index_of(const char* word, const char* const* names, int count)
@@ -198,16 +222,21 @@ int main(int argc, char** argv)
         const int arrangement = index_of(argv[1], sheet_names, 3);
         const int mapping = argc > 2 ? index_of(argv[2], mapping_names, mapping_count) : -1;
         if (arrangement < 0 || mapping < 0) {
-            std::fprintf(stderr, "optics_rays [lenticular|square|hexagonal closest|auto|accurate|exhaustive]\n");
+            std::fprintf(
+                stderr,
+                "optics_rays [lenticular|square|hexagonal closest|auto|accurate|exhaustive]\n");
             return 2;
         }
         const Pass pass = integral_rays(camera_of(arrangement, 0, mappings[mapping]));
         std::printf("%.0f points, %ld rays, sum %.17g\n", points, pass.traced, pass.sum);
         return 0;
     }
-    std::printf("camera rays alone, one core, %d x %d pixels, every %dth row\n\n", width, height, row_step);
-    std::printf("%-10s%6s  %-16s %9s %9s %9s %11s %11s\n", "", "", "", "", "", "cost to", "to closest:", "");
-    std::printf("%-10s%6s  %-16s %9s %9s %9s %11s %11s\n", "sheet", "slant", "mapping", "Mpoint/s", "traced", "persp.", "a point", "a ray");
+    std::printf("camera rays alone, one core, %d x %d pixels, every %dth row\n\n", width, height,
+                row_step);
+    std::printf("%-10s%6s  %-16s %9s %9s %9s %11s %11s\n", "", "", "", "", "", "cost to",
+                "to closest:", "");
+    std::printf("%-10s%6s  %-16s %9s %9s %9s %11s %11s\n", "sheet", "slant", "mapping", "Mpoint/s",
+                "traced", "persp.", "a point", "a ray");
     for (int arrangement = 0; arrangement < 3; ++arrangement)
         for (const double slant : {0.0, 9.46})
             print_sheet(arrangement, slant);

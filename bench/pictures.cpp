@@ -12,7 +12,8 @@ namespace integral::bench {
 
 Image shrunk(const Image& image, int block)
 {
-    Image result = make_image<std::uint16_t>(image.width / block, image.height / block, 3, image.encoding);
+    Image result = make_image<std::uint16_t>(image.width / block, image.height / block, 3,
+                                             image.encoding);
     const LinearReader read(image);
     const float weight = 1.0f / float(block * block);
     for (int y = 0; y < result.height; ++y)
@@ -35,7 +36,10 @@ void ColorDifferences::add(const Color& a, const Color& b)
     values_ += 3;
 }
 
-double ColorDifferences::rms() const { return std::sqrt(squares_ / double(std::max(values_, 1LL))); }
+double ColorDifferences::rms() const
+{
+    return std::sqrt(squares_ / double(std::max(values_, 1LL)));
+}
 
 void LabelledPictures::write(const std::string& path, int times) const
 {
@@ -46,9 +50,11 @@ void LabelledPictures::write(const std::string& path, int times) const
     PlotCanvas canvas(left(columns.size()), top(rows.size()), PlotFormat::png);
     canvas.set_font(15, false);
     for (std::size_t i = 0; i < columns.size(); ++i)
-        canvas.write(columns[i], left(i) + 0.5 * (wide - canvas.text_width(columns[i])), head - 7, {0, 0, 0});
+        canvas.write(columns[i], left(i) + 0.5 * (wide - canvas.text_width(columns[i])), head - 7,
+                     {0, 0, 0});
     for (std::size_t j = 0; j < rows.size(); ++j)
-        canvas.write_upwards(rows[j], head - 7, top(j) + high - 0.5 * (high - canvas.text_width(rows[j])), {0, 0, 0});
+        canvas.write_upwards(rows[j], head - 7,
+                             top(j) + high - 0.5 * (high - canvas.text_width(rows[j])), {0, 0, 0});
     write_file(path, canvas.finish(""));
     Image table = read_frame(path).image;
     for (std::size_t k = 0; k < pictures.size(); ++k)

@@ -26,8 +26,9 @@ private:
 
 /// Pictures of one size as a table, with their names.
 struct LabelledPictures {
-    std::vector<std::string> columns, rows; ///< as many labels; along the top, and upwards on the left
-    std::vector<Image> pictures;            ///< row by row
+    std::vector<std::string> columns,
+        rows;                    ///< as many labels; along the top, and upwards on the left
+    std::vector<Image> pictures; ///< row by row
     /// A PNG of 8 bits, each pixel `times` as wide and high.
     void write(const std::string& path, int times) const;
 };

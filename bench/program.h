@@ -19,15 +19,22 @@ struct UsageError : std::runtime_error {
 };
 
 /// Where this program stands: BUILD/bench.
-inline std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
+inline std::filesystem::path own_folder()
+{
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
 
 /// Of options alone. Throws UsageError.
-inline boost::program_options::variables_map parsed(int count, char** words, const boost::program_options::options_description& all)
+inline boost::program_options::variables_map parsed(
+    int count, char** words, const boost::program_options::options_description& all)
 {
     boost::program_options::variables_map arguments;
     try {
-        boost::program_options::store(
-            boost::program_options::command_line_parser(count, words).options(all).positional({}).run(), arguments);
+        boost::program_options::store(boost::program_options::command_line_parser(count, words)
+                                          .options(all)
+                                          .positional({})
+                                          .run(),
+                                      arguments);
         boost::program_options::notify(arguments);
     } catch (const boost::program_options::error& error) {
         throw UsageError(error.what());
@@ -35,7 +42,8 @@ inline boost::program_options::variables_map parsed(int count, char** words, con
     return arguments;
 }
 
-/// The exit status of `work`: its own, or 2 for bad usage, 4 for what cannot be written, 1 for any other failure.
+/// The exit status of `work`: its own, or 2 for bad usage, 4 for what cannot be written, 1 for any
+/// other failure.
 inline int status_of(const char* name, const std::function<int()>& work)
 {
     const auto say = [&](const std::exception& error, int status) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which share of a quilt's pixels a panel never shows, for the displays that are known by name and the quilts that their maker recommends
-// for each: pixels of which no channel is read, and single samples, by the way views and pixels are blended.
+// Which share of a quilt's pixels a panel never shows, for the displays that are known by name and
+// the quilts that their maker recommends for each: pixels of which no channel is read, and single
+// samples, by the way views and pixels are blended.
 #include "integral/output/interlace.h"
 #include "integral/output/interlace_rows.h"
 #include "integral/output/panel.h"
@@ -19,10 +20,14 @@ struct Recommended {
 };
 
 constexpr Recommended recommended[] = {
-    {"looking-glass-portrait", {8, 6}, 3360, 3360},     {"looking-glass-go", {11, 6}, 4092, 4092},
-    {"looking-glass-16-landscape", {7, 7}, 5999, 5999}, {"looking-glass-16-portrait", {11, 6}, 5995, 6000},
-    {"looking-glass-32-landscape", {7, 7}, 8190, 8190}, {"looking-glass-65", {8, 9}, 8192, 8192},
-    {"looking-glass-8-9", {5, 9}, 4096, 4096},          {"looking-glass-8-9", {5, 9}, 2048, 2048},
+    {"looking-glass-portrait", {8, 6}, 3360, 3360},
+    {"looking-glass-go", {11, 6}, 4092, 4092},
+    {"looking-glass-16-landscape", {7, 7}, 5999, 5999},
+    {"looking-glass-16-portrait", {11, 6}, 5995, 6000},
+    {"looking-glass-32-landscape", {7, 7}, 8190, 8190},
+    {"looking-glass-65", {8, 9}, 8192, 8192},
+    {"looking-glass-8-9", {5, 9}, 4096, 4096},
+    {"looking-glass-8-9", {5, 9}, 2048, 2048},
     {"looking-glass-15-6", {5, 9}, 4096, 4096},
 };
 
@@ -30,24 +35,30 @@ struct Unread {
     double pixels, samples;
 };
 
-Unread unread(const PublishedMapping& mapping, ViewGrid grid, int width, int height, bool blend_views, bool blend_pixels)
+Unread unread(const PublishedMapping& mapping, ViewGrid grid, int width, int height,
+              bool blend_views, bool blend_pixels)
 {
     const int count = grid.count();
     const auto pixel_step = [&](int place, int places, int pixels) {
         const auto phase = std::uint32_t((place + 0.5) / places * 4294967296.0);
-        return blend_pixels ? linear_step(phase, std::uint32_t(pixels)) : nearest_step(phase, std::uint32_t(pixels));
+        return blend_pixels ? linear_step(phase, std::uint32_t(pixels))
+                            : nearest_step(phase, std::uint32_t(pixels));
     };
     std::vector<char> read(std::size_t(count) * width * height); // a bit for each channel
     for (int row = 0; row < mapping.height; ++row)
         for (int column = 0; column < mapping.width; ++column) {
-            const Step x = pixel_step(column, mapping.width, width), y = pixel_step(row, mapping.height, height);
+            const Step x = pixel_step(column, mapping.width, width),
+                       y = pixel_step(row, mapping.height, height);
             for (int channel = 0; channel < 3; ++channel) {
-                const std::uint32_t phase = mapping.of_columns[row % 4][3 * column + channel] + mapping.of_rows[row];
-                const Step view = blend_views ? linear_step(phase, std::uint32_t(count)) : nearest_step(phase, std::uint32_t(count));
+                const std::uint32_t phase = mapping.of_columns[row % 4][3 * column + channel] +
+                                            mapping.of_rows[row];
+                const Step view = blend_views ? linear_step(phase, std::uint32_t(count))
+                                              : nearest_step(phase, std::uint32_t(count));
                 for (std::uint32_t v = 0; v <= (view.weight > 0); ++v)
                     for (std::uint32_t j = 0; j <= (y.weight > 0); ++j)
                         for (std::uint32_t i = 0; i <= (x.weight > 0); ++i)
-                            read[(std::size_t(view.index + v) * height + y.index + j) * width + x.index + i] |= char(1 << channel);
+                            read[(std::size_t(view.index + v) * height + y.index + j) * width +
+                                 x.index + i] |= char(1 << channel);
             }
         }
     std::size_t pixels = 0, samples = 0;
@@ -62,14 +73,16 @@ Unread unread(const PublishedMapping& mapping, ViewGrid grid, int width, int hei
 
 int main()
 {
-    std::printf("| panel | quilt | rays: quilt, native | unread pixels (samples), %%: nearest views and pixels | linear pixels | linear views | both linear |\n"
+    std::printf("| panel | quilt | rays: quilt, native | unread pixels (samples), %%: nearest "
+                "views and pixels | linear pixels | linear views | both linear |\n"
                 "|---|---|---|---|---|---|---|\n");
     for (const Recommended& r : recommended) {
         const Panel panel = *panel_named(r.panel);
         const PublishedMapping mapping = published_mapping(*panel.calibration);
         const int width = r.width / r.grid.columns, height = r.height / r.grid.rows;
-        std::printf("| %s | %d x %d views, %d x %d | %.1f, %.1f million |", r.panel, r.grid.columns, r.grid.rows, r.width, r.height,
-                    1e-6 * width * height * r.grid.count(), 3e-6 * panel.film.width * panel.film.height);
+        std::printf("| %s | %d x %d views, %d x %d | %.1f, %.1f million |", r.panel, r.grid.columns,
+                    r.grid.rows, r.width, r.height, 1e-6 * width * height * r.grid.count(),
+                    3e-6 * panel.film.width * panel.film.height);
         for (const bool views : {false, true})
             for (const bool pixels : {false, true}) {
                 const Unread share = unread(mapping, r.grid, width, height, views, pixels);

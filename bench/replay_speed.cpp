@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How fast a frame of 2480 x 3508 pixels (A4 at 300 dpi) is looked at: views a second of 1000 x 1400 pixels, and its parallel views,
-// there and back, beside copying its samples in memory: over a picture that is there, and into one that is made for them, as views are. On all cores; the least of five alternating runs.
+// How fast a frame of 2480 x 3508 pixels (A4 at 300 dpi) is looked at: views a second of 1000 x
+// 1400 pixels, and its parallel views, there and back, beside copying its samples in memory: over a
+// picture that is there, and into one that is made for them, as views are. On all cores; the least
+// of five alternating runs.
 #include "integral/replay/parallel_views.h"
 #include "integral/replay/replay.h"
 
@@ -42,9 +44,12 @@ struct Task {
 
 int main()
 {
-    struct { const char* name; LensSheet sheet; } sheets[] = {{"lenticular 1.27", {}},
-                                                              {"square 1.27", {Arrangement::square, 1.27, 3.08, 1.6, 0, {}}},
-                                                              {"hexagonal 1.124", {Arrangement::hexagonal, 1.124, 3.23, 1.675, 0, {}}}};
+    struct {
+        const char* name;
+        LensSheet sheet;
+    } sheets[] = {{"lenticular 1.27", {}},
+                  {"square 1.27", {Arrangement::square, 1.27, 3.08, 1.6, 0, {}}},
+                  {"hexagonal 1.124", {Arrangement::hexagonal, 1.124, 3.23, 1.675, 0, {}}}};
     for (const auto& [name, sheet] : sheets) {
         const Frame frame = noise(sheet);
         const auto& samples = std::get<std::vector<std::uint8_t>>(frame.image.samples);
@@ -57,24 +62,30 @@ int main()
             view.model = model;
             replay(frame, view);
         };
-        Task tasks[] = {{"copy in memory", [&] { std::memcpy(copy.data(), samples.data(), samples.size()); }},
-                        {"copy into a new picture", [&] { const auto fresh = samples; copy[0] = fresh[fresh.size() / 2]; }},
-                        {"replay, 1 sample", [&] { seen(1, 0, LensModel::extended_pinhole); }},
-                        {"replay, 3 x 3 samples", [&] { seen(3, 0, LensModel::extended_pinhole); }},
-                        {"replay, 3 x 3, a pupil of 5 mm", [&] { seen(3, 5, LensModel::extended_pinhole); }},
-                        {"replay, 3 x 3, full lenses", [&] { seen(3, 0, LensModel::full); }},
-                        {"parallel views", [&] { parallel_views(frame, grid); }},
-                        {"frame from views", [&] { frame_from_views(views, *frame.metadata, grid); }}};
+        Task tasks[] = {
+            {"copy in memory", [&] { std::memcpy(copy.data(), samples.data(), samples.size()); }},
+            {"copy into a new picture",
+             [&] {
+                 const auto fresh = samples;
+                 copy[0] = fresh[fresh.size() / 2];
+             }},
+            {"replay, 1 sample", [&] { seen(1, 0, LensModel::extended_pinhole); }},
+            {"replay, 3 x 3 samples", [&] { seen(3, 0, LensModel::extended_pinhole); }},
+            {"replay, 3 x 3, a pupil of 5 mm", [&] { seen(3, 5, LensModel::extended_pinhole); }},
+            {"replay, 3 x 3, full lenses", [&] { seen(3, 0, LensModel::full); }},
+            {"parallel views", [&] { parallel_views(frame, grid); }},
+            {"frame from views", [&] { frame_from_views(views, *frame.metadata, grid); }}};
         for (int round = 0; round < 5; ++round)
             for (Task& task : tasks) {
                 const auto begun = std::chrono::steady_clock::now();
                 task.run();
-                const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+                const std::chrono::duration<double> taken = std::chrono::steady_clock::now() -
+                                                            begun;
                 task.seconds = std::min(task.seconds, taken.count());
             }
         std::printf("%-16s %-31s %9s %10s %9s\n", name, "", "ms", "a second", "to copy");
         for (const Task& task : tasks)
-            std::printf("%-16s %-31s %9.2f %10.2f %9.1f\n", "", task.name, 1e3 * task.seconds, 1 / task.seconds,
-                        task.seconds / tasks[0].seconds);
+            std::printf("%-16s %-31s %9.2f %10.2f %9.1f\n", "", task.name, 1e3 * task.seconds,
+                        1 / task.seconds, task.seconds / tasks[0].seconds);
     }
 }

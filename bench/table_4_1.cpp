@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The thesis's table 4-1 as pictures and figures: a blue sphere 50 mm behind two sheets, rendered with and without
-// anti-aliasing and at three resolutions of film, and what an eye sees of each frame: at the aperture's centre, where the
-// profile is judged, and near its right edge, where it sees the borders of the lenses' pictures.
+// The thesis's table 4-1 as pictures and figures: a blue sphere 50 mm behind two sheets, rendered
+// with and without anti-aliasing and at three resolutions of film, and what an eye sees of each
+// frame: at the aperture's centre, where the profile is judged, and near its right edge, where it
+// sees the borders of the lenses' pictures.
 //
-// table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md; SCENES: bench/scenes, by default this build's source's
+// table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md; SCENES: bench/scenes, by
+// default this build's source's
 #include "bench/error_against_time.h"
 #include "bench/pictures.h"
 #include "bench/program.h"
@@ -23,13 +25,15 @@ namespace files = std::filesystem;
 using namespace integral;
 using namespace integral::bench;
 
-constexpr int width = 708, height = 532; // pixels at 300 dpi: 59.9 x 45.0 mm, and whole pixels at 150 and 75
-// A view's pixel is 4 of the film's, 0.34 mm: as many to a lens, 3.75, as let single lenses be told apart in the profile.
-// Its samples stand two to a pixel of the finest film.
+constexpr int width = 708,
+              height = 532; // pixels at 300 dpi: 59.9 x 45.0 mm, and whole pixels at 150 and 75
+// A view's pixel is 4 of the film's, 0.34 mm: as many to a lens, 3.75, as let single lenses be told
+// apart in the profile. Its samples stand two to a pixel of the finest film.
 constexpr ViewForm form{4, 4, 8};
 constexpr double view_pixel = form.film_pixels * mm_per_inch / dots_per_inch;
 constexpr double side = 0.45; // of the aperture's width
-// Where the steps of a profile fall is chance: the spheres' edges lie a third of a pixel's beam at 300 dpi (2.2 mm) apart.
+// Where the steps of a profile fall is chance: the spheres' edges lie a third of a pixel's beam at
+// 300 dpi (2.2 mm) apart.
 constexpr double radius = 24, radius_step = 0.8;
 constexpr int spheres = 5;
 
@@ -42,7 +46,8 @@ struct Shot {
 
 /// The sphere's profile in a view.
 struct Profile {
-    double jaggedness = 0; ///< mm: RMS distance of the outermost edge from the circle that fits it best
+    double jaggedness = 0; ///< mm: RMS distance of the outermost edge from the circle that fits it
+                           ///< best
     double broken = 0;     ///< fraction of the radial lines that cross an edge more than once
 };
 
@@ -51,8 +56,9 @@ struct Row {
     long long rays = 0;      ///< that left the sheet
     double rays_a_point = 0; ///< of them to a point that is imaged
     Comparison to_perspective, from_side;
-    std::optional<Profile> profile;       ///< mean over all spheres
-    std::optional<double> rmse, lit_rmse; ///< of the frame from the converged one: of all pixels, of those lit there
+    std::optional<Profile> profile; ///< mean over all spheres
+    std::optional<double> rmse,
+        lit_rmse; ///< of the frame from the converged one: of all pixels, of those lit there
     Image centre_view, side_view;
 };
 
@@ -61,12 +67,20 @@ const Shot prefilter{"prefilter", "300 dpi, display_prefilter", 300, "display_pr
 const Shot one_ray[] = {{"one-300", "300 dpi, one ray", 300, "", {}},
                         {"one-150", "150 dpi, one ray", 150, "", {}},
                         {"one-75", "75 dpi, one ray", 75, "", {}}};
-const Shot converged{"converged", "300 dpi, converged", 300, "pixel_samples 16 beam_samples 16", {"Integral_Seed=20011"}};
+const Shot converged{"converged",
+                     "300 dpi, converged",
+                     300,
+                     "pixel_samples 16 beam_samples 16",
+                     {"Integral_Seed=20011"}};
 
 Shot by_pixels_of(int depth, const std::string& threshold)
 {
-    return {"pixels", "300 dpi, +A by pixels", 300, "",
-            {"+A" + threshold, "+R" + std::to_string(depth), "+AM2", "Integral_Antialiasing=pixels"}};
+    return {
+        "pixels",
+        "300 dpi, +A by pixels",
+        300,
+        "",
+        {"+A" + threshold, "+R" + std::to_string(depth), "+AM2", "Integral_Antialiasing=pixels"}};
 }
 
 /// `right`: of the aperture's centre, in its widths.
@@ -75,22 +89,28 @@ Image view_of(const Frame& frame, double right)
     return view_of(frame, {right * frame.metadata->aperture.width, 0}, form).image;
 }
 
-/// A view's linear luma, between its pixels by interpolation. Linear, so that half the light is half covered.
+/// A view's linear luma, between its pixels by interpolation. Linear, so that half the light is
+/// half covered.
 class Luma {
 public:
     explicit Luma(const Image& image) : image_(image), read_(image) {}
     /// mm from the centre, y downwards
     double at(Vec2 point) const
     {
-        const double x = std::clamp(0.5 * (image_.width - 1) + point.x / view_pixel, 0.0, image_.width - 1.001);
-        const double y = std::clamp(0.5 * (image_.height - 1) + point.y / view_pixel, 0.0, image_.height - 1.001);
+        const double x = std::clamp(0.5 * (image_.width - 1) + point.x / view_pixel, 0.0,
+                                    image_.width - 1.001);
+        const double y = std::clamp(0.5 * (image_.height - 1) + point.y / view_pixel, 0.0,
+                                    image_.height - 1.001);
         const int i = int(x), j = int(y);
         const double right = x - i, down = y - j;
         return (1 - down) * ((1 - right) * pixel(i, j) + right * pixel(i + 1, j)) +
                down * ((1 - right) * pixel(i, j + 1) + right * pixel(i + 1, j + 1));
     }
     /// Half-way between the sphere at the centre and the light wall in the corner.
-    double middle() const { return 0.5 * (pixel(image_.width / 2, image_.height / 2) + pixel(0, 0)); }
+    double middle() const
+    {
+        return 0.5 * (pixel(image_.width / 2, image_.height / 2) + pixel(0, 0));
+    }
     double reach() const { return (0.5 * image_.height - 1) * view_pixel; } ///< mm, of radial lines
 
 private:
@@ -103,7 +123,8 @@ private:
     LinearReader read_;
 };
 
-/// `middle`: the luma at which the edge is. The edge is sought along radial lines from the sphere's centre.
+/// `middle`: the luma at which the edge is. The edge is sought along radial lines from the sphere's
+/// centre.
 Profile profile_of(const Image& view, double middle)
 {
     constexpr int lines = 1440;
@@ -141,7 +162,8 @@ Profile profile_of(const Image& view, double middle)
     return profile;
 }
 
-/// Over the pixels that are not black in the reference: nothing in this scene is, but what no lens shows to the aperture.
+/// Over the pixels that are not black in the reference: nothing in this scene is, but what no lens
+/// shows to the aperture.
 double lit_rmse(const Image& image, const Image& reference)
 {
     ColorDifferences differences;
@@ -165,8 +187,16 @@ public:
         perspective_ = perspective(0);
         side_perspective_ = perspective(side * converged_.metadata->aperture.width);
         middle_ = Luma(perspective_).middle();
-        Row flat{{"perspective", "perspective picture", 0, "", {}}, 0, 0, {}, {}, profile_of(perspective_, middle_), {}, {},
-                 perspective_, side_perspective_};
+        Row flat{{"perspective", "perspective picture", 0, "", {}},
+                 0,
+                 0,
+                 {},
+                 {},
+                 profile_of(perspective_, middle_),
+                 {},
+                 {},
+                 perspective_,
+                 side_perspective_};
         rows.push_back(flat);
         for (const Shot& shot : one_ray)
             points_[shot.dpi] = render(shot);
@@ -196,23 +226,27 @@ private:
     /// The scene's own picture from an eye that far right of the centre, mm, as coarse as a view.
     Image perspective(double right) const
     {
-        return perspective_of(renderer_, "sphere", sheet_.name + "-perspective", EyePosition{right, 0},
-                              {"Declare=Sphere_Radius=" + std::to_string(radius)}, perspective_times, form)
+        return perspective_of(
+                   renderer_, "sphere", sheet_.name + "-perspective", EyePosition{right, 0},
+                   {"Declare=Sphere_Radius=" + std::to_string(radius)}, perspective_times, form)
             .image;
     }
 
     /// Of one of the spheres. Returns the number of camera rays.
     long long render(const Shot& shot, int sphere = 0) const
     {
-        // the size of the film in mm stays what the Renderer makes it; of its pixels there are fewer
-        std::vector<std::string> options{"+W" + std::to_string(width * shot.dpi / 300),
-                                         "+H" + std::to_string(height * shot.dpi / 300), "Integral_Audit=off",
-                                         "Declare=Sphere_Radius=" + std::to_string(radius - radius_step * sphere)};
+        // the size of the film in mm stays what the Renderer makes it; of its pixels there are
+        // fewer
+        std::vector<std::string> options{
+            "+W" + std::to_string(width * shot.dpi / 300),
+            "+H" + std::to_string(height * shot.dpi / 300), "Integral_Audit=off",
+            "Declare=Sphere_Radius=" + std::to_string(radius - radius_step * sphere)};
         options.insert(options.end(), shot.options.begin(), shot.options.end());
         const std::string film = " film { dpi " + std::to_string(shot.dpi) + " } ";
         const std::string camera = "lens_sheet { " + sheet_.words() + " }" + film + shot.words;
         const RenderCost cost = renderer_.render("sphere", file(shot, sphere), camera, options);
-        std::cerr << file(shot, sphere) << ": " << cost.camera_rays << " rays, " << cost.cpu_seconds << " CPU seconds\n";
+        std::cerr << file(shot, sphere) << ": " << cost.camera_rays << " rays, " << cost.cpu_seconds
+                  << " CPU seconds\n";
         return cost.camera_rays;
     }
 
@@ -222,8 +256,8 @@ private:
         std::optional<Shot> best;
         long long fewest = 0;
         for (const int depth : {2, 3, 4, 5}) // a lower threshold takes more rays
-            for (const char* threshold : {"0.9", "0.5", "0.3", "0.2", "0.15", "0.1", "0.07", "0.05", "0.03", "0.02", "0.01",
-                                          "0.0"}) {
+            for (const char* threshold : {"0.9", "0.5", "0.3", "0.2", "0.15", "0.1", "0.07", "0.05",
+                                          "0.03", "0.02", "0.01", "0.0"}) {
                 const Shot shot = by_pixels_of(depth, threshold);
                 const long long rays = render(shot);
                 if (rays < least)
@@ -233,13 +267,15 @@ private:
                 break;
             }
         if (!best)
-            throw std::runtime_error("no rule of POV-Ray's own anti-aliasing takes as many rays as +A in the light field");
+            throw std::runtime_error("no rule of POV-Ray's own anti-aliasing takes as many rays as "
+                                     "+A in the light field");
         return *best;
     }
 
     void add(const Shot& shot)
     {
-        const bool reference = shot.name == converged.name; // its profile is not worth four more renders
+        const bool reference = shot.name ==
+                               converged.name; // its profile is not worth four more renders
         Row row{shot, 0, 0, {}, {}, {}, {}, {}, {}, {}};
         row.rays = reference ? 256 * points_[300] : render(shot);
         row.rays_a_point = double(row.rays) / double(points_[shot.dpi]);
@@ -282,18 +318,24 @@ std::string text(const char* format, double value)
 
 std::string Experiment::table() const
 {
-    std::string out = "**" + sheet_.title + "**\n\n| frame | dpi | camera rays | a lit pixel | PSNR (dB) | SSIM | PSNR, side |"
-                      " SSIM, side | jaggedness (mm) | broken | RMSE | RMSE, lit |\n"
-                      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    std::string
+        out = "**" + sheet_.title +
+              "**\n\n| frame | dpi | camera rays | a lit pixel | PSNR (dB) | SSIM | PSNR, side |"
+              " SSIM, side | jaggedness (mm) | broken | RMSE | RMSE, lit |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Row& row : rows) {
         std::string name = row.shot.words;
         for (const std::string& option : row.shot.options)
             name += (name.empty() ? "" : " ") + option;
-        std::vector<std::string> cells{row.shot.dpi == 0 ? row.shot.label : name.empty() ? "one ray" : "`" + name + "`"};
+        std::vector<std::string> cells{row.shot.dpi == 0 ? row.shot.label
+                                       : name.empty()    ? "one ray"
+                                                         : "`" + name + "`"};
         if (row.shot.dpi > 0)
-            cells.insert(cells.end(), {std::to_string(row.shot.dpi), std::to_string(row.rays), text("%.2f", row.rays_a_point),
-                                       text("%.2f", row.to_perspective.psnr), text("%.4f", row.to_perspective.ssim),
-                                       text("%.2f", row.from_side.psnr), text("%.4f", row.from_side.ssim)});
+            cells.insert(cells.end(),
+                         {std::to_string(row.shot.dpi), std::to_string(row.rays),
+                          text("%.2f", row.rays_a_point), text("%.2f", row.to_perspective.psnr),
+                          text("%.4f", row.to_perspective.ssim), text("%.2f", row.from_side.psnr),
+                          text("%.4f", row.from_side.ssim)});
         else
             cells.resize(8);
         cells.push_back(row.profile ? text("%.3f", row.profile->jaggedness) : "");
@@ -307,8 +349,8 @@ std::string Experiment::table() const
     return out + "\n";
 }
 
-/// The views side by side, twice as large and cut to squares around the sphere; for each sheet a row of what is seen from
-/// the centre and one from the side. Not those of the converged frame.
+/// The views side by side, twice as large and cut to squares around the sphere; for each sheet a
+/// row of what is seen from the centre and one from the side. Not those of the converged frame.
 void write_montage(const std::vector<Experiment>& sheets, const std::string& path)
 {
     const Image& any = sheets[0].rows[0].centre_view;
@@ -331,12 +373,14 @@ void write_montage(const std::vector<Experiment>& sheets, const std::string& pat
 
 void run(const files::path& folder, const files::path& scenes, const files::path& program)
 {
-    const std::string frames = (folder / "frames").string(), picture = (folder / "table-4-1.png").string();
+    const std::string frames = (folder / "frames").string(),
+                      picture = (folder / "table-4-1.png").string();
     const Renderer renderer{program.string(), scenes.string(), frames, width, height};
     if (!files::exists(renderer.program))
         throw InputError(renderer.program + ": there is no renderer here; build it (make)");
     if (!files::exists(scenes / "sphere.pov"))
-        throw InputError((scenes / "sphere.pov").string() + ": the scene is missing; name its folder after the output's");
+        throw InputError((scenes / "sphere.pov").string() +
+                         ": the scene is missing; name its folder after the output's");
     files::create_directories(frames);
     check_writable(picture);
     std::vector<Experiment> sheets;
@@ -358,8 +402,10 @@ int main(int count, char** words)
     return status_of("table_4_1", [&] {
         if (count < 2 || count > 3 || !*words[1] || *words[1] == '-')
             throw UsageError("usage: table_4_1 FOLDER [SCENES]");
-        const files::path scenes = count > 2 ? files::path(words[2]) : own_folder() / "../../bench/scenes";
-        run(words[1], scenes.lexically_normal(), (own_folder() / "../bin/povray-integral").lexically_normal());
+        const files::path scenes = count > 2 ? files::path(words[2])
+                                             : own_folder() / "../../bench/scenes";
+        run(words[1], scenes.lexically_normal(),
+            (own_folder() / "../bin/povray-integral").lexically_normal());
         return 0;
     });
 }

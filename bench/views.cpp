@@ -14,7 +14,10 @@
 
 namespace integral::bench {
 
-bool shows_a_row(const Frame& frame) { return frame.metadata->sheet.arrangement == Arrangement::lenticular; }
+bool shows_a_row(const Frame& frame)
+{
+    return frame.metadata->sheet.arrangement == Arrangement::lenticular;
+}
 
 std::vector<EyePosition> eyes_of(const Frame& frame, int across)
 {
@@ -29,7 +32,9 @@ std::vector<EyePosition> eyes_of(const Frame& frame, int across)
 
 Frame inner_part(const Image& image, const ViewForm& form)
 {
-    return {part_of(image, form.margin, form.margin, image.width - 2 * form.margin, image.height - 2 * form.margin), {}};
+    return {part_of(image, form.margin, form.margin, image.width - 2 * form.margin,
+                    image.height - 2 * form.margin),
+            {}};
 }
 
 Frame view_of(const Frame& frame, const EyePosition& eye, const ViewForm& form)
@@ -47,12 +52,15 @@ Frame view_of(const Frame& frame, const EyePosition& eye, const ViewForm& form)
 }
 
 Frame perspective_of(const Renderer& renderer, const std::string& scene, const std::string& name,
-                     const std::optional<EyePosition>& eye, std::vector<std::string> options, int times, const ViewForm& form)
+                     const std::optional<EyePosition>& eye, std::vector<std::string> options,
+                     int times, const ViewForm& form)
 {
     if (eye)
-        options.insert(options.end(), {"Declare=Eye_X=" + std::to_string(eye->x), "Declare=Eye_Y=" + std::to_string(eye->y)});
+        options.insert(options.end(), {"Declare=Eye_X=" + std::to_string(eye->x),
+                                       "Declare=Eye_Y=" + std::to_string(eye->y)});
     renderer.render(scene, name, std::nullopt, options, times);
-    return inner_part(shrunk(read_frame(renderer.picture(name)).image, times * form.film_pixels), form);
+    return inner_part(shrunk(read_frame(renderer.picture(name)).image, times * form.film_pixels),
+                      form);
 }
 
 ViewFigures view_figures(const Frame& view, const Frame& wanted)
@@ -94,9 +102,13 @@ double lit_rmse(const Frame& frame, const Frame& reference)
     ColorDifferences differences;
     for (int y = 0; y < frame.image.height; ++y)
         for (int x = 0; x < frame.image.width; ++x) {
-            if (!optics.map(film_from_pixel(metadata.film, {x + 0.5, y + 0.5}), metadata.render->mapping).ray)
+            if (!optics
+                     .map(film_from_pixel(metadata.film, {x + 0.5, y + 0.5}),
+                          metadata.render->mapping)
+                     .ray)
                 continue;
-            const Color a = stored_pixel(frame.image, x, y), b = stored_pixel(reference.image, x, y);
+            const Color a = stored_pixel(frame.image, x, y),
+                        b = stored_pixel(reference.image, x, y);
             differences.add(a, b);
         }
     return differences.rms();

@@ -8,7 +8,8 @@
 namespace integral {
 namespace {
 
-/// A plane between its pixels' centres, with its slopes and curvatures by differences over one pixel.
+/// A plane between its pixels' centres, with its slopes and curvatures by differences over one
+/// pixel.
 struct Local {
     double value, x, y, xx, xy, yy;
 };
@@ -17,7 +18,8 @@ struct Local {
 std::optional<Local> local(const Plane& plane, Vec2 pixel)
 {
     const double x = pixel.x - 0.5, y = pixel.y - 0.5;
-    if (!(x >= 2 && y >= 2 && std::floor(x) + 3 < plane.width && std::floor(y) + 3 < plane.height)) // a step may go anywhere
+    if (!(x >= 2 && y >= 2 && std::floor(x) + 3 < plane.width &&
+          std::floor(y) + 3 < plane.height)) // a step may go anywhere
         return std::nullopt;
     const int left = int(std::floor(x)), top = int(std::floor(y));
     const double u = x - left, v = y - top;
@@ -25,21 +27,27 @@ std::optional<Local> local(const Plane& plane, Vec2 pixel)
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) {
             const int column = left + i - 1, row = top + j - 1;
-            s[j][i] = (1 - v) * ((1 - u) * plane.at(column, row) + u * plane.at(column + 1, row))
-                    + v * ((1 - u) * plane.at(column, row + 1) + u * plane.at(column + 1, row + 1));
+            s[j][i] = (1 - v) * ((1 - u) * plane.at(column, row) + u * plane.at(column + 1, row)) +
+                      v * ((1 - u) * plane.at(column, row + 1) + u * plane.at(column + 1, row + 1));
         }
-    return Local{s[1][1], 0.5 * (s[1][2] - s[1][0]), 0.5 * (s[2][1] - s[0][1]), s[1][2] - 2 * s[1][1] + s[1][0],
-                 0.25 * (s[2][2] - s[2][0] - s[0][2] + s[0][0]), s[2][1] - 2 * s[1][1] + s[0][1]};
+    return Local{s[1][1],
+                 0.5 * (s[1][2] - s[1][0]),
+                 0.5 * (s[2][1] - s[0][1]),
+                 s[1][2] - 2 * s[1][1] + s[1][0],
+                 0.25 * (s[2][2] - s[2][0] - s[0][2] + s[0][0]),
+                 s[2][1] - 2 * s[1][1] + s[0][1]};
 }
 
 /// How scan_from_film changes with the free directions: of each its x and y.
-std::array<Vec2, 5> motion_of(const ScanMap& map, double c, double s, const std::vector<MapChange>& free, Vec2 point)
+std::array<Vec2, 5> motion_of(const ScanMap& map, double c, double s,
+                              const std::vector<MapChange>& free, Vec2 point)
 {
     const Vec2 r{c * point.x - s * point.y, s * point.x + c * point.y};
     std::array<Vec2, 5> motion;
     for (std::size_t k = 0; k < free.size(); ++k) {
         const MapChange& f = free[k];
-        motion[k] = {f[0] * map.scale.x * r.x - f[2] * map.scale.x * r.y + f[3], -f[1] * map.scale.y * r.y - f[2] * map.scale.y * r.x + f[4]};
+        motion[k] = {f[0] * map.scale.x * r.x - f[2] * map.scale.x * r.y + f[3],
+                     -f[1] * map.scale.y * r.y - f[2] * map.scale.y * r.x + f[4]};
     }
     return motion;
 }
@@ -53,7 +61,8 @@ struct Slope {
 };
 
 /// The sum of the edge over the points and how it changes along the free directions.
-Slope slope_at(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map, const std::vector<MapChange>& free)
+Slope slope_at(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map,
+               const std::vector<MapChange>& free)
 {
     const double c = std::cos(map.rotation), s = std::sin(map.rotation);
     Slope slope;
@@ -66,8 +75,10 @@ Slope slope_at(const Plane& edges, const std::vector<Vec2>& points, const ScanMa
         for (std::size_t k = 0; k < free.size(); ++k) {
             slope.gradient[k] += edge->x * motion[k].x + edge->y * motion[k].y;
             for (std::size_t l = 0; l <= k; ++l)
-                slope.curvature[k][l] += motion[k].x * (edge->xx * motion[l].x + edge->xy * motion[l].y)
-                                       + motion[k].y * (edge->xy * motion[l].x + edge->yy * motion[l].y);
+                slope.curvature[k][l] += motion[k].x *
+                                             (edge->xx * motion[l].x + edge->xy * motion[l].y) +
+                                         motion[k].y *
+                                             (edge->xy * motion[l].x + edge->yy * motion[l].y);
         }
     }
     for (std::size_t k = 0; k < free.size(); ++k)
@@ -116,7 +127,8 @@ MapChange combined(const std::vector<MapChange>& free, const MapChange& amounts)
 std::vector<MapChange> free_directions(const LensSheet& sheet, const ScanMap& map)
 {
     if (sheet.arrangement != Arrangement::lenticular)
-        return {{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 0, 0, 1}};
+        return {
+            {1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 0, 0, 1}};
     // A line b.x = 0 is moved straight across by (sx, sy) scaled components of the turned b.
     const Vec2 b = Lattice(sheet).across();
     const double c = std::cos(map.rotation), s = std::sin(map.rotation);
@@ -137,14 +149,16 @@ double edge_on_borders(const Plane& edges, const std::vector<Vec2>& points, cons
     double sum = 0;
     for (const Vec2 point : points) {
         const Vec2 pixel = scan_from_film(map, point);
-        const int x = int(std::floor(pixel.x)), y = int(std::floor(pixel.y)); // a blurred plane: the nearest pixel will do
+        const int x = int(std::floor(pixel.x)),
+                  y = int(std::floor(pixel.y)); // a blurred plane: the nearest pixel will do
         if (x >= 0 && y >= 0 && x < edges.width && y < edges.height)
             sum += edges.at(x, y) - edges.mean;
     }
     return sum / std::max<std::size_t>(1, points.size());
 }
 
-ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet, ScanMap map)
+ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
+                    ScanMap map)
 {
     double farthest = 0;
     for (const Vec2 point : points)
@@ -166,8 +180,9 @@ ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const L
             continue;
         }
         const MapChange change = combined(free, *amounts);
-        const double moved = reach * (std::fabs(change[0]) + std::fabs(change[1]) + std::fabs(change[2]))
-                           + std::fabs(change[3]) + std::fabs(change[4]);
+        const double moved = reach * (std::fabs(change[0]) + std::fabs(change[1]) +
+                                      std::fabs(change[2])) +
+                             std::fabs(change[3]) + std::fabs(change[4]);
         const ScanMap there = changed(map, change);
         const std::vector<MapChange> free_there = free_directions(sheet, there);
         const Slope next = slope_at(edges, points, there, free_there);
@@ -187,10 +202,12 @@ ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const L
 
 namespace {
 
-/// Points of the film by the squares that they lie in, `side` x `side` over those of them that the scan holds.
+/// Points of the film by the squares that they lie in, `side` x `side` over those of them that the
+/// scan holds.
 class Squares {
 public:
-    Squares(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map, int side) : side_(side)
+    Squares(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map, int side)
+        : side_(side)
     {
         for (const Vec2 point : points) {
             if (!local(edges, scan_from_film(map, point)))
@@ -200,7 +217,10 @@ public:
         }
     }
     int count() const { return side_ * side_; }
-    int operator()(Vec2 point) const { return index(point.y, least_.y, most_.y) * side_ + index(point.x, least_.x, most_.x); }
+    int operator()(Vec2 point) const
+    {
+        return index(point.y, least_.y, most_.y) * side_ + index(point.x, least_.x, most_.x);
+    }
 
 private:
     int index(double at, double from, double to) const
@@ -217,15 +237,18 @@ std::vector<Vec2> shifts_in_cell(const LensSheet& sheet, int count)
     const Lattice lattice(sheet);
     std::vector<Vec2> shifts;
     for (int k = 1; k <= count; ++k) {
-        const double u = std::fmod(0.5 + k * 0.75487766624669276, 1), v = std::fmod(0.5 + k * 0.56984029099805327, 1);
-        shifts.push_back((u * lattice.pitch()) * lattice.across() + (v * lattice.row_spacing()) * lattice.along());
+        const double u = std::fmod(0.5 + k * 0.75487766624669276, 1),
+                     v = std::fmod(0.5 + k * 0.56984029099805327, 1);
+        shifts.push_back((u * lattice.pitch()) * lattice.across() +
+                         (v * lattice.row_spacing()) * lattice.along());
     }
     return shifts;
 }
 
 } // namespace
 
-std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet, const ScanMap& map)
+std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>& points,
+                                     const LensSheet& sheet, const ScanMap& map)
 {
     constexpr int side = 16;
     constexpr double least_share = 0.3; // of what the best tenth of the squares show
@@ -233,7 +256,10 @@ std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>
     const std::vector<Vec2> shifts = shifts_in_cell(sheet, 6);
     struct Sum {
         double on = 0, elsewhere = 0, count = 0, count_elsewhere = 0;
-        double contrast() const { return count > 0 && count_elsewhere > 0 ? on / count - elsewhere / count_elsewhere : 0; }
+        double contrast() const
+        {
+            return count > 0 && count_elsewhere > 0 ? on / count - elsewhere / count_elsewhere : 0;
+        }
     };
     std::vector<Sum> sums(square.count());
     std::size_t next = 0;
@@ -243,7 +269,8 @@ std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>
             sum.on += edge->value;
             ++sum.count;
         }
-        if (const auto edge = local(edges, scan_from_film(map, point + shifts[next++ % shifts.size()]))) {
+        if (const auto edge = local(edges,
+                                    scan_from_film(map, point + shifts[next++ % shifts.size()]))) {
             sum.elsewhere += edge->value;
             ++sum.count_elsewhere;
         }
@@ -260,7 +287,8 @@ std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>
     return kept;
 }
 
-FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet, const ScanMap& map)
+FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
+                        const ScanMap& map)
 {
     constexpr int side = 8;
     const double c = std::cos(map.rotation), s = std::sin(map.rotation);

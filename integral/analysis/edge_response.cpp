@@ -40,7 +40,8 @@ std::vector<Plane> reduced_colours(const Image& scan, int reduction, int threads
 /// The mean of `reach` neighbours each way along each axis, fewer at the edges.
 Plane box_mean(const Plane& plane, int reach, int threads)
 {
-    const auto sweep = [&](const Plane& from, Plane& to, int lines, int length, std::size_t line_step, std::size_t step) {
+    const auto sweep = [&](const Plane& from, Plane& to, int lines, int length,
+                           std::size_t line_step, std::size_t step) {
         for_each_row(lines, threads, [&](int line) {
             const float* in = from.values.data() + line * line_step;
             float* out = to.values.data() + line * line_step;
@@ -52,7 +53,8 @@ Plane box_mean(const Plane& plane, int reach, int threads)
                     sum += in[(k + reach) * step];
                 if (k - reach - 1 >= 0)
                     sum -= in[(k - reach - 1) * step];
-                out[k * step] = float(sum / (std::min(length - 1, k + reach) - std::max(0, k - reach) + 1));
+                out[k * step] = float(
+                    sum / (std::min(length - 1, k + reach) - std::max(0, k - reach) + 1));
             }
         });
     };
@@ -75,10 +77,12 @@ Plane edge_response(const Image& scan, int reduction, double reach, int threads)
             const int left = std::max(0, x - 1), right = std::min(width - 1, x + 1);
             double square = 0;
             for (const Plane& c : colours) {
-                const double across = (c.at(right, above) - c.at(left, above)) + 2 * (c.at(right, y) - c.at(left, y))
-                                    + (c.at(right, below) - c.at(left, below));
-                const double down = (c.at(left, below) - c.at(left, above)) + 2 * (c.at(x, below) - c.at(x, above))
-                                  + (c.at(right, below) - c.at(right, above));
+                const double across = (c.at(right, above) - c.at(left, above)) +
+                                      2 * (c.at(right, y) - c.at(left, y)) +
+                                      (c.at(right, below) - c.at(left, below));
+                const double down = (c.at(left, below) - c.at(left, above)) +
+                                    2 * (c.at(x, below) - c.at(x, above)) +
+                                    (c.at(right, below) - c.at(right, above));
                 square += across * across + down * down;
             }
             edges.at(x, y) = float(std::sqrt(square));
@@ -118,7 +122,8 @@ Plane blurred(const Plane& plane, double deviation, int threads)
     });
     for_each_row(plane.height, threads, [&](int y) {
         for (int k = -reach; k <= reach; ++k) {
-            const float* in = across.values.data() + std::size_t(std::clamp(y + k, 0, plane.height - 1)) * plane.width;
+            const float* in = across.values.data() +
+                              std::size_t(std::clamp(y + k, 0, plane.height - 1)) * plane.width;
             float* out = both.values.data() + std::size_t(y) * plane.width;
             for (int x = 0; x < plane.width; ++x)
                 out[x] += weights[k + reach] * in[x];

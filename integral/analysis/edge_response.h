@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How much of an edge there is at each place of a scan: what the borders between micro-images are found by.
+// How much of an edge there is at each place of a scan: what the borders between micro-images are
+// found by.
 #ifndef INTEGRAL_ANALYSIS_EDGE_RESPONSE_H
 #define INTEGRAL_ANALYSIS_EDGE_RESPONSE_H
 
@@ -19,13 +20,15 @@ struct Plane {
     float& at(int x, int y) { return values[std::size_t(y) * width + x]; }
 };
 
-/// The gradient's length g over all colours, as g / (g + m), m its mean over the surroundings (`reach` pixels each way) and a
-/// little of that of the whole: 0 to 1, whatever the light and the contrast, so that a picture's own strong edges count little more
-/// than the borders of its micro-images. Each pixel is the mean of `reduction` x `reduction` of the scan's, what is left over at
-/// the right and below is left out. reach and reduction > 0.
+/// The gradient's length g over all colours, as g / (g + m), m its mean over the surroundings
+/// (`reach` pixels each way) and a little of that of the whole: 0 to 1, whatever the light and the
+/// contrast, so that a picture's own strong edges count little more than the borders of its
+/// micro-images. Each pixel is the mean of `reduction` x `reduction` of the scan's, what is left
+/// over at the right and below is left out. reach and reduction > 0.
 Plane edge_response(const Image& scan, int reduction, double reach, int threads);
 
-/// Blurred by a Gaussian of this standard deviation, pixels; beyond the edge, as at the edge. Sets the mean.
+/// Blurred by a Gaussian of this standard deviation, pixels; beyond the edge, as at the edge. Sets
+/// the mean.
 Plane blurred(const Plane& plane, double deviation, int threads);
 
 /// a - b, of the same size. Sets the mean.

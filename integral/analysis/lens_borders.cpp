@@ -22,7 +22,8 @@ public:
         return mapped.ray ? Owner(mapped.ray->lens) : std::nullopt;
     }
 
-    /// Along one line, from `start` in `count` steps: the borders that are passed, exactly or midway between the steps.
+    /// Along one line, from `start` in `count` steps: the borders that are passed, exactly or
+    /// midway between the steps.
     void along(Vec2 start, Vec2 step, int count, bool exactly, std::vector<Vec2>& found) const
     {
         Owner before = owner(start);
@@ -31,7 +32,9 @@ public:
             const Owner here = owner(to);
             if (here != before) {
                 const Vec2 from = to - step;
-                const double at = exactly ? 0.5 * (last_of(from, step, before) + 1 - last_of(to, -1.0 * step, here)) : 0.5;
+                const double at = exactly ? 0.5 * (last_of(from, step, before) + 1 -
+                                                   last_of(to, -1.0 * step, here))
+                                          : 0.5;
                 found.push_back(from + at * step);
             }
             before = here;
@@ -57,12 +60,15 @@ private:
 /// Which of a raster's lines cross borders well.
 struct Crossing {
     explicit Crossing(const LensSheet& sheet)
-        : lenticular(sheet.arrangement == Arrangement::lenticular), rows(!lenticular || slit_is_horizontal(sheet)), columns(!lenticular || !rows)
+        : lenticular(sheet.arrangement == Arrangement::lenticular),
+          rows(!lenticular || slit_is_horizontal(sheet)),
+          columns(!lenticular || !rows)
     {
     }
     bool lenticular, rows, columns;
 
-    /// Calls sweep(of_rows) for lines along rows, and for lines along columns, if they cross borders.
+    /// Calls sweep(of_rows) for lines along rows, and for lines along columns, if they cross
+    /// borders.
     template <class Sweep> void for_each(Sweep sweep) const
     {
         if (rows)
@@ -81,16 +87,19 @@ template <class Trace> void trace_lines(int count, int threads, Trace trace, std
         all.insert(all.end(), line.begin(), line.end());
 }
 
-/// Distance of lines (mm) whose crossings are about `most`: at least one every four pitches, at most one a step.
+/// Distance of lines (mm) whose crossings are about `most`: at least one every four pitches, at
+/// most one a step.
 double line_spacing(const LensSheet& sheet, Vec2 half, double step, int most)
 {
-    const double crossings = 4 * half.x * half.y / sheet.pitch * (sheet.arrangement == Arrangement::lenticular ? 1 : 2);
+    const double crossings = 4 * half.x * half.y / sheet.pitch *
+                             (sheet.arrangement == Arrangement::lenticular ? 1 : 2);
     return std::clamp(crossings / most, step, std::max(step, 4 * sheet.pitch));
 }
 
 } // namespace
 
-std::vector<Vec2> lens_borders(const SheetOptics& optics, LensMapping mapping, Vec2 half, double step, int most, int threads)
+std::vector<Vec2> lens_borders(const SheetOptics& optics, LensMapping mapping, Vec2 half,
+                               double step, int most, int threads)
 {
     const Crossing crossing(optics.sheet());
     const double spacing = line_spacing(optics.sheet(), half, step, most);
@@ -98,32 +107,45 @@ std::vector<Vec2> lens_borders(const SheetOptics& optics, LensMapping mapping, V
     std::vector<Vec2> all;
     crossing.for_each([&](bool of_rows) {
         const double length = of_rows ? half.x : half.y, breadth = of_rows ? half.y : half.x;
-        const int lines = std::max(1, int(2 * breadth / spacing)), count = std::max(2, int(2 * length / step));
-        trace_lines(lines, threads, [&](int line, std::vector<Vec2>& found) {
-            const double at = -breadth + (line + 0.5) * (2 * breadth / lines), first = -length + 0.5 * step;
-            borders.along(of_rows ? Vec2{first, at} : Vec2{at, first}, of_rows ? Vec2{step, 0} : Vec2{0, step}, count, true, found);
-        }, all);
+        const int lines = std::max(1, int(2 * breadth / spacing)),
+                  count = std::max(2, int(2 * length / step));
+        trace_lines(
+            lines, threads,
+            [&](int line, std::vector<Vec2>& found) {
+                const double at = -breadth + (line + 0.5) * (2 * breadth / lines),
+                             first = -length + 0.5 * step;
+                borders.along(of_rows ? Vec2{first, at} : Vec2{at, first},
+                              of_rows ? Vec2{step, 0} : Vec2{0, step}, count, true, found);
+            },
+            all);
     });
     return all;
 }
 
-std::vector<Vec2> lens_borders_of_pixels(const SheetOptics& optics, LensMapping mapping, const Film& film, int most, int threads)
+std::vector<Vec2> lens_borders_of_pixels(const SheetOptics& optics, LensMapping mapping,
+                                         const Film& film, int most, int threads)
 {
     Crossing crossing(optics.sheet());
     if (optics.sheet().slant != 0)
         crossing.rows = crossing.columns = true; // the steps of the staircases, too
     const Vec2 pitch = film.pixel_pitch;
-    const double spacing = line_spacing(optics.sheet(), {0.5 * film.width * pitch.x, 0.5 * film.height * pitch.y}, std::max(pitch.x, pitch.y), most);
+    const double spacing = line_spacing(optics.sheet(),
+                                        {0.5 * film.width * pitch.x, 0.5 * film.height * pitch.y},
+                                        std::max(pitch.x, pitch.y), most);
     const Borders borders(optics, mapping);
     std::vector<Vec2> all;
     crossing.for_each([&](bool of_rows) {
         const int apart = std::max(1, int(spacing / (of_rows ? pitch.y : pitch.x)));
         const int lines = std::max(1, (of_rows ? film.height : film.width) / apart);
-        trace_lines(lines, threads, [&](int line, std::vector<Vec2>& found) {
-            const double at = line * apart + 0.5;
-            borders.along(film_from_pixel(film, of_rows ? Vec2{0.5, at} : Vec2{at, 0.5}), of_rows ? Vec2{pitch.x, 0} : Vec2{0, -pitch.y},
-                          of_rows ? film.width : film.height, false, found);
-        }, all);
+        trace_lines(
+            lines, threads,
+            [&](int line, std::vector<Vec2>& found) {
+                const double at = line * apart + 0.5;
+                borders.along(film_from_pixel(film, of_rows ? Vec2{0.5, at} : Vec2{at, 0.5}),
+                              of_rows ? Vec2{pitch.x, 0} : Vec2{0, -pitch.y},
+                              of_rows ? film.width : film.height, false, found);
+            },
+            all);
     });
     return all;
 }

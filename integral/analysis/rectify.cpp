@@ -30,7 +30,8 @@ struct Taps {
 
 } // namespace
 
-Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixel_pitch, const Film& like)
+Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixel_pitch,
+                  const Film& like)
 {
     Vec2 half{0, 0};
     for (const double x : {0.0, double(scan_width)})
@@ -49,14 +50,17 @@ Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixe
     return film;
 }
 
-std::optional<Image> rectified(const Image& scan, const ScanMap& map, const Film& film, const ScanLight& light, int threads, const Progress& progress)
+std::optional<Image> rectified(const Image& scan, const ScanMap& map, const Film& film,
+                               const ScanLight& light, int threads, const Progress& progress)
 {
     Image frame = make_image<std::uint16_t>(film.width, film.height, 3, Encoding{});
     const LinearReader pixel(scan);
     const double c = std::fabs(std::cos(map.rotation)), s = std::fabs(std::sin(map.rotation));
     // Scan pixels a film pixel along the scan's axes.
-    const double across = std::max(1.0, map.scale.x * (c * film.pixel_pitch.x + s * film.pixel_pitch.y) / (c + s));
-    const double down = std::max(1.0, map.scale.y * (s * film.pixel_pitch.x + c * film.pixel_pitch.y) / (c + s));
+    const double across = std::max(
+        1.0, map.scale.x * (c * film.pixel_pitch.x + s * film.pixel_pitch.y) / (c + s));
+    const double down = std::max(
+        1.0, map.scale.y * (s * film.pixel_pitch.x + c * film.pixel_pitch.y) / (c + s));
     const auto row = [&](int y) {
         Taps columns, rows;
         for (int x = 0; x < film.width; ++x) {

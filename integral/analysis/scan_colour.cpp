@@ -12,7 +12,7 @@ namespace integral {
 namespace {
 
 constexpr int grid_side = 64;
-constexpr float least_light = 1e-4f;  // below this a square says nothing of its light
+constexpr float least_light = 1e-4f; // below this a square says nothing of its light
 constexpr float burnt_out = 0.98f;
 
 Color times(Color a, Color b) { return {a.r * b.r, a.g * b.g, a.b * b.b, a.a}; }
@@ -67,14 +67,16 @@ LightGrid light_grid(const Image& scan, int threads)
         for (int column = 0; column < grid.columns; ++column) {
             double r = 0, g = 0, b = 0, count = 0;
             for (int y = row * grid.square; y < std::min(scan.height, (row + 1) * grid.square); ++y)
-                for (int x = column * grid.square; x < std::min(scan.width, (column + 1) * grid.square); ++x) {
+                for (int x = column * grid.square;
+                     x < std::min(scan.width, (column + 1) * grid.square); ++x) {
                     const Color c = pixel(x, y);
                     r += c.r;
                     g += c.g;
                     b += c.b;
                     ++count;
                 }
-            grid.means[std::size_t(row) * grid.columns + column] = {float(r / count), float(g / count), float(b / count), 1};
+            grid.means[std::size_t(row) * grid.columns + column] = {
+                float(r / count), float(g / count), float(b / count), 1};
         }
     });
     return grid;
@@ -83,13 +85,16 @@ LightGrid light_grid(const Image& scan, int threads)
 void ScanLight::divide_by_flat(const Image& flat, int width, int height, int threads)
 {
     if (flat.width != width || flat.height != height)
-        throw std::invalid_argument("it has " + std::to_string(flat.width) + "x" + std::to_string(flat.height) + " pixels, the scan "
-                                    + std::to_string(width) + "x" + std::to_string(height) + "; scan both alike");
+        throw std::invalid_argument("it has " + std::to_string(flat.width) + "x" +
+                                    std::to_string(flat.height) + " pixels, the scan " +
+                                    std::to_string(width) + "x" + std::to_string(height) +
+                                    "; scan both alike");
     LightGrid grid = light_grid(flat, threads);
     double r = 0, g = 0, b = 0, least = 1e30, most = 0;
     for (const Color& c : grid.means) {
         if (!(c.r > least_light && c.g > least_light && c.b > least_light))
-            throw std::invalid_argument("it is black in places, and says nothing of the light there");
+            throw std::invalid_argument(
+                "it is black in places, and says nothing of the light there");
         r += c.r;
         g += c.g;
         b += c.b;
@@ -107,14 +112,18 @@ void ScanLight::divide_by_surface(const LightGrid& scan)
 {
     width_ = scan.width;
     height_ = scan.height;
-    struct Sample { double x, y, value, weight; };
+    struct Sample {
+        double x, y, value, weight;
+    };
     std::vector<Sample> samples;
     for (int row = 0; row < scan.rows; ++row)
         for (int column = 0; column < scan.columns; ++column) {
-            const Vec2 middle{std::min(scan.width - 0.5, (column + 0.5) * scan.square), std::min(scan.height - 0.5, (row + 0.5) * scan.square)};
+            const Vec2 middle{std::min(scan.width - 0.5, (column + 0.5) * scan.square),
+                              std::min(scan.height - 0.5, (row + 0.5) * scan.square)};
             const double light = luminance(times(scan.at(column, row), gain(middle)));
             if (light > least_light)
-                samples.push_back({2 * middle.x / width_ - 1, 2 * middle.y / height_ - 1, std::log(light), 1});
+                samples.push_back(
+                    {2 * middle.x / width_ - 1, 2 * middle.y / height_ - 1, std::log(light), 1});
         }
     if (samples.size() < 24)
         return;
@@ -180,7 +189,8 @@ void ScanLight::balance_grey(const LightGrid& scan)
             const Color raw = scan.at(column, row);
             if (std::max({raw.r, raw.g, raw.b}) > burnt_out || luminance(raw) < 0.002)
                 continue;
-            const Color c = times(raw, gain({(column + 0.5) * scan.square, (row + 0.5) * scan.square}));
+            const Color c = times(raw,
+                                  gain({(column + 0.5) * scan.square, (row + 0.5) * scan.square}));
             r += c.r;
             g += c.g;
             b += c.b;
@@ -219,11 +229,13 @@ Color ScanLight::gain(Vec2 pixel) const
     if (flat_) { // between the squares' middles
         const double x = std::clamp(pixel.x / flat_->square - 0.5, 0.0, flat_->columns - 1.0);
         const double y = std::clamp(pixel.y / flat_->square - 0.5, 0.0, flat_->rows - 1.0);
-        const int left = std::min(int(x), std::max(0, flat_->columns - 2)), top = std::min(int(y), std::max(0, flat_->rows - 2));
+        const int left = std::min(int(x), std::max(0, flat_->columns - 2)),
+                  top = std::min(int(y), std::max(0, flat_->rows - 2));
         Color light{0, 0, 0, 1};
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
-                const float weight = float((i ? x - left : 1 - (x - left)) * (j ? y - top : 1 - (y - top)));
+                const float weight = float((i ? x - left : 1 - (x - left)) *
+                                           (j ? y - top : 1 - (y - top)));
                 if (weight == 0)
                     continue;
                 const Color c = flat_->at(left + i, top + j);
@@ -234,14 +246,18 @@ Color ScanLight::gain(Vec2 pixel) const
     return all;
 }
 
-double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& optics, LensMapping mapping, int threads)
+double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& optics,
+                            LensMapping mapping, int threads)
 {
     constexpr int bins = 16;
     constexpr double least_share = 1.0 / 8;
     const Lattice& lattice = optics.lattice();
     const bool lenticular = optics.sheet().arrangement == Arrangement::lenticular;
     const int rows = lenticular ? 1 : bins;
-    const double height = lenticular ? lattice.pitch() : lattice.row_spacing() * (lattice.arrangement() == Arrangement::hexagonal ? 4.0 / 3 : 1);
+    const double height = lenticular
+                              ? lattice.pitch()
+                              : lattice.row_spacing() *
+                                    (lattice.arrangement() == Arrangement::hexagonal ? 4.0 / 3 : 1);
     // Where in its micro-image a pixel is, 0 to 1 each way; nothing where it is dark.
     const auto place = [&](int x, int y) -> std::optional<Vec2> {
         const Vec2 point = film_from_pixel(film, {x + 0.5, y + 0.5});
@@ -249,9 +265,12 @@ double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& o
         if (!mapped.ray)
             return std::nullopt;
         const Vec2 pole = mapped.ray->pole;
-        const Vec2 middle = pole - offset_from_direction(optics.medium(), {-pole.x, -pole.y, -optics.aperture().distance});
+        const Vec2 middle = pole -
+                            offset_from_direction(optics.medium(),
+                                                  {-pole.x, -pole.y, -optics.aperture().distance});
         const Vec2 off = point - middle;
-        const double u = dot(lattice.across(), off) / lattice.pitch() + 0.5, v = dot(lattice.along(), off) / height + 0.5;
+        const double u = dot(lattice.across(), off) / lattice.pitch() + 0.5,
+                     v = dot(lattice.along(), off) / height + 0.5;
         return Vec2{std::clamp(u, 0.0, 1.0), lenticular ? 0.5 : std::clamp(v, 0.0, 1.0)};
     };
     const auto bin = [](double at, int count) { return std::min(count - 1, int(at * count)); };
@@ -289,12 +308,15 @@ double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& o
     for_each_row(film.height, threads, [&](int y) {
         for (int x = 0; x < film.width; ++x)
             if (const auto at = place(x, y)) {
-                const double u = std::clamp(at->x * bins - 0.5, 0.0, bins - 1.0), v = std::clamp(at->y * rows - 0.5, 0.0, rows - 1.0);
-                const int left = std::min(int(u), bins - 2), top = std::min(int(v), std::max(0, rows - 2));
+                const double u = std::clamp(at->x * bins - 0.5, 0.0, bins - 1.0),
+                             v = std::clamp(at->y * rows - 0.5, 0.0, rows - 1.0);
+                const int left = std::min(int(u), bins - 2),
+                          top = std::min(int(v), std::max(0, rows - 2));
                 double share = 0;
                 for (int j = 0; j < 2; ++j)
                     for (int i = 0; i < 2; ++i) {
-                        const double weight = (i ? u - left : 1 - (u - left)) * (j ? v - top : 1 - (v - top));
+                        const double weight = (i ? u - left : 1 - (u - left)) *
+                                              (j ? v - top : 1 - (v - top));
                         if (weight > 0)
                             share += weight * sums[std::size_t(top + j) * bins + left + i];
                     }

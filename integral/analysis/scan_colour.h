@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A scan's light put right: cast, uneven lighting, and the vignetting within the micro-images.
 //
-// Thesis 5.6.6: a scanner that is balanced for its own lamp scans integral photographs, which other light passes through, far too
-// red and orange; it asks for other lamps or for filters before the scanner. Gains of the channels in linear light are such filters,
-// made to measure.
+// Thesis 5.6.6: a scanner that is balanced for its own lamp scans integral photographs, which other
+// light passes through, far too red and orange; it asks for other lamps or for filters before the
+// scanner. Gains of the channels in linear light are such filters, made to measure.
 #ifndef INTEGRAL_ANALYSIS_SCAN_COLOUR_H
 #define INTEGRAL_ANALYSIS_SCAN_COLOUR_H
 
@@ -30,19 +30,21 @@ LightGrid light_grid(const Image& scan, int threads);
 /// What a scan's linear light is multiplied by.
 class ScanLight {
 public:
-    /// A flat-field scan, of nothing but the light: divided by, its mean left. Throws std::invalid_argument where it has another size
-    /// than the scan, or is black somewhere.
+    /// A flat-field scan, of nothing but the light: divided by, its mean left. Throws
+    /// std::invalid_argument where it has another size than the scan, or is black somewhere.
     void divide_by_flat(const Image& flat, int width, int height, int threads);
 
-    /// The surface c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2 of the logarithm of luminance, fitted to a scan's squares so that what
-    /// departs much from it, as the picture's darker things do, counts little (Tukey's biweight): divided by, its mean left.
+    /// The surface c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2 of the logarithm of luminance, fitted
+    /// to a scan's squares so that what departs much from it, as the picture's darker things do,
+    /// counts little (Tukey's biweight): divided by, its mean left.
     void divide_by_surface(const LightGrid& scan);
 
-    /// Grey world: the channels' means of what is neither burnt out nor dark become equal; the luminance stays.
+    /// Grey world: the channels' means of what is neither burnt out nor dark become equal; the
+    /// luminance stays.
     void balance_grey(const LightGrid& scan);
 
-    /// A patch (scan pixels from the top left, inside the scan) becomes white, which sets the exposure too. Throws std::invalid_argument
-    /// where it is black.
+    /// A patch (scan pixels from the top left, inside the scan) becomes white, which sets the
+    /// exposure too. Throws std::invalid_argument where it is black.
     void balance_white(const Image& scan, int x, int y, int width, int height);
 
     /// What to multiply linear light at a scan pixel by.
@@ -63,9 +65,11 @@ private:
 /// Relative luminance of linear light (sRGB's primaries).
 double luminance(Color linear);
 
-/// Divides a frame's light by what an average micro-image has at each place of the cell, 1 at its brightest: vignetting. Nowhere brighter
-/// than by a factor of 8. Returns the least of the average micro-image (1: nothing to do).
-double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& optics, LensMapping mapping, int threads);
+/// Divides a frame's light by what an average micro-image has at each place of the cell, 1 at its
+/// brightest: vignetting. Nowhere brighter than by a factor of 8. Returns the least of the average
+/// micro-image (1: nothing to do).
+double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& optics,
+                            LensMapping mapping, int threads);
 
 } // namespace integral
 

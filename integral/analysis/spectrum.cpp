@@ -12,7 +12,6 @@
 namespace integral {
 namespace {
 
-
 struct Free {
     void operator()(void* memory) const { fftw_free(memory); }
 };
@@ -37,13 +36,18 @@ Spectrum::Spectrum(const Plane& plane, int most) : size_(2), extent_(0)
         for (int x = 0; x < width; ++x)
             mean += plane.at(left + x, top + y);
     mean /= std::max(1.0, double(width) * height);
-    const auto window = [](int k, int length) { return 0.5 - 0.5 * std::cos(2 * pi * (k + 0.5) / length); };
+    const auto window = [](int k, int length) {
+        return 0.5 - 0.5 * std::cos(2 * pi * (k + 0.5) / length);
+    };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            values[std::size_t(y) * padded + x] = window(x, width) * window(y, height) * (plane.at(left + x, top + y) - mean);
+            values[std::size_t(y) * padded + x] = window(x, width) * window(y, height) *
+                                                  (plane.at(left + x, top + y) - mean);
 
-    auto* frequencies = reinterpret_cast<fftw_complex*>(values.get()); // in place, as FFTW lays it out
-    const fftw_plan plan = fftw_plan_dft_r2c_2d(size_, size_, values.get(), frequencies, FFTW_ESTIMATE);
+    auto* frequencies = reinterpret_cast<fftw_complex*>(values.get()); // in place, as FFTW lays it
+                                                                       // out
+    const fftw_plan plan = fftw_plan_dft_r2c_2d(size_, size_, values.get(), frequencies,
+                                                FFTW_ESTIMATE);
     if (!plan)
         throw std::bad_alloc();
     fftw_execute(plan);
@@ -51,11 +55,14 @@ Spectrum::Spectrum(const Plane& plane, int most) : size_(2), extent_(0)
 
     power_.resize(std::size_t(size_) * columns);
     std::vector<double> sums(size_, 0.0), counts(size_, 0.0);
-    const auto ring = [&](int x, int y) { return int(std::lround(std::hypot(x, y <= size_ / 2 ? y : y - size_))); };
+    const auto ring = [&](int x, int y) {
+        return int(std::lround(std::hypot(x, y <= size_ / 2 ? y : y - size_)));
+    };
     for (int y = 0; y < size_; ++y)
         for (int x = 0; x < columns; ++x) {
             const std::size_t k = std::size_t(y) * columns + x;
-            power_[k] = float(frequencies[k][0] * frequencies[k][0] + frequencies[k][1] * frequencies[k][1]);
+            power_[k] = float(frequencies[k][0] * frequencies[k][0] +
+                              frequencies[k][1] * frequencies[k][1]);
             sums[ring(x, y)] += power_[k];
             counts[ring(x, y)] += 1;
         }
@@ -90,7 +97,8 @@ double Spectrum::power(Vec2 frequency) const
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) {
             const double weight = (i ? x - left : 1 - (x - left)) * (j ? y - top : 1 - (y - top));
-            sum += weight * power_[std::size_t((top + j + size_) % size_) * (size_ / 2 + 1) + left + i];
+            sum += weight *
+                   power_[std::size_t((top + j + size_) % size_) * (size_ / 2 + 1) + left + i];
         }
     return sum;
 }

@@ -8,13 +8,15 @@
 
 namespace integral {
 
-/// Powers at frequencies, against the mean of all the frequencies of about the same size: 1 where there is nothing but noise.
+/// Powers at frequencies, against the mean of all the frequencies of about the same size: 1 where
+/// there is nothing but noise.
 class Spectrum {
 public:
     /// Of the plane's middle, at most `most` pixels each way, less its mean, under a Hann window.
     Spectrum(const Plane& plane, int most);
 
-    /// At a frequency in cycles a pixel along x and y (downwards), interpolated; 0 beyond half a cycle a pixel.
+    /// At a frequency in cycles a pixel along x and y (downwards), interpolated; 0 beyond half a
+    /// cycle a pixel.
     double power(Vec2 frequency) const;
 
     int extent() const { return extent_; } ///< pixels of the shorter side of the window

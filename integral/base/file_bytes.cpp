@@ -74,8 +74,7 @@ std::string folder_of(const std::string& path)
 bool is_special(const std::string& path)
 {
     struct stat status;
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
-           !S_ISDIR(status.st_mode);
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
 /// Permissions of the new file: the old file's, or those a new file gets.
@@ -112,7 +111,8 @@ bool is_forgotten(const std::filesystem::directory_entry& file)
 {
     std::error_code error;
     const auto written = file.last_write_time(error);
-    return !error && std::filesystem::file_time_type::clock::now() - written > std::chrono::hours(24);
+    return !error &&
+           std::filesystem::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 void write_straight(const std::string& path, const std::string& bytes)
@@ -316,13 +316,15 @@ void sweep_unfinished(const std::string& folder)
     const bool can_ask = !process_namespace().empty();
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string(), number = name.substr(name.rfind('.') + 1);
-        if (name.rfind(unfinished_prefix, 0) != 0 || number.empty() || number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos)
+        const std::string name = entry.path().filename().string(),
+                          number = name.substr(name.rfind('.') + 1);
+        if (name.rfind(unfinished_prefix, 0) != 0 || number.empty() || number.size() > 9 ||
+            number.find_first_not_of("0123456789") != std::string::npos)
             continue;
         const long process = std::atol(number.c_str());
         const std::string mark = mark_of(process);
-        const bool ours = can_ask && name.size() > mark.size()
-                          && name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
+        const bool ours = can_ask && name.size() > mark.size() &&
+                          name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
         const bool ended = process > 0 && kill(pid_t(process), 0) != 0 && errno == ESRCH;
         if (ours ? ended : is_forgotten(entry))
             unlink(entry.path().c_str());

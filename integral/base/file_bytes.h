@@ -25,7 +25,8 @@ struct OutputError : std::runtime_error {
 /// The name by which messages call a path: "-" is standard input or output.
 std::string display_name(const std::string& path, const char* standard_stream);
 
-/// What follows the last dot of a path's own name, in small letters: "png"; empty if there is no dot.
+/// What follows the last dot of a path's own name, in small letters: "png"; empty if there is no
+/// dot.
 std::string extension_of(const std::string& path);
 
 /// All bytes of a file; "-" reads standard input. Throws InputError.

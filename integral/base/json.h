@@ -25,7 +25,8 @@ constexpr std::size_t longest_json_name = 4096;   ///< bytes of a field's name, 
 /// "line LINE: REASON".
 struct JsonError : std::invalid_argument {
     JsonError(int where, const std::string& why)
-        : std::invalid_argument("line " + std::to_string(where) + ": " + why), line(where),
+        : std::invalid_argument("line " + std::to_string(where) + ": " + why),
+          line(where),
           reason(why)
     {
     }

@@ -36,7 +36,10 @@ void refuse_others(const JsonObject& object, std::initializer_list<const char*> 
             continue;
         std::string names;
         for (const char* const name : legal)
-            names += (names.empty() ? "" : name == *(legal.end() - 1) ? " and " : ", ") + std::string(name);
+            names += (names.empty()                ? ""
+                      : name == *(legal.end() - 1) ? " and "
+                                                   : ", ") +
+                     std::string(name);
         refuse(object.path_of(excerpt(field.key()).c_str()),
                "is not a field of it: those are " + names);
     }
@@ -48,7 +51,8 @@ double number_in(const Json& json, const std::string& path, double least, double
         refuse(path, "must be a number");
     const double value = json.get<double>();
     if (!(value >= least && value <= greatest))
-        refuse(path, "is " + with_digits(value, 6) + ", and must be within " + with_digits(least, 6) + " and " + with_digits(greatest, 6));
+        refuse(path, "is " + with_digits(value, 6) + ", and must be within " +
+                         with_digits(least, 6) + " and " + with_digits(greatest, 6));
     return value;
 }
 
@@ -57,7 +61,8 @@ double number_at(const JsonObject& object, const char* field, double least, doub
     return number_in(object.at(field), object.path_of(field), least, greatest);
 }
 
-std::vector<double> numbers_in(const Json& json, const std::string& path, std::size_t count, double least, double greatest)
+std::vector<double> numbers_in(const Json& json, const std::string& path, std::size_t count,
+                               double least, double greatest)
 {
     if (!json.is_array() || json.size() != count)
         refuse(path, "must be a list of " + std::to_string(count) + " numbers");
@@ -67,7 +72,8 @@ std::vector<double> numbers_in(const Json& json, const std::string& path, std::s
     return values;
 }
 
-std::vector<double> numbers_at(const JsonObject& object, const char* field, std::size_t count, double least, double greatest)
+std::vector<double> numbers_at(const JsonObject& object, const char* field, std::size_t count,
+                               double least, double greatest)
 {
     return numbers_in(object.at(field), object.path_of(field), count, least, greatest);
 }
@@ -83,7 +89,8 @@ std::string text_of(const Json& document)
 {
     std::string text;
     for (const auto& field : document.items())
-        text += (text.empty() ? "{\"" : ",\n \"") + field.key() + "\": " + field.value().dump(-1, ' ', false, Json::error_handler_t::replace);
+        text += (text.empty() ? "{\"" : ",\n \"") + field.key() +
+                "\": " + field.value().dump(-1, ' ', false, Json::error_handler_t::replace);
     return text + "}\n";
 }
 

@@ -41,8 +41,10 @@ std::string reason_of(const std::exception& error)
 
 void say(const std::string& command, const std::string& text)
 {
-    const char* const line_start = isatty(STDERR_FILENO) ? "\r\033[K" : ""; // a progress bar may stand in the line
-    std::fprintf(stderr, "%sintegral %s: %s\n", line_start, command.c_str(), one_line(text).c_str());
+    const char* const line_start = isatty(STDERR_FILENO) ? "\r\033[K" : ""; // a progress bar may
+                                                                            // stand in the line
+    std::fprintf(stderr, "%sintegral %s: %s\n", line_start, command.c_str(),
+                 one_line(text).c_str());
 }
 
 } // namespace integral

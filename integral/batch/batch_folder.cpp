@@ -38,13 +38,15 @@ double size_of(const std::string& path)
 bool has_content(const std::string& path, const StepRecord& record)
 {
     try {
-        return access(path.c_str(), F_OK) == 0 && size_of(path) == record.bytes && hash_of_file(path) == record.output;
+        return access(path.c_str(), F_OK) == 0 && size_of(path) == record.bytes &&
+               hash_of_file(path) == record.output;
     } catch (const InputError&) {
         return false;
     }
 }
 
-/// Waits until a file or folder is on the disk. Throws OutputError where it cannot get there: some file systems say only now that they are full.
+/// Waits until a file or folder is on the disk. Throws OutputError where it cannot get there: some
+/// file systems say only now that they are full.
 void sync(const std::string& path)
 {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -81,7 +83,8 @@ BatchFolder batch_folder(const std::string& output)
 BatchFolder make_batch_folder(const std::string& output, const BatchPlan& plan)
 {
     const BatchFolder folder = batch_folder(output);
-    std::set<std::string> folders = {folder.own() + "/steps", folder.own() + "/locks", folder.own() + "/work", folder.path + "/logs"};
+    std::set<std::string> folders = {folder.own() + "/steps", folder.own() + "/locks",
+                                     folder.own() + "/work", folder.path + "/logs"};
     for (const BatchStep& step : plan.steps)
         folders.insert(folder.path + "/" + step.output.substr(0, step.output.rfind('/')));
     for (const std::string& one : folders)
@@ -89,7 +92,8 @@ BatchFolder make_batch_folder(const std::string& output, const BatchPlan& plan)
     return folder;
 }
 
-bool is_done(const BatchFolder& folder, const BatchStep& step, const StepRecord& record, const std::string& inputs)
+bool is_done(const BatchFolder& folder, const BatchStep& step, const StepRecord& record,
+             const std::string& inputs)
 {
     if (record.state != StepState::done || record.inputs != inputs)
         return false;

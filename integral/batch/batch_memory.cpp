@@ -125,8 +125,8 @@ std::string likes(const Manifest& manifest, const BatchStep& step)
 {
     const std::size_t job = std::size_t(step.job);
     const bool is_frame = step.kind == StepKind::frame;
-    return std::string(name_of(step.kind)) + " "
-           + (is_frame ? manifest.scenes[std::size_t(manifest.jobs[job].scene)].name : step.target);
+    return std::string(name_of(step.kind)) + " " +
+           (is_frame ? manifest.scenes[std::size_t(manifest.jobs[job].scene)].name : step.target);
 }
 
 } // namespace
@@ -142,16 +142,16 @@ FrameLook look_at_frame(const std::string& path)
 double MemoryForecast::bound(const BatchStep& step, const std::string& frame, double pixels)
 {
     if (step.kind == StepKind::frame)
-        return of_frame(step, step.size.width > 0 ? pixels
-                                                  : std::max(pixels, pixels_in_settings(step)));
+        return of_frame(step,
+                        step.size.width > 0 ? pixels : std::max(pixels, pixels_in_settings(step)));
     const auto known = bounds_.find(step.name);
     if (known != bounds_.end())
         return known->second;
     const FrameLook look = look_at_frame(frame);
     const PerPixel each = per_pixel(step, look.deep);
     const double made = output_pixels_(step, look.pixel_pitch);
-    return bounds_[step.name] = program + each.fixed + look.bytes + each.frame * pixels
-                                + each.output * made;
+    return bounds_[step.name] = program + each.fixed + look.bytes + each.frame * pixels +
+                                each.output * made;
 }
 
 double MemoryForecast::expected(const BatchStep& step, const std::string& frame, double pixels,
@@ -183,8 +183,8 @@ std::string MemoryForecast::lack(double needed, const std::vector<MemoryUse>& ru
                                 : std::max(0.0, one.expected - one.now);
     if (needed <= available)
         return "";
-    return "it needs about " + megabytes(needed) + " of memory, and "
-           + megabytes(std::max(0.0, available)) + " are left";
+    return "it needs about " + megabytes(needed) + " of memory, and " +
+           megabytes(std::max(0.0, available)) + " are left";
 }
 
 } // namespace integral

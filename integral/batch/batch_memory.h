@@ -25,8 +25,9 @@ struct FrameLook {
 /// Throws InputError where it is no integral frame.
 FrameLook look_at_frame(const std::string& path);
 
-/// Pixels of the picture that a step makes of a frame whose pixels have this pitch (mm): of a printed
-/// page, a view or a sheet of views, a panel's image. Who knows the commands' options tells it.
+/// Pixels of the picture that a step makes of a frame whose pixels have this pitch (mm): of a
+/// printed page, a view or a sheet of views, a panel's image. Who knows the commands' options tells
+/// it.
 using OutputPixels = std::function<double(const BatchStep& step, Vec2 pixel_pitch)>;
 
 /// Bytes of a program that runs.
@@ -45,15 +46,15 @@ public:
     {
     }
 
-    /// Bytes for a step. `frame` is the path of what it takes, and `pixels` are that frame's, or those
-    /// that it makes; `before` is its record of its last run. Throws InputError.
+    /// Bytes for a step. `frame` is the path of what it takes, and `pixels` are that frame's, or
+    /// those that it makes; `before` is its record of its last run. Throws InputError.
     double expected(const BatchStep& step, const std::string& frame, double pixels,
                     const StepRecord& before);
     /// To be called after a step that was made.
     void learn(const BatchStep& step, const std::string& frame, const StepRecord& record);
 
-    /// Empty if that many bytes can be had beside what runs; else a sentence's begin: what is needed,
-    /// and what is left.
+    /// Empty if that many bytes can be had beside what runs; else a sentence's begin: what is
+    /// needed, and what is left.
     std::string lack(double needed, const std::vector<MemoryUse>& running) const;
 
 private:
@@ -62,8 +63,9 @@ private:
     const Manifest& manifest_;
     double limit_;
     OutputPixels output_pixels_;
-    std::map<std::string, double> bounds_; ///< by step's name
-    std::map<std::string, std::pair<double, double>> learnt_; ///< by likes(): bytes, and their bound
+    std::map<std::string, double> bounds_;                    ///< by step's name
+    std::map<std::string, std::pair<double, double>> learnt_; ///< by likes(): bytes, and their
+                                                              ///< bound
 };
 
 } // namespace integral

@@ -25,9 +25,15 @@ std::string state_of(const StepResult& result, const StepRecord& record)
     return "done";
 }
 
-std::string text_at(const Json& object, const char* field) { return object.at(field).is_string() ? object.at(field).get<std::string>() : ""; }
+std::string text_at(const Json& object, const char* field)
+{
+    return object.at(field).is_string() ? object.at(field).get<std::string>() : "";
+}
 
-std::string figure(const Json& value, int digits) { return value.is_number() ? with_digits(value.get<double>(), digits) : "–"; }
+std::string figure(const Json& value, int digits)
+{
+    return value.is_number() ? with_digits(value.get<double>(), digits) : "–";
+}
 
 constexpr char page_style[] = R"css(
 .jobs { display: grid; grid-template-columns: repeat(auto-fill, minmax(256px, 1fr)); gap: 1em; }
@@ -43,7 +49,8 @@ article a { margin-right: .6em; display: inline-block; }
 
 } // namespace
 
-Json batch_summary(const Manifest& manifest, const BatchPlan& plan, const std::vector<StepResult>& results, const std::set<int>& only)
+Json batch_summary(const Manifest& manifest, const BatchPlan& plan,
+                   const std::vector<StepResult>& results, const std::set<int>& only)
 {
     const BatchFolder folder = batch_folder(manifest.output);
     Json jobs = Json::array();
@@ -54,20 +61,25 @@ Json batch_summary(const Manifest& manifest, const BatchPlan& plan, const std::v
             continue;
         const StepRecord record = read_record(folder.record(step));
         const std::string state = state_of(results[i], record);
-        const std::string reason = state == "done" || state == "missing" ? "" : !results[i].reason.empty() ? results[i].reason : record.reason;
+        const std::string reason = state == "done" || state == "missing" ? ""
+                                   : !results[i].reason.empty()          ? results[i].reason
+                                                                         : record.reason;
         made += results[i].fate == StepFate::made;
         kept += results[i].fate == StepFate::kept;
         if (step.kind == StepKind::frame) {
             const BatchJob& job = manifest.jobs[std::size_t(step.job)];
-            jobs.push_back({{"name", job.name},
-                            {"scene", manifest.scenes[std::size_t(job.scene)].name},
-                            {"sheet", job.sheet < 0 ? Json(nullptr) : Json(manifest.sheets[std::size_t(job.sheet)].name)},
-                            {"state", "done"},
-                            {"reason", nullptr},
-                            {"render_seconds", state == "done" ? Json(record.render_seconds) : Json(nullptr)},
-                            {"error_rms", state == "done" && record.error ? Json(*record.error) : Json(nullptr)},
-                            {"seconds", 0},
-                            {"steps", Json::array()}});
+            jobs.push_back(
+                {{"name", job.name},
+                 {"scene", manifest.scenes[std::size_t(job.scene)].name},
+                 {"sheet", job.sheet < 0 ? Json(nullptr)
+                                         : Json(manifest.sheets[std::size_t(job.sheet)].name)},
+                 {"state", "done"},
+                 {"reason", nullptr},
+                 {"render_seconds", state == "done" ? Json(record.render_seconds) : Json(nullptr)},
+                 {"error_rms",
+                  state == "done" && record.error ? Json(*record.error) : Json(nullptr)},
+                 {"seconds", 0},
+                 {"steps", Json::array()}});
         }
         Json& job = jobs.back();
         if (state == "failed" || state == "missing")
@@ -77,52 +89,69 @@ Json batch_summary(const Manifest& manifest, const BatchPlan& plan, const std::v
             job["reason"] = step.name + ": " + reason;
         if (state == "done")
             job["seconds"] = job["seconds"].get<double>() + record.seconds;
-        job["steps"].push_back({{"kind", name_of(step.kind)},
-                                {"target", step.kind == StepKind::frame ? Json(nullptr) : Json(step.target)},
-                                {"state", state},
-                                {"this_run", name_of(results[i].fate)},
-                                {"file", step.output},
-                                {"seconds", state == "done" ? Json(record.seconds) : Json(nullptr)},
-                                {"memory_bytes", state == "done" ? Json(std::llround(record.memory)) : Json(nullptr)},
-                                {"reason", reason.empty() ? Json(nullptr) : Json(reason)},
-                                {"remark", state == "done" && !record.remark.empty() ? Json(record.remark) : Json(nullptr)}});
+        job["steps"].push_back(
+            {{"kind", name_of(step.kind)},
+             {"target", step.kind == StepKind::frame ? Json(nullptr) : Json(step.target)},
+             {"state", state},
+             {"this_run", name_of(results[i].fate)},
+             {"file", step.output},
+             {"seconds", state == "done" ? Json(record.seconds) : Json(nullptr)},
+             {"memory_bytes", state == "done" ? Json(std::llround(record.memory)) : Json(nullptr)},
+             {"reason", reason.empty() ? Json(nullptr) : Json(reason)},
+             {"remark",
+              state == "done" && !record.remark.empty() ? Json(record.remark) : Json(nullptr)}});
     }
     for (const Json& job : jobs) {
         done += job["state"] == "done";
         failed += job["state"] == "failed";
         missing += job["state"] == "missing";
     }
-    return {{"manifest", manifest.path}, {"jobs_done", done}, {"jobs_failed", failed}, {"jobs_missing", missing},
-            {"steps_made", made}, {"steps_kept", kept}, {"jobs", std::move(jobs)}};
+    return {{"manifest", manifest.path}, {"jobs_done", done},  {"jobs_failed", failed},
+            {"jobs_missing", missing},   {"steps_made", made}, {"steps_kept", kept},
+            {"jobs", std::move(jobs)}};
 }
 
 std::string batch_page(const Json& summary, const BatchFolder& folder)
 {
-    const auto count = [&](const char* field) { return std::to_string(summary.at(field).get<int>()); };
+    const auto count = [&](const char* field) {
+        return std::to_string(summary.at(field).get<int>());
+    };
     const std::string title = text_at(summary, "manifest");
-    std::string page = "<h1>" + markup_text(title) + "</h1>\n<p>" + counted(summary.at("jobs_done").get<int>(), "job") + " done, " + count("jobs_failed") + " failed, "
-          + count("jobs_missing") + " not yet made</p>\n<div class=\"jobs\">\n";
+    std::string page = "<h1>" + markup_text(title) + "</h1>\n<p>" +
+                       counted(summary.at("jobs_done").get<int>(), "job") + " done, " +
+                       count("jobs_failed") + " failed, " + count("jobs_missing") +
+                       " not yet made</p>\n<div class=\"jobs\">\n";
     for (const Json& job : summary.at("jobs")) {
         const std::string name = markup_text(text_at(job, "name")), state = text_at(job, "state");
-        std::string picture = state == "failed" ? "failed" : state == "done" ? "no picture" : "not yet made", links, remarks;
+        std::string picture = state == "failed" ? "failed"
+                              : state == "done" ? "no picture"
+                                                : "not yet made",
+                    links, remarks;
         for (const Json& step : job.at("steps")) {
             if (step.at("state") != "done")
                 continue;
             const std::string file = text_at(step, "file"), kind = text_at(step, "kind");
             if (kind != "thumbnail") {
                 if (step.at("remark").is_string())
-                    remarks += "<p>" + kind + " " + markup_text(text_at(step, "target")) + ": " + markup_text(text_at(step, "remark")) + "</p>\n";
-                links += "<a href=\"" + link_to(file) + "\">" + kind + (kind == "frame" ? "" : " " + markup_text(text_at(step, "target"))) + "</a>\n";
+                    remarks += "<p>" + kind + " " + markup_text(text_at(step, "target")) + ": " +
+                               markup_text(text_at(step, "remark")) + "</p>\n";
+                links += "<a href=\"" + link_to(file) + "\">" + kind +
+                         (kind == "frame" ? "" : " " + markup_text(text_at(step, "target"))) +
+                         "</a>\n";
                 continue;
             }
             try {
-                picture = "<img alt=\"" + name + ", seen from the middle\" src=\"data:image/png;base64," + base64(read_file(folder.path + "/" + file)) + "\">";
+                picture = "<img alt=\"" + name +
+                          ", seen from the middle\" src=\"data:image/png;base64," +
+                          base64(read_file(folder.path + "/" + file)) + "\">";
             } catch (const InputError&) { // it has gone since
             }
         }
-        page += "<article class=\"" + state + "\"><div class=\"picture\">" + picture + "</div>\n<h2>" + name + "</h2>\n";
+        page += "<article class=\"" + state + "\"><div class=\"picture\">" + picture +
+                "</div>\n<h2>" + name + "</h2>\n";
         if (job.at("render_seconds").is_number())
-            page += "<p>" + figure(job.at("render_seconds"), 3) + " s, estimated error " + figure(job.at("error_rms"), 3) + "</p>\n";
+            page += "<p>" + figure(job.at("render_seconds"), 3) + " s, estimated error " +
+                    figure(job.at("error_rms"), 3) + "</p>\n";
         page += "<p>" + links + "</p>\n" + remarks;
         if (job.at("reason").is_string())
             page += "<p class=\"reason\">" + markup_text(text_at(job, "reason")) + "</p>\n";

@@ -9,10 +9,14 @@
 
 namespace integral {
 
-/// What became of the jobs: states, seconds, errors, files, from the results and the steps' records. `jobs` as in RunOptions.
-nlohmann::ordered_json batch_summary(const Manifest& manifest, const BatchPlan& plan, const std::vector<StepResult>& results, const std::set<int>& jobs);
+/// What became of the jobs: states, seconds, errors, files, from the results and the steps'
+/// records. `jobs` as in RunOptions.
+nlohmann::ordered_json batch_summary(const Manifest& manifest, const BatchPlan& plan,
+                                     const std::vector<StepResult>& results,
+                                     const std::set<int>& jobs);
 
-/// A page without any file beside it but the outputs that it links: a picture and the figures of each job.
+/// A page without any file beside it but the outputs that it links: a picture and the figures of
+/// each job.
 std::string batch_page(const nlohmann::ordered_json& summary, const BatchFolder& folder);
 
 } // namespace integral

@@ -26,9 +26,16 @@ constexpr auto patience = std::chrono::seconds(5), refresh_after = std::chrono::
 
 class Run {
 public:
-    Run(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs, const RunOptions& options, const BatchFolder& folder)
-        : plan_(plan), inputs_(inputs), options_(options), folder_(folder), results_(plan.steps.size()), tries_(plan.steps.size()),
-          said_(plan.steps.size()), memory_(manifest, options.memory, options.output_pixels)
+    Run(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs,
+        const RunOptions& options, const BatchFolder& folder)
+        : plan_(plan),
+          inputs_(inputs),
+          options_(options),
+          folder_(folder),
+          results_(plan.steps.size()),
+          tries_(plan.steps.size()),
+          said_(plan.steps.size()),
+          memory_(manifest, options.memory, options.output_pixels)
     {
         for (std::size_t i = 0; i < plan.steps.size(); ++i)
             if (options.jobs.empty() || options.jobs.count(plan.steps[i].job))
@@ -110,9 +117,15 @@ private:
         Clock::time_point ended;
     };
 
-    std::string frame_hash(const BatchStep& step) const { return step.frame < 0 ? "" : outputs_.at(step.frame); }
+    std::string frame_hash(const BatchStep& step) const
+    {
+        return step.frame < 0 ? "" : outputs_.at(step.frame);
+    }
 
-    std::string frame_of(const BatchStep& step) const { return step.frame < 0 ? "" : folder_.output(plan_.steps[std::size_t(step.frame)]); }
+    std::string frame_of(const BatchStep& step) const
+    {
+        return step.frame < 0 ? "" : folder_.output(plan_.steps[std::size_t(step.frame)]);
+    }
 
     void finish(int i, StepFate fate, const StepRecord& record)
     {
@@ -122,16 +135,20 @@ private:
         pending_.remove(i);
     }
 
-    /// Takes away what killed batches have left: of steps that are done, and of files that they were writing.
+    /// Takes away what killed batches have left: of steps that are done, and of files that they
+    /// were writing.
     void tidy_up()
     {
-        for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps", "/.integral-batch/strips", "/.integral-batch/slurm"})
+        for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps",
+                                      "/.integral-batch/strips", "/.integral-batch/slurm"})
             sweep_unfinished(folder_.path + own);
         for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
             const BatchStep& step = plan_.steps[i];
             LockFile lock;
             std::string holder;
-            if (results_[i].fate == StepFate::kept && (exists(folder_.work(step)) || exists(folder_.lock(step.name))) && lock.take(folder_.lock(step.name), holder))
+            if (results_[i].fate == StepFate::kept &&
+                (exists(folder_.work(step)) || exists(folder_.lock(step.name))) &&
+                lock.take(folder_.lock(step.name), holder))
                 clean(step);
         }
     }
@@ -177,7 +194,8 @@ private:
             if (int(running_.size()) >= options_.at_once)
                 return;
             const BatchStep& step = plan_.steps[std::size_t(i)];
-            if (results_[std::size_t(i)].fate != StepFate::waiting || (step.frame >= 0 && !outputs_.count(step.frame)))
+            if (results_[std::size_t(i)].fate != StepFate::waiting ||
+                (step.frame >= 0 && !outputs_.count(step.frame)))
                 continue;
             stop_if_interrupted_here();
             try {
@@ -199,9 +217,11 @@ private:
         if (is_done(folder_, step, record, hash))
             return finish(i, StepFate::kept, record);
         const auto twin = by_inputs_.find(hash);
-        if (twin != by_inputs_.end() && twin->second != i && results_[std::size_t(twin->second)].fate == StepFate::waiting)
+        if (twin != by_inputs_.end() && twin->second != i &&
+            results_[std::size_t(twin->second)].fate == StepFate::waiting)
             return; // it is running
-        const double pixels = pixels_of(step, frame), memory = memory_.expected(step, frame, pixels, record);
+        const double pixels = pixels_of(step, frame),
+                     memory = memory_.expected(step, frame, pixels, record);
         const bool copies = twin != by_inputs_.end() && outputs_.count(twin->second);
         if (!copies && !has_memory(i, memory))
             return;
@@ -228,9 +248,12 @@ private:
         record.output.clear();
         write_record(folder_.record(step), record);
         const std::string log = folder_.work(step) + "/said.txt";
-        ChildProcess child(command_line(folder_, step, frame, threads_beside(others_beside(i), options_.at_once)), step.folder, log);
+        ChildProcess child(
+            command_line(folder_, step, frame, threads_beside(others_beside(i), options_.at_once)),
+            step.folder, log);
         pending_.remove(i);
-        running_.push_back({i, std::move(child), std::move(lock), record, Clock::now(), memory, {}, {}});
+        running_.push_back(
+            {i, std::move(child), std::move(lock), record, Clock::now(), memory, {}, {}});
     }
 
     void copy(int i, int twin, StepRecord record)
@@ -247,7 +270,8 @@ private:
     {
         int others = 0;
         for (const int other : pending_)
-            others += other != i && (plan_.steps[std::size_t(other)].frame < 0 || outputs_.count(plan_.steps[std::size_t(other)].frame));
+            others += other != i && (plan_.steps[std::size_t(other)].frame < 0 ||
+                                     outputs_.count(plan_.steps[std::size_t(other)].frame));
         return others;
     }
 
@@ -280,7 +304,8 @@ private:
         const std::string log = folder_.work(step) + "/said.txt";
         StepRecord& record = one.record;
         record.seconds = std::chrono::duration<double>(one.ended - one.begun).count();
-        const std::string reason = publish_made(folder_, step, frame_of(step), log, one.end, record);
+        const std::string reason = publish_made(folder_, step, frame_of(step), log, one.end,
+                                                record);
         std::error_code ignored;
         if (reason.empty()) {
             memory_.learn(step, frame_of(step), record);
@@ -291,7 +316,8 @@ private:
         }
         if (interrupted()) // that is why: nothing to keep
             return clean(step);
-        std::filesystem::copy_file(log, folder_.log(step), std::filesystem::copy_options::overwrite_existing, ignored);
+        std::filesystem::copy_file(log, folder_.log(step),
+                                   std::filesystem::copy_options::overwrite_existing, ignored);
         if (ignored) // half a log says less than none
             std::filesystem::remove(folder_.log(step), ignored);
         clean(step);
@@ -299,7 +325,8 @@ private:
         record.reason = reason;
         try {
             write_record(folder_.record(step), record);
-        } catch (const OutputError&) { // the reason has been said, and the old record tells that it is not done
+        } catch (const OutputError&) { // the reason has been said, and the old record tells that it
+                                       // is not done
         }
         if (++tries_[std::size_t(one.step)] <= options_.retries && !interrupted()) {
             say(one.step, reason + "; it is tried again");
@@ -326,7 +353,8 @@ private:
         conclude_ended();
         for (Running& one : running_)
             one.child.stop();
-        for (const auto until = Clock::now() + patience; !running_.empty() && Clock::now() < until; poll(nullptr, 0, poll_milliseconds))
+        for (const auto until = Clock::now() + patience; !running_.empty() && Clock::now() < until;
+             poll(nullptr, 0, poll_milliseconds))
             for (auto it = running_.begin(); it != running_.end();)
                 if (it->child.ended()) {
                     clean(plan_.steps[std::size_t(it->step)]);
@@ -345,9 +373,10 @@ private:
     std::vector<int> tries_;
     std::vector<std::string> said_;
     std::list<int> pending_;
-    std::list<Running> running_, ended_; ///< ended: but not concluded
-    std::map<int, std::string> outputs_;       ///< hashes of finished steps' outputs
-    std::map<std::string, int> by_inputs_;     ///< the step that makes, or has made, what comes of these inputs
+    std::list<Running> running_, ended_;   ///< ended: but not concluded
+    std::map<int, std::string> outputs_;   ///< hashes of finished steps' outputs
+    std::map<std::string, int> by_inputs_; ///< the step that makes, or has made, what comes of
+                                           ///< these inputs
     MemoryForecast memory_;
     int total_ = 0;
 };
@@ -367,7 +396,8 @@ const char* name_of(StepFate fate)
     return "waiting";
 }
 
-std::vector<StepResult> survey(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs, const RunOptions& options)
+std::vector<StepResult> survey(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs,
+                               const RunOptions& options)
 {
     const BatchFolder folder = batch_folder(manifest.output);
     Run run(manifest, plan, inputs, options, folder);
@@ -375,13 +405,17 @@ std::vector<StepResult> survey(const Manifest& manifest, const BatchPlan& plan, 
     return run.results();
 }
 
-std::vector<StepResult> run_batch(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs, const RunOptions& options, const Progress& progress)
+std::vector<StepResult> run_batch(const Manifest& manifest, const BatchPlan& plan,
+                                  StepInputs& inputs, const RunOptions& options,
+                                  const Progress& progress)
 {
     const BatchFolder folder = make_batch_folder(manifest.output, plan);
     Run run(manifest, plan, inputs, options, folder);
     std::string holder;
     if (options.jobs.empty() && !run.batch_lock.take(folder.lock("batch"), holder))
-        throw OutputError(manifest.output + ": another batch, " + holder + ", works in this folder; wait for it, or give this manifest another \"output\"");
+        throw OutputError(
+            manifest.output + ": another batch, " + holder +
+            ", works in this folder; wait for it, or give this manifest another \"output\"");
     run.run(progress);
     return run.results();
 }

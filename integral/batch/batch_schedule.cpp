@@ -18,6 +18,9 @@ void sort_longest_first(std::list<int>& steps, const BatchPlan& plan, const Batc
     steps.sort([&](int a, int b) { return cost[a] != cost[b] ? cost[a] > cost[b] : a < b; });
 }
 
-int threads_beside(int others, int at_once) { return others + 1 >= at_once ? 1 : (at_once + others) / (others + 1); }
+int threads_beside(int others, int at_once)
+{
+    return others + 1 >= at_once ? 1 : (at_once + others) / (others + 1);
+}
 
 } // namespace integral

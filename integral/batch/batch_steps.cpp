@@ -72,18 +72,22 @@ bool disk_is_full(const std::string& path)
 {
     constexpr double least = 1 << 16; // bytes
     struct statvfs disk;
-    return statvfs(path.substr(0, path.rfind('/')).c_str(), &disk) == 0 && double(disk.f_bavail) * double(disk.f_frsize) < least;
+    return statvfs(path.substr(0, path.rfind('/')).c_str(), &disk) == 0 &&
+           double(disk.f_bavail) * double(disk.f_frsize) < least;
 }
 
 std::string thumbnail_size(const std::string& frame)
 {
     const PictureHeader size = frame_header(frame);
     const double scale = double(thumbnail_side) / std::max(size.width, size.height);
-    const auto side = [&](int pixels) { return std::to_string(std::max(1, int(std::lround(pixels * scale)))); };
+    const auto side = [&](int pixels) {
+        return std::to_string(std::max(1, int(std::lround(pixels * scale))));
+    };
     return side(size.width) + "x" + side(size.height);
 }
 
-/// What a step's program said of its frame though it made its file, without the program's and the frame's name; empty if nothing.
+/// What a step's program said of its frame though it made its file, without the program's and the
+/// frame's name; empty if nothing.
 std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
 {
     const std::string mark = one_line("integral " + step.words[0] + ": " + frame + ": ");
@@ -102,7 +106,11 @@ BatchPrograms batch_programs()
     BatchPrograms programs;
     programs.integral_version = PACKAGE_VERSION;
     const std::string renderer = renderer_program();
-    programs.renderer_share = std::filesystem::path(found_on_path(renderer)).parent_path().parent_path().string() + "/share/povray-integral-3.7";
+    programs.renderer_share = std::filesystem::path(found_on_path(renderer))
+                                  .parent_path()
+                                  .parent_path()
+                                  .string() +
+                              "/share/povray-integral-3.7";
     const ScratchFolder scratch;
     const std::string said = scratch.path("version.txt");
     const ChildEnd end = ChildProcess({renderer, "--version"}, ".", said).wait();
@@ -112,7 +120,8 @@ BatchPrograms batch_programs()
     return programs;
 }
 
-std::vector<std::string> command_line(const BatchFolder& folder, const BatchStep& step, const std::string& frame, int threads)
+std::vector<std::string> command_line(const BatchFolder& folder, const BatchStep& step,
+                                      const std::string& frame, int threads)
 {
     const std::string made = folder.made(step);
     std::vector<std::string> words;
@@ -130,7 +139,9 @@ std::vector<std::string> command_line(const BatchFolder& folder, const BatchStep
     const bool html = extension_of(made) == "html";
     if (step.kind == StepKind::thumbnail)
         words.insert(words.end(), {"--size", thumbnail_size(frame)});
-    const bool own_threads = std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.rfind("--threads", 0) == 0; });
+    const bool own_threads = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        return word.rfind("--threads", 0) == 0;
+    });
     if (step.words[0] == "replay" && !own_threads)
         words.insert(words.end(), {"--threads", std::to_string(threads)});
     words.insert(words.end(), {html ? "--html" : "--output", made});
@@ -154,7 +165,8 @@ FrameMetadata metadata_in(const PictureHeader& header)
             return frame_metadata_from_json(header.document);
     } catch (const std::invalid_argument&) { // a document of something else
     }
-    throw InputError("the scene's camera is not integral; give it a sheet of the manifest's \"sheets\"");
+    throw InputError(
+        "the scene's camera is not integral; give it a sheet of the manifest's \"sheets\"");
 }
 
 double pixels_of(const BatchStep& step, const std::string& frame)
@@ -173,7 +185,8 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
     if (end.signal == SIGKILL)
         return "it was killed (signal 9), as happens where memory runs out";
     if (end.signal != 0)
-        return std::string("it was ended by signal ") + std::to_string(end.signal) + " (" + strsignal(end.signal) + ")";
+        return std::string("it was ended by signal ") + std::to_string(end.signal) + " (" +
+               strsignal(end.signal) + ")";
     std::string said;
     try {
         said = read_file(log);
@@ -181,13 +194,17 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
     }
     const std::string full = disk_is_full(log) ? "; the disk is full" : "";
     if (end.status == 0)
-        return step.kind == StepKind::frame ? "the renderer wrote no whole frame" + full
-                                             : "it wrote no whole file of the name that the batch gave it" + (full.empty() ? "; its options may write several" : full);
+        return step.kind == StepKind::frame
+                   ? "the renderer wrote no whole frame" + full
+                   : "it wrote no whole file of the name that the batch gave it" +
+                         (full.empty() ? "; its options may write several" : full);
     std::string reason = tidy(step.kind == StepKind::frame ? reason_in(said) : last_line(said));
     const std::string prefix = "integral " + step.words[0] + ": ";
     if (step.kind != StepKind::frame && reason.rfind(prefix, 0) == 0)
         reason.erase(0, prefix.size());
-    return (reason.empty() ? "its program ended with status " + std::to_string(end.status) : reason) + full;
+    return (reason.empty() ? "its program ended with status " + std::to_string(end.status)
+                           : reason) +
+           full;
 }
 
 void read_figures(const std::string& frame, StepRecord& record)
@@ -201,7 +218,8 @@ void read_figures(const std::string& frame, StepRecord& record)
         record.error = metadata.render->error->rms;
 }
 
-std::string publish_made(const BatchFolder& folder, const BatchStep& step, const std::string& frame, const std::string& log, const ChildEnd& end, StepRecord& record)
+std::string publish_made(const BatchFolder& folder, const BatchStep& step, const std::string& frame,
+                         const std::string& log, const ChildEnd& end, StepRecord& record)
 {
     const std::string made = folder.made(step);
     record.memory = end.memory;
@@ -225,7 +243,8 @@ std::string publish_made(const BatchFolder& folder, const BatchStep& step, const
     return "";
 }
 
-void publish_copy(const BatchFolder& folder, const BatchStep& step, const BatchStep& other, StepRecord& record)
+void publish_copy(const BatchFolder& folder, const BatchStep& step, const BatchStep& other,
+                  StepRecord& record)
 {
     const StepRecord theirs = read_record(folder.record(other));
     std::error_code error;

@@ -22,7 +22,10 @@ constexpr int usual_block_side = 32; // the renderer's
 
 std::string job_of(const BatchStep& frame) { return frame.name.substr(frame.name.find('.') + 1); }
 
-std::string plan_file(const BatchFolder& folder, const BatchStep& frame) { return folder.own() + "/strips/" + job_of(frame) + ".json"; }
+std::string plan_file(const BatchFolder& folder, const BatchStep& frame)
+{
+    return folder.own() + "/strips/" + job_of(frame) + ".json";
+}
 
 /// Runs the renderer in a step's folder; what it says. Throws InputError with its reason.
 std::string render_there(const BatchStep& step, Names words, const ScratchFolder& scratch)
@@ -39,15 +42,18 @@ std::string render_there(const BatchStep& step, Names words, const ScratchFolder
 bool is_on(const std::string& said, const std::string& setting)
 {
     const auto place = said.find(setting + "...");
-    return place != std::string::npos && said.compare(said.find_first_not_of('.', place + setting.size()), 2, "On") == 0;
+    return place != std::string::npos &&
+           said.compare(said.find_first_not_of('.', place + setting.size()), 2, "On") == 0;
 }
 
 /// Says once, while the work is planned, what makes two renderings of one scene differ.
 void warn_of_chance(const BatchStep& frame, const BatchPrograms& programs, const std::string& said)
 {
     std::vector<std::string> files;
-    const std::string scene = renderer_options_in(frame.words[0]).at(0).value; // "FILE.ini" or +I"FILE.pov"
-    for (const SceneFile& file : files_of_scene(scene, {frame.folder, frame.words, programs.renderer_share}))
+    const std::string scene = renderer_options_in(frame.words[0]).at(0).value; // "FILE.ini" or
+                                                                               // +I"FILE.pov"
+    for (const SceneFile& file :
+         files_of_scene(scene, {frame.folder, frame.words, programs.renderer_share}))
         if (file.path.rfind(programs.renderer_share, 0) != 0)
             files.push_back(file.path);
     std::string words;
@@ -56,8 +62,9 @@ void warn_of_chance(const BatchStep& frame, const BatchPrograms& programs, const
     if (is_on(said, "Dithering"))
         words += (words.empty() ? "" : ", ") + std::string("dithering");
     if (!words.empty())
-        say("batch", frame.name + ": it has " + words
-                         + ": its strips cannot be promised to join without a seam, nor to equal the frame rendered whole");
+        say("batch", frame.name + ": it has " + words +
+                         ": its strips cannot be promised to join without a seam, nor to equal the "
+                         "frame rendered whole");
 }
 
 Json json_of(const StripPlan& plan)
@@ -69,21 +76,29 @@ Json json_of(const StripPlan& plan)
 }
 
 /// Runs the renderer for two rows, and plans by what it says.
-StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int number, const BatchPrograms& programs)
+StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int number,
+                     const BatchPrograms& programs)
 {
     if (!value_of_option(frame.words, "integral_error_image", "").empty())
-        throw InputError(frame.name + ": Integral_Error_Image= is of whole frames; leave it out, or --strips");
+        throw InputError(frame.name +
+                         ": Integral_Error_Image= is of whole frames; leave it out, or --strips");
     if (!value_of_option(frame.words, "integral_rows", "").empty())
-        throw InputError(frame.name + ": Integral_Rows= is the strips' own; leave it out, or --strips");
+        throw InputError(frame.name +
+                         ": Integral_Rows= is the strips' own; leave it out, or --strips");
     const ScratchFolder scratch;
     const std::string picture = scratch.path("rows.png");
     Names words = frame.words;
-    words.insert(words.end(), {"+FN", "Integral_Audit=off", "Integral_Depth_Image=", "End_Row=2", "+O" + quoted(picture)});
+    words.insert(words.end(), {"+FN", "Integral_Audit=off", "Integral_Depth_Image=", "End_Row=2",
+                               "+O" + quoted(picture)});
     const std::string said = render_there(frame, words, scratch);
     const Frame rows = read_frame_with_metadata(picture);
     const std::string given = value_of_option(frame.words, "render_block_size", "bs");
-    const int side = given.empty() ? usual_block_side : std::max(4, std::atoi(given.c_str())); // the renderer takes no less
-    const int reach = is_on(said, "Antialiasing") ? rows_looked_at(rows.metadata->sheet, rows.metadata->film) : 0;
+    const int side = given.empty()
+                         ? usual_block_side
+                         : std::max(4, std::atoi(given.c_str())); // the renderer takes no less
+    const int reach = is_on(said, "Antialiasing")
+                          ? rows_looked_at(rows.metadata->sheet, rows.metadata->film)
+                          : 0;
     warn_of_chance(frame, programs, said);
     return {inputs, rows.image.height, row_strips(rows.image.height, number, side, reach)};
 }
@@ -93,7 +108,8 @@ StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int numb
 BatchPlan strip_steps(const BatchStep& frame, const StripPlan& plan)
 {
     BatchPlan steps;
-    const std::string of = "of" + std::to_string(plan.strips.size()), extension = frame.output.substr(frame.output.rfind('.'));
+    const std::string of = "of" + std::to_string(plan.strips.size()),
+                      extension = frame.output.substr(frame.output.rfind('.'));
     const bool depth = !value_of_option(frame.words, "integral_depth_image", "").empty();
     for (std::size_t k = 0; k < plan.strips.size(); ++k) {
         BatchStep step = frame;
@@ -110,7 +126,8 @@ BatchPlan strip_steps(const BatchStep& frame, const StripPlan& plan)
     return steps;
 }
 
-std::optional<StripPlan> read_strip_plan(const BatchFolder& folder, const BatchStep& frame, const std::string& inputs)
+std::optional<StripPlan> read_strip_plan(const BatchFolder& folder, const BatchStep& frame,
+                                         const std::string& inputs)
 {
     StripPlan plan;
     try {
@@ -129,7 +146,8 @@ std::optional<StripPlan> read_strip_plan(const BatchFolder& folder, const BatchS
     return plan.inputs == inputs ? std::optional(plan) : std::nullopt;
 }
 
-StripPlan plan_strips(const BatchFolder& folder, const BatchStep& frame, const std::string& inputs, int number, const BatchPrograms& programs)
+StripPlan plan_strips(const BatchFolder& folder, const BatchStep& frame, const std::string& inputs,
+                      int number, const BatchPrograms& programs)
 {
     const auto known = read_strip_plan(folder, frame, inputs);
     if (known && (int(known->strips.size()) == number || known->strips.size() < 2))
@@ -164,7 +182,9 @@ std::string merge_frame(const BatchFolder& folder, const BatchStep& frame, StepI
     for (const BatchStep& step : steps) {
         const StepRecord strip = read_record(folder.record(step));
         if (reason.empty() && !is_done(folder, step, strip, inputs.hash(step, "")))
-            reason = step.name + ": " + (strip.reason.empty() ? "this strip is missing; submit the batch again" : strip.reason);
+            reason = step.name + ": " +
+                     (strip.reason.empty() ? "this strip is missing; submit the batch again"
+                                           : strip.reason);
         files.push_back(folder.output(step));
         seconds += strip.seconds;
         record.memory = std::max(record.memory, strip.memory);

@@ -18,13 +18,15 @@
 
 namespace integral {
 
-ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::string& folder, const std::string& log)
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::string& folder,
+                           const std::string& log)
 {
     std::vector<char*> arguments;
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    const int said = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const int said = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666),
+              nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     const pid_t parent = getpid();
     process_ = said < 0 || nothing < 0 ? -1 : fork();
     const int error = errno;
@@ -38,7 +40,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::str
         if (chdir(folder.c_str()) == 0)
             execvp(arguments[0], arguments.data());
         const char* why = std::strerror(errno);
-        for (const char* text : {"Error: ", static_cast<const char*>(arguments[0]), " cannot be run: ", why, "\n"})
+        for (const char* text :
+             {"Error: ", static_cast<const char*>(arguments[0]), " cannot be run: ", why, "\n"})
             if (write(2, text, std::strlen(text)) < 0)
                 break;
         _exit(program_cannot_be_run);
@@ -48,7 +51,9 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::str
     if (nothing >= 0)
         close(nothing);
     if (process_ < 0)
-        throw OutputError(log + (said < 0 ? ": cannot be written: " : ": no process can be made: ") + std::strerror(error));
+        throw OutputError(log +
+                          (said < 0 ? ": cannot be written: " : ": no process can be made: ") +
+                          std::strerror(error));
 }
 
 ChildProcess::~ChildProcess()

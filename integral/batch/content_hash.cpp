@@ -45,7 +45,8 @@ namespace {
 
 class Descriptor {
 public:
-    explicit Descriptor(const std::string& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC))
+    explicit Descriptor(const std::string& path)
+        : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC))
     {
         if (descriptor_ < 0)
             throw InputError(path + ": cannot be read: " + std::strerror(errno));

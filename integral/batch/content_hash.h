@@ -25,7 +25,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The SHA-256 of a file's bytes, as sha256sum prints it. Throws InputError where it cannot be read.
+/// The SHA-256 of a file's bytes, as sha256sum prints it. Throws InputError where it cannot be
+/// read.
 std::string hash_of_file(const std::string& path);
 
 } // namespace integral

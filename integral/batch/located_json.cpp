@@ -23,7 +23,10 @@ Located Located::parse(const std::string& path, const std::string& text)
 
 int Located::line() const { return document_->json.line_of(*value_); }
 
-std::string Located::place() const { return document_->path + ":" + std::to_string(line()) + (name_.empty() ? "" : ": " + name_); }
+std::string Located::place() const
+{
+    return document_->path + ":" + std::to_string(line()) + (name_.empty() ? "" : ": " + name_);
+}
 
 void Located::refuse(const std::string& what) const { throw InputError(place() + ": " + what); }
 
@@ -32,7 +35,10 @@ Located Located::at(const Json& value, const std::string& name) const
     return Located(document_, &value, name);
 }
 
-bool Located::has(const char* field) const { return value_->is_object() && value_->contains(field); }
+bool Located::has(const char* field) const
+{
+    return value_->is_object() && value_->contains(field);
+}
 
 Located Located::field(const char* name) const
 {
@@ -98,9 +104,11 @@ std::vector<std::string> Located::texts() const
 
 int Located::whole(int least, int most) const
 {
-    const bool right = value_->is_number_integer() && value_->get<double>() >= least && value_->get<double>() <= most;
+    const bool right = value_->is_number_integer() && value_->get<double>() >= least &&
+                       value_->get<double>() <= most;
     if (!right)
-        refuse("a whole number from " + std::to_string(least) + " to " + std::to_string(most) + " is expected");
+        refuse("a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+               " is expected");
     return value_->get<int>();
 }
 

@@ -11,7 +11,8 @@
 
 namespace integral {
 
-/// A value of a JSON document that knows where it stands. The document must be kept by whoever holds one: they share it.
+/// A value of a JSON document that knows where it stands. The document must be kept by whoever
+/// holds one: they share it.
 class Located {
 public:
     /// Throws InputError, "PATH:LINE: ...", for JSON that is malformed or has a field twice.
@@ -20,7 +21,8 @@ public:
     bool has(const char* field) const;
     /// A field of an object. Throws InputError where it is missing.
     Located field(const char* name) const;
-    /// Throws InputError for the first field that is not among `names`, with those that are; and where this is no object.
+    /// Throws InputError for the first field that is not among `names`, with those that are; and
+    /// where this is no object.
     void allow(const std::vector<const char*>& names) const;
     /// The values of a list. Throws InputError where this is none.
     std::vector<Located> list() const;

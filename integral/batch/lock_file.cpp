@@ -19,14 +19,14 @@ namespace {
 struct Holder {
     std::string host, boot;
     long process = 0;
-    std::string begun;      ///< when it began, in the kernel's ticks: process numbers are used again
+    std::string begun; ///< when it began, in the kernel's ticks: process numbers are used again
     std::string name_space; ///< in which that number means this process; empty: unknown
 };
 
 bool operator==(const Holder& a, const Holder& b)
 {
-    return a.host == b.host && a.boot == b.boot && a.process == b.process && a.begun == b.begun
-           && a.name_space == b.name_space;
+    return a.host == b.host && a.boot == b.boot && a.process == b.process && a.begun == b.begun &&
+           a.name_space == b.name_space;
 }
 
 std::string first_line(const std::string& path)
@@ -76,20 +76,23 @@ Holder holder_in(const std::string& path)
 bool is_dead(const Holder& holder, const std::string& path, const struct timespec& now)
 {
     const Holder me = myself();
-    const bool can_be_asked = holder.host == me.host && holder.name_space == me.name_space
-                              && !me.name_space.empty();
+    const bool can_be_asked = holder.host == me.host && holder.name_space == me.name_space &&
+                              !me.name_space.empty();
     if (can_be_asked && holder.boot == me.boot)
         return begin_of_process(holder.process) != holder.begun;
     if (can_be_asked && !holder.boot.empty())
         return true; // before this machine's last start
     struct stat status;
-    return stat(path.c_str(), &status) == 0 && now.tv_sec - status.st_mtim.tv_sec > LockFile::seconds_of_silence;
+    return stat(path.c_str(), &status) == 0 &&
+           now.tv_sec - status.st_mtim.tv_sec > LockFile::seconds_of_silence;
 }
 
-/// One process at a time, where the file system can do that, judges a lock: it goes with its process.
+/// One process at a time, where the file system can do that, judges a lock: it goes with its
+/// process.
 class Guard {
 public:
-    explicit Guard(const std::string& path) : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+    explicit Guard(const std::string& path)
+        : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
     {
         while (descriptor_ >= 0 && flock(descriptor_, LOCK_EX) != 0 && errno == EINTR)
             ;
@@ -124,10 +127,14 @@ bool LockFile::take(const std::string& path, std::string& holder)
     const auto slash = path.rfind('/');
     const Guard guard(path.substr(0, slash + 1) + "guard");
     const Holder me = myself();
-    // Made whole under a name of its own, then linked to the lock's: that succeeds for one process alone.
+    // Made whole under a name of its own, then linked to the lock's: that succeeds for one process
+    // alone.
     const std::string own = path.substr(0, slash + 1) + unfinished_name("lock");
-    const Json json{{"host", me.host}, {"process", me.process}, {"begun", me.begun},
-                    {"boot", me.boot}, {"namespace", me.name_space}};
+    const Json json{{"host", me.host},
+                    {"process", me.process},
+                    {"begun", me.begun},
+                    {"boot", me.boot},
+                    {"namespace", me.name_space}};
     write_file(own, json.dump() + "\n");
     struct stat status = {};
     stat(own.c_str(), &status);
@@ -143,7 +150,9 @@ bool LockFile::take(const std::string& path, std::string& holder)
         }
         const Holder other = holder_in(path);
         if (!is_dead(other, path, status.st_mtim)) {
-            holder = other.process == 0 ? "another process" : "process " + std::to_string(other.process) + " on " + other.host;
+            holder = other.process == 0
+                         ? "another process"
+                         : "process " + std::to_string(other.process) + " on " + other.host;
             break;
         }
         unlink(path.c_str());
@@ -160,7 +169,8 @@ void LockFile::refresh() const
 
 void LockFile::release()
 {
-    if (held() && holder_in(path_) == myself()) // who was silent for long may have lost it to another
+    if (held() && holder_in(path_) == myself()) // who was silent for long may have lost it to
+                                                // another
         unlink(path_.c_str());
     path_.clear();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Locks between processes, also of several machines that share a folder: files that are made in one go.
+// Locks between processes, also of several machines that share a folder: files that are made in one
+// go.
 #ifndef INTEGRAL_BATCH_LOCK_FILE_H
 #define INTEGRAL_BATCH_LOCK_FILE_H
 
@@ -18,11 +19,12 @@ public:
     LockFile(LockFile&& other) noexcept : path_(std::move(other.path_)) { other.path_.clear(); }
     LockFile& operator=(LockFile&& other) noexcept;
 
-    /// Tries to take it; false if another holds it: then `holder` says who, "process 12 on HOST". Throws OutputError where the
-    /// folder cannot be written.
+    /// Tries to take it; false if another holds it: then `holder` says who, "process 12 on HOST".
+    /// Throws OutputError where the folder cannot be written.
     bool take(const std::string& path, std::string& holder);
     bool held() const { return !path_.empty(); }
-    /// Shows others that the holder is alive: to be called every few seconds, at least once in `seconds_of_silence`.
+    /// Shows others that the holder is alive: to be called every few seconds, at least once in
+    /// `seconds_of_silence`.
     void refresh() const;
     void release();
 

@@ -35,8 +35,10 @@ std::string list_of(const Names& names)
 std::string name_in(const Located& field)
 {
     const std::string name = field.text();
-    const bool right = !name.empty() && name.size() <= 100 && name[0] != '-'
-                       && name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
+    const bool right = !name.empty() && name.size() <= 100 && name[0] != '-' &&
+                       name.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+                           std::string::npos;
     if (!right)
         field.refuse("a name of letters, digits, _ and - is expected, at most 100 of them");
     return name;
@@ -59,7 +61,8 @@ std::string readable_file(const Located& field, const std::string& folder)
     struct stat status;
     if (name.empty())
         field.refuse("the name of a file is expected");
-    if (stat(path.c_str(), &status) != 0 || (S_ISREG(status.st_mode) && access(path.c_str(), R_OK) != 0))
+    if (stat(path.c_str(), &status) != 0 ||
+        (S_ISREG(status.st_mode) && access(path.c_str(), R_OK) != 0))
         field.refuse(excerpt(name) + " cannot be read: " + std::strerror(errno) +
                      "; names start at the manifest's folder");
     if (!S_ISREG(status.st_mode))
@@ -120,14 +123,23 @@ std::string format_in(const Located& object, const Names& formats)
 }
 
 /// A paper, panel or preview; `field` is the one that says what it is.
-BatchTarget read_target(const Located& object, const Names& formats, const char* field, const std::string& what)
+BatchTarget read_target(const Located& object, const Names& formats, const char* field,
+                        const std::string& what)
 {
-    const auto place_of = [&](const char* name) { return (object.has(name) ? object.field(name) : object).place(); };
-    return {name_in(object.field("name")), format_in(object, formats), what, command_options(object, field), place_of(field), place_of("options")};
+    const auto place_of = [&](const char* name) {
+        return (object.has(name) ? object.field(name) : object).place();
+    };
+    return {name_in(object.field("name")),
+            format_in(object, formats),
+            what,
+            command_options(object, field),
+            place_of(field),
+            place_of("options")};
 }
 
 /// All lists of things that have names.
-template <class Thing, class Read> void read_list(const Located& root, const char* field, std::vector<Thing>& all, const Read& read)
+template <class Thing, class Read>
+void read_list(const Located& root, const char* field, std::vector<Thing>& all, const Read& read)
 {
     if (!root.has(field))
         return;
@@ -135,7 +147,8 @@ template <class Thing, class Read> void read_list(const Located& root, const cha
     for (const Located& object : root.field(field).list()) {
         all.push_back(read(object));
         if (!names.insert(all.back().name).second)
-            object.field("name").refuse("there are two of the name " + all.back().name + " in " + field);
+            object.field("name").refuse("there are two of the name " + all.back().name + " in " +
+                                        field);
     }
 }
 
@@ -156,7 +169,9 @@ template <class Thing> Names names_of(const std::vector<Thing>& things)
 }
 
 /// A field that picks some things of a list by their names.
-template <class Thing> std::optional<Names> chosen(const Located& object, const char* field, const std::vector<Thing>& things)
+template <class Thing>
+std::optional<Names> chosen(const Located& object, const char* field,
+                            const std::vector<Thing>& things)
 {
     if (!object.has(field))
         return std::nullopt;
@@ -174,12 +189,14 @@ template <class Thing> std::optional<Names> chosen(const Located& object, const 
 
 Targets targets_in(const Located& object, const Manifest& manifest)
 {
-    return {chosen(object, "papers", manifest.papers), chosen(object, "panels", manifest.panels), chosen(object, "previews", manifest.previews)};
+    return {chosen(object, "papers", manifest.papers), chosen(object, "panels", manifest.panels),
+            chosen(object, "previews", manifest.previews)};
 }
 
 BatchScene read_scene(const Located& object, const Manifest& manifest)
 {
-    object.allow({"name", "file", "options", "declare", "size", "inputs", "sheets", "papers", "panels", "previews"});
+    object.allow({"name", "file", "options", "declare", "size", "inputs", "sheets", "papers",
+                  "panels", "previews"});
     BatchScene scene;
     scene.name = name_in(object.field("name"));
     scene.file = readable_file(object.field("file"), manifest.folder);
@@ -191,8 +208,12 @@ BatchScene read_scene(const Located& object, const Manifest& manifest)
     scene.options = renderer_options(object);
     if (object.has("declare"))
         for (const auto& [name, value] : object.field("declare").fields()) {
-            const bool identifier = !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string::npos
-                                    && !(name[0] >= '0' && name[0] <= '9');
+            const bool identifier =
+                !name.empty() &&
+                name.find_first_not_of(
+                    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") ==
+                    std::string::npos &&
+                !(name[0] >= '0' && name[0] <= '9');
             if (!identifier || !value.json().is_number())
                 value.refuse("a scene's identifier and a number are expected");
             scene.declare.emplace_back(name, value.json().dump());
@@ -213,7 +234,8 @@ BatchSheet read_sheet(const Located& object, const Manifest& manifest)
     sheet.name = name_in(object.field("name"));
     sheet.camera = object.field("camera").text();
     if (sheet.camera.find_first_not_of(" \t\n") == std::string::npos)
-        object.field("camera").refuse("the integral camera's words are expected, as in lens_sheet { ... } film { dpi 300 }");
+        object.field("camera").refuse(
+            "the integral camera's words are expected, as in lens_sheet { ... } film { dpi 300 }");
     if (!can_be_quoted(sheet.camera))
         object.field("camera").refuse(both_quotes);
     sheet.options = renderer_options(object);
@@ -225,15 +247,19 @@ BatchSheet read_sheet(const Located& object, const Manifest& manifest)
 void add_job(Manifest& manifest, const Located& place, BatchJob job, const Targets& own)
 {
     const BatchScene& scene = manifest.scenes[std::size_t(job.scene)];
-    const Targets sheet = job.sheet < 0 ? Targets() : manifest.sheets[std::size_t(job.sheet)].targets;
-    const auto pick = [](const std::optional<Names>& first, const std::optional<Names>& second, const std::optional<Names>& third, const Names& all) {
+    const Targets sheet = job.sheet < 0 ? Targets()
+                                        : manifest.sheets[std::size_t(job.sheet)].targets;
+    const auto pick = [](const std::optional<Names>& first, const std::optional<Names>& second,
+                         const std::optional<Names>& third, const Names& all) {
         return first ? *first : second ? *second : third ? *third : all;
     };
     job.papers = pick(own.papers, sheet.papers, scene.targets.papers, names_of(manifest.papers));
     job.panels = pick(own.panels, sheet.panels, scene.targets.panels, names_of(manifest.panels));
-    job.previews = pick(own.previews, sheet.previews, scene.targets.previews, names_of(manifest.previews));
+    job.previews = pick(own.previews, sheet.previews, scene.targets.previews,
+                        names_of(manifest.previews));
     if (job.name.empty())
-        job.name = scene.name + (job.sheet < 0 ? "" : "-" + manifest.sheets[std::size_t(job.sheet)].name);
+        job.name = scene.name +
+                   (job.sheet < 0 ? "" : "-" + manifest.sheets[std::size_t(job.sheet)].name);
     job.line = place.line();
     if (index_of(manifest.jobs, job.name) >= 0)
         place.refuse("there are two jobs of the name " + job.name);
@@ -246,7 +272,8 @@ void make_jobs(const Located& root, Manifest& manifest)
 {
     const auto scenes = root.field("scenes").list();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const Names sheets = manifest.scenes[i].sheets ? *manifest.scenes[i].sheets : names_of(manifest.sheets);
+        const Names sheets = manifest.scenes[i].sheets ? *manifest.scenes[i].sheets
+                                                       : names_of(manifest.sheets);
         BatchJob job;
         job.scene = int(i);
         if (sheets.empty())
@@ -267,11 +294,13 @@ void read_jobs(const Located& list, Manifest& manifest)
             job.name = name_in(object.field("name"));
         job.scene = index_of(manifest.scenes, object.field("scene").text());
         if (job.scene < 0)
-            object.field("scene").refuse("it is not among the manifest's scenes: " + list_of(names_of(manifest.scenes)));
+            object.field("scene").refuse("it is not among the manifest's scenes: " +
+                                         list_of(names_of(manifest.scenes)));
         if (object.has("sheet")) {
             job.sheet = index_of(manifest.sheets, object.field("sheet").text());
             if (job.sheet < 0)
-                object.field("sheet").refuse("it is not among the manifest's sheets: " + list_of(names_of(manifest.sheets)));
+                object.field("sheet").refuse("it is not among the manifest's sheets: " +
+                                             list_of(names_of(manifest.sheets)));
         }
         add_job(manifest, object, job, targets_in(object, manifest));
     }
@@ -281,7 +310,9 @@ void exclude_jobs(const Located& list, Manifest& manifest)
 {
     for (const Located& one : list.list()) {
         const std::string pattern = one.text();
-        const auto fits = [&](const BatchJob& job) { return fnmatch(pattern.c_str(), job.name.c_str(), 0) == 0; };
+        const auto fits = [&](const BatchJob& job) {
+            return fnmatch(pattern.c_str(), job.name.c_str(), 0) == 0;
+        };
         const auto kept = std::remove_if(manifest.jobs.begin(), manifest.jobs.end(), fits);
         if (kept == manifest.jobs.end())
             one.refuse("no job is called " + excerpt(pattern) +
@@ -302,7 +333,8 @@ std::string path_in(const std::string& folder, const std::string& name)
 Manifest read_manifest(const std::string& path)
 {
     const Located root = Located::parse(display_name(path, "standard input"), read_file(path));
-    root.allow({"output", "frames", "scenes", "sheets", "papers", "panels", "previews", "jobs", "exclude"});
+    root.allow({"output", "frames", "scenes", "sheets", "papers", "panels", "previews", "jobs",
+                "exclude"});
     Manifest manifest;
     manifest.path = path;
     const auto slash = path.rfind('/');
@@ -319,26 +351,32 @@ Manifest read_manifest(const std::string& path)
         manifest.frame_format = format_in(frames, {"png", "exr"});
         if (frames.has("bits")) {
             manifest.frame_bits = frames.field("bits").whole(8, 16);
-            if ((manifest.frame_bits != 8 && manifest.frame_bits != 16) || manifest.frame_format != "png")
+            if ((manifest.frame_bits != 8 && manifest.frame_bits != 16) ||
+                manifest.frame_format != "png")
                 frames.field("bits").refuse("8 or 16 is expected, of PNG");
         }
     }
     read_list(root, "papers", manifest.papers, [&](const Located& object) {
         object.allow({"name", "paper", "options", "format"});
-        return read_target(object, {"pdf", "tiff", "png"}, "paper", object.has("paper") ? object.field("paper").text() : "");
+        return read_target(object, {"pdf", "tiff", "png"}, "paper",
+                           object.has("paper") ? object.field("paper").text() : "");
     });
     read_list(root, "panels", manifest.panels, [&](const Located& object) {
         object.allow({"name", "panel", "options", "format"});
         const Located panel = object.field("panel"); // a name that integral lcd knows, or a file
-        const bool file = extension_of(panel.text()) == "json" || panel.text().find('/') != std::string::npos || panel.text().empty();
-        return read_target(object, {"png", "tiff", "exr"}, "panel", file ? readable_file(panel, manifest.folder) : panel.text());
+        const bool file = extension_of(panel.text()) == "json" ||
+                          panel.text().find('/') != std::string::npos || panel.text().empty();
+        return read_target(object, {"png", "tiff", "exr"}, "panel",
+                           file ? readable_file(panel, manifest.folder) : panel.text());
     });
     read_list(root, "previews", manifest.previews, [&](const Located& object) {
         object.allow({"name", "options", "format"});
         return read_target(object, {"png", "exr", "tiff", "webp", "html"}, "", "");
     });
-    read_list(root, "sheets", manifest.sheets, [&](const Located& object) { return read_sheet(object, manifest); });
-    read_list(root, "scenes", manifest.scenes, [&](const Located& object) { return read_scene(object, manifest); });
+    read_list(root, "sheets", manifest.sheets,
+              [&](const Located& object) { return read_sheet(object, manifest); });
+    read_list(root, "scenes", manifest.scenes,
+              [&](const Located& object) { return read_scene(object, manifest); });
     if (root.has("jobs"))
         read_jobs(root.field("jobs"), manifest);
     else

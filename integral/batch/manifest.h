@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a batch's manifest asks for. doc/guide.md, "Batches", says what each field means to its user.
+// What a batch's manifest asks for. doc/guide.md, "Batches", says what each field means to its
+// user.
 #ifndef INTEGRAL_BATCH_MANIFEST_H
 #define INTEGRAL_BATCH_MANIFEST_H
 
@@ -26,7 +27,7 @@ struct BatchScene {
     Names options;          ///< the renderer's
     std::vector<std::pair<std::string, std::string>> declare;
     FrameSize size;
-    Names inputs;               ///< files that it reads and that its text does not name
+    Names inputs;                ///< files that it reads and that its text does not name
     std::optional<Names> sheets; ///< not given: all; empty: its own camera is integral
     Targets targets;
 };
@@ -41,9 +42,11 @@ struct BatchSheet {
 /// A paper, a panel or a preview: what one command makes of a frame.
 struct BatchTarget {
     std::string name, format; ///< the output's extension
-    std::string what;         ///< a paper's name or size, a panel's file; may be empty for papers; nothing for previews
-    Names options;            ///< the command's
-    std::string place, options_place; ///< where `what` and `options` stand: "batch.json:7: papers[0].paper", for messages
+    std::string what; ///< a paper's name or size, a panel's file; may be empty for papers; nothing
+                      ///< for previews
+    Names options;    ///< the command's
+    std::string place, options_place; ///< where `what` and `options` stand: "batch.json:7:
+                                      ///< papers[0].paper", for messages
 };
 
 /// A scene on a sheet, for some targets.
@@ -65,8 +68,8 @@ struct Manifest {
     std::vector<BatchJob> jobs; ///< all, in order; names are unique
 };
 
-/// Reads and checks a manifest: fields, names, that scenes and panels can be read, that no option is given that the batch itself
-/// gives. Throws InputError with line and field.
+/// Reads and checks a manifest: fields, names, that scenes and panels can be read, that no option
+/// is given that the batch itself gives. Throws InputError with line and field.
 Manifest read_manifest(const std::string& path);
 
 /// A name of the manifest as a path: absolute as it is, else from its folder.

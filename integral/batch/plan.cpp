@@ -71,7 +71,9 @@ void add_named_files(const Manifest& manifest, BatchStep& step, const Names& opt
 {
     for (const std::string& word : options) {
         const auto equals = word.find('=');
-        const std::string name = word[0] == '-' ? (equals == std::string::npos ? "" : word.substr(equals + 1)) : word;
+        const std::string name = word[0] == '-'
+                                     ? (equals == std::string::npos ? "" : word.substr(equals + 1))
+                                     : word;
         struct stat status;
         const std::string path = path_in(manifest.folder, name);
         if (!name.empty() && stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode))
@@ -79,14 +81,16 @@ void add_named_files(const Manifest& manifest, BatchStep& step, const Names& opt
     }
 }
 
-BatchStep target_step(const Manifest& manifest, const BatchJob& job, int frame, StepKind kind, const BatchTarget& target, Names words)
+BatchStep target_step(const Manifest& manifest, const BatchJob& job, int frame, StepKind kind,
+                      const BatchTarget& target, Names words)
 {
     BatchStep step;
     step.kind = kind;
     step.name = std::string(name_of(kind)) + "." + job.name + "." + target.name;
     step.frame = frame;
     step.target = target.name;
-    step.output = std::string(name_of(kind)) + "s/" + job.name + "." + target.name + "." + target.format;
+    step.output = std::string(name_of(kind)) + "s/" + job.name + "." + target.name + "." +
+                  target.format;
     step.folder = manifest.folder;
     step.words = std::move(words);
     step.words.insert(step.words.end(), target.options.begin(), target.options.end());
@@ -118,17 +122,23 @@ BatchPlan plan_of(const Manifest& manifest)
         const int frame = int(plan.steps.size());
         const std::size_t first = plan.steps.size();
         plan.steps.push_back(frame_step(manifest, job));
-        plan.steps.push_back(target_step(manifest, job, frame, StepKind::thumbnail, {"eye", "png", "", {}, "", ""}, {"replay", frame_word}));
+        plan.steps.push_back(target_step(manifest, job, frame, StepKind::thumbnail,
+                                         {"eye", "png", "", {}, "", ""}, {"replay", frame_word}));
         for (const std::string& name : job.previews)
-            plan.steps.push_back(target_step(manifest, job, frame, StepKind::preview, named(manifest.previews, name), {"replay", frame_word}));
+            plan.steps.push_back(target_step(manifest, job, frame, StepKind::preview,
+                                             named(manifest.previews, name),
+                                             {"replay", frame_word}));
         for (const std::string& name : job.papers) {
             const BatchTarget& paper = named(manifest.papers, name);
-            const Names words = paper.what.empty() ? Names{"print", frame_word} : Names{"print", frame_word, "--paper", paper.what};
+            const Names words = paper.what.empty()
+                                    ? Names{"print", frame_word}
+                                    : Names{"print", frame_word, "--paper", paper.what};
             plan.steps.push_back(target_step(manifest, job, frame, StepKind::print, paper, words));
         }
         for (const std::string& name : job.panels) {
             const BatchTarget& panel = named(manifest.panels, name);
-            plan.steps.push_back(target_step(manifest, job, frame, StepKind::panel, panel, {"lcd", frame_word, "--panel", panel.what}));
+            plan.steps.push_back(target_step(manifest, job, frame, StepKind::panel, panel,
+                                             {"lcd", frame_word, "--panel", panel.what}));
         }
         for (std::size_t i = first; i < plan.steps.size(); ++i)
             plan.steps[i].job = int(j);
@@ -136,17 +146,22 @@ BatchPlan plan_of(const Manifest& manifest)
     return plan;
 }
 
-StepInputs::StepInputs(const Manifest& manifest, BatchPrograms programs) : manifest_(manifest), programs_(std::move(programs)) {}
+StepInputs::StepInputs(const Manifest& manifest, BatchPrograms programs)
+    : manifest_(manifest), programs_(std::move(programs))
+{
+}
 
 const std::string& StepInputs::content(const std::string& path)
 {
     const auto found = contents_.find(path);
-    return found != contents_.end() ? found->second : contents_.emplace(path, hash_of_file(path)).first->second;
+    return found != contents_.end() ? found->second
+                                    : contents_.emplace(path, hash_of_file(path)).first->second;
 }
 
 const std::string& StepInputs::scene_hash(const BatchStep& step)
 {
-    const BatchScene& scene = manifest_.scenes[std::size_t(manifest_.jobs[std::size_t(step.job)].scene)];
+    const BatchScene& scene = manifest_
+                                  .scenes[std::size_t(manifest_.jobs[std::size_t(step.job)].scene)];
     std::string key = step.folder + "\n" + scene.file;
     for (const std::string& word : step.words)
         key += "\n" + word;
@@ -154,7 +169,8 @@ const std::string& StepInputs::scene_hash(const BatchStep& step)
     if (known != scenes_.end())
         return known->second;
     ContentHash hash;
-    for (const SceneFile& file : files_of_scene(last_part(scene.file), {step.folder, step.words, programs_.renderer_share})) {
+    for (const SceneFile& file : files_of_scene(
+             last_part(scene.file), {step.folder, step.words, programs_.renderer_share})) {
         hash.add(file.name);
         hash.add(content(file.path));
     }

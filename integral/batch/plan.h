@@ -18,17 +18,17 @@ const char* name_of(StepKind kind);
 /// One child process: povray-integral for a frame, the integral program for the others.
 struct BatchStep {
     StepKind kind = StepKind::frame;
-    std::string name;    ///< of the step, unique: frame.JOB, print.JOB.TARGET
-    int job = 0;         ///< in the manifest's list
-    int frame = -1;      ///< the step that makes the frame which this one takes; -1: this is one
-    std::string target;  ///< the paper's, panel's or preview's name
-    std::string output;  ///< path below the output folder: frames/JOB.png
-    std::string folder;  ///< in which it runs
-    Names words;         ///< of its command line, without output and threads
-    FrameSize size;      ///< of a frame, where the manifest says it
-    int threads = 0;     ///< that the manifest gives it; 0: as the batch finds best
+    std::string name;   ///< of the step, unique: frame.JOB, print.JOB.TARGET
+    int job = 0;        ///< in the manifest's list
+    int frame = -1;     ///< the step that makes the frame which this one takes; -1: this is one
+    std::string target; ///< the paper's, panel's or preview's name
+    std::string output; ///< path below the output folder: frames/JOB.png
+    std::string folder; ///< in which it runs
+    Names words;        ///< of its command line, without output and threads
+    FrameSize size;     ///< of a frame, where the manifest says it
+    int threads = 0;    ///< that the manifest gives it; 0: as the batch finds best
     std::optional<RowStrip> rows; ///< of a frame, where these alone are made: a strip
-    Names files;         ///< of the manifest that it reads, beside the frame: paths
+    Names files;                  ///< of the manifest that it reads, beside the frame: paths
 };
 
 struct BatchPlan {
@@ -51,8 +51,9 @@ class StepInputs {
 public:
     StepInputs(const Manifest& manifest, BatchPrograms programs);
 
-    /// The hash of all that a step's output depends on: words, program, contents of files; of a step that takes a frame, that frame's
-    /// content, `frame_hash`. Throws InputError where a file cannot be read.
+    /// The hash of all that a step's output depends on: words, program, contents of files; of a
+    /// step that takes a frame, that frame's content, `frame_hash`. Throws InputError where a file
+    /// cannot be read.
     std::string hash(const BatchStep& step, const std::string& frame_hash);
 
 private:
@@ -61,7 +62,8 @@ private:
 
     const Manifest& manifest_;
     BatchPrograms programs_;
-    std::map<std::string, std::string> contents_, scenes_; ///< hashes by path, and by scene and options
+    std::map<std::string, std::string> contents_,
+        scenes_; ///< hashes by path, and by scene and options
 };
 
 } // namespace integral

@@ -68,11 +68,14 @@ InputError no_renderer(const std::string& said)
 {
     const std::string before = "cannot be run: ";
     const auto place = said.find(before);
-    const std::string reason = reason_in(place == std::string::npos ? said : said.substr(place + before.size()));
-    return InputError("povray-integral cannot be run: " + reason + "; it belongs beside this program, or on PATH");
+    const std::string reason = reason_in(
+        place == std::string::npos ? said : said.substr(place + before.size()));
+    return InputError("povray-integral cannot be run: " + reason +
+                      "; it belongs beside this program, or on PATH");
 }
 
-void render(const std::string& what, const std::vector<std::string>& options, const ScratchFolder& scratch)
+void render(const std::string& what, const std::vector<std::string>& options,
+            const ScratchFolder& scratch)
 {
     std::vector<std::string> words = options;
     words.insert(words.begin(), renderer_program());

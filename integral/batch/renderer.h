@@ -10,7 +10,8 @@
 
 namespace integral {
 
-/// A folder of its own in the machine's place for temporary files, deleted with all that is in it at the end.
+/// A folder of its own in the machine's place for temporary files, deleted with all that is in it
+/// at the end.
 class ScratchFolder {
 public:
     /// Throws OutputError.
@@ -24,19 +25,22 @@ private:
     std::string path_;
 };
 
-/// povray-integral's path: the one beside this program, or else its bare name, to be looked for on PATH.
+/// povray-integral's path: the one beside this program, or else its bare name, to be looked for on
+/// PATH.
 std::string renderer_program();
 
-/// POV-Ray's reason for a failure in all that it said: the sentence that says "Error:", its broken lines joined, else its last line.
+/// POV-Ray's reason for a failure in all that it said: the sentence that says "Error:", its broken
+/// lines joined, else its last line.
 std::string reason_in(const std::string& said);
 
 /// What to throw where povray-integral cannot be run, of what ChildProcess or it has said.
 InputError no_renderer(const std::string& said);
 
-/// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its end. What it says goes to
-/// a file in `scratch`. Throws InputError, with the renderer's own reason, where it fails, naming `what` (the scene); Interrupted where
-/// that is why.
-void render(const std::string& what, const std::vector<std::string>& options, const ScratchFolder& scratch);
+/// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its
+/// end. What it says goes to a file in `scratch`. Throws InputError, with the renderer's own
+/// reason, where it fails, naming `what` (the scene); Interrupted where that is why.
+void render(const std::string& what, const std::vector<std::string>& options,
+            const ScratchFolder& scratch);
 
 } // namespace integral
 

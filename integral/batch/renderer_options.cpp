@@ -17,7 +17,8 @@ constexpr char value_ends[] = " \t\n\v\f\r;#\"'", name_ends[] = " \t\n\v\f\r;#\"
 
 std::string in_small_letters(std::string text)
 {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
     return text;
 }
 
@@ -38,7 +39,8 @@ struct Reader {
         at = std::min(word.find_first_of(ends, at), word.size());
         return word.substr(begin, at - begin);
     }
-    /// What stands in the quotation marks that begin here, up to the word's end if there is but one.
+    /// What stands in the quotation marks that begin here, up to the word's end if there is but
+    /// one.
     std::string in_quotes()
     {
         const std::size_t begin = at + 1, end = std::min(word.find(word[at], begin), word.size());
@@ -53,17 +55,20 @@ bool is_one_of(const std::string& name, std::initializer_list<const char*> names
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-constexpr char of_sheet[] = "the batch chooses the sheet; the field \"camera\" of \"sheets\" has its words",
-               of_size[] = "there is the field \"size\"",
-               of_output[] = "the batch names the output itself; the field \"frames\" says its kind",
-               of_one_frame[] = "a job is one frame", of_log[] = "the batch keeps what the renderer says",
-               of_window[] = "a batch has no window",
-               of_resume[] = "the batch itself continues where it was interrupted",
-               of_input[] = "there is the field \"file\"";
+constexpr char
+    of_sheet[] = "the batch chooses the sheet; the field \"camera\" of \"sheets\" has its words",
+    of_size[] = "there is the field \"size\"",
+    of_output[] = "the batch names the output itself; the field \"frames\" says its kind",
+    of_one_frame[] = "a job is one frame", of_log[] = "the batch keeps what the renderer says",
+    of_window[] = "a batch has no window",
+    of_resume[] = "the batch itself continues where it was interrupted",
+    of_input[] = "there is the field \"file\"";
 
 std::string refused_keyword(const std::string& name)
 {
-    const auto is = [&](std::initializer_list<const char*> names) { return is_one_of(name, names); };
+    const auto is = [&](std::initializer_list<const char*> names) {
+        return is_one_of(name, names);
+    };
     if (is({"integral_camera"}))
         return of_sheet;
     if (is({"width", "height"}))
@@ -73,9 +78,11 @@ std::string refused_keyword(const std::string& name)
     if (is({"input_file_name"}))
         return of_input;
     if (is({"initial_frame", "final_frame", "initial_clock", "final_clock", "subset_start_frame",
-            "subset_end_frame", "frame_step", "field_render", "clockless_animation", "real_time_raytracing"}))
+            "subset_end_frame", "frame_step", "field_render", "clockless_animation",
+            "real_time_raytracing"}))
         return of_one_frame;
-    if (is({"all_file", "debug_file", "fatal_file", "render_file", "statistic_file", "warning_file", "create_ini"}))
+    if (is({"all_file", "debug_file", "fatal_file", "render_file", "statistic_file", "warning_file",
+            "create_ini"}))
         return of_log;
     if (is({"display", "pause_when_done"}))
         return of_window;
@@ -85,7 +92,8 @@ std::string refused_keyword(const std::string& name)
 std::string refused_letters(const std::string& letters, bool has_value)
 {
     const auto with = [&](std::initializer_list<const char*> starts) {
-        return std::any_of(starts.begin(), starts.end(), [&](const char* start) { return begins(letters, start); });
+        return std::any_of(starts.begin(), starts.end(),
+                           [&](const char* start) { return begins(letters, start); });
     };
     if ((with({"w"}) && !with({"wt", "wl"})) || (with({"h"}) && !with({"hi", "hr"})))
         return of_size;
@@ -111,7 +119,8 @@ std::vector<RendererOption> renderer_options_in(const std::string& word)
     if (begins(in_small_letters(word.substr(0, camera.size() + 1)), camera + "="))
         return {{Kind::keyword, camera, word.substr(camera.size() + 1)}};
     Reader reader{word};
-    while ((reader.at = std::min(word.find_first_not_of(blanks, reader.at), word.size())) < word.size()) {
+    while ((reader.at = std::min(word.find_first_not_of(blanks, reader.at), word.size())) <
+           word.size()) {
         const std::size_t begin = reader.at;
         if (reader.at_quote()) {
             all.push_back({Kind::path, "", reader.in_quotes()});
@@ -120,7 +129,8 @@ std::vector<RendererOption> renderer_options_in(const std::string& word)
         if (word[begin] == '+' || word[begin] == '-') {
             ++reader.at;
             const std::string letters = reader.until(name_ends);
-            all.push_back({Kind::letters, letters, reader.at_quote() ? reader.in_quotes() : "", word[begin] == '+'});
+            all.push_back({Kind::letters, letters, reader.at_quote() ? reader.in_quotes() : "",
+                           word[begin] == '+'});
             continue;
         }
         const std::string name = reader.until(name_ends);
@@ -159,8 +169,8 @@ std::vector<std::string> values_of_option(const std::vector<std::string>& words,
             const std::string name = in_small_letters(option.name);
             if (option.kind == Kind::keyword && name == keyword)
                 values.push_back(option.value);
-            else if (option.kind == Kind::letters && !letters.empty() && begins(name, letters)
-                     && name.size() + option.value.size() > letters.size())
+            else if (option.kind == Kind::letters && !letters.empty() && begins(name, letters) &&
+                     name.size() + option.value.size() > letters.size())
                 values.push_back(option.name.substr(letters.size()) + option.value);
         }
     return values;
@@ -175,7 +185,8 @@ std::string value_of_option(const std::vector<std::string>& words, const std::st
 
 std::string refused_renderer_option(const std::string& word)
 {
-    if (is_one_of(word, {"--help", "-help", "-h", "-?", "--version", "-version", "--V", "--benchmark", "-benchmark"}))
+    if (is_one_of(word, {"--help", "-help", "-h", "-?", "--version", "-version", "--V",
+                         "--benchmark", "-benchmark"}))
         return "a batch renders scenes";
     const auto options = renderer_options_in(word);
     if (options.empty())

@@ -15,13 +15,15 @@ struct RendererOption {
         path,    ///< settings ("quick.ini[draft]"), a scene, or a folder of include files
     };
     Kind kind = Kind::path;
-    std::string name;  ///< the keyword, or the letters with what follows them: as written, in any case
+    std::string name;  ///< the keyword, or the letters with what follows them: as written, in any
+                       ///< case
     std::string value; ///< of a keyword; in quotation marks after letters; a path
     bool on = true;    ///< letters: after +, not -
 };
 
-/// The options in one word of the command line: POV-Ray splits it at blanks that are not in quotation
-/// marks, and takes both kinds of marks away. A word that begins with Integral_Camera= is one option.
+/// The options in one word of the command line: POV-Ray splits it at blanks that are not in
+/// quotation marks, and takes both kinds of marks away. A word that begins with Integral_Camera= is
+/// one option.
 std::vector<RendererOption> renderer_options_in(const std::string& word);
 
 /// A file's name for the command line: in quotation marks of a kind that it does not have.
@@ -30,8 +32,8 @@ std::string quoted(const std::string& name);
 /// Whether quoted() can pass a name on: one with both kinds of quotation marks cannot be.
 bool can_be_quoted(const std::string& name);
 
-/// The values of the options that are this keyword or, where `letters` is not empty, these letters with
-/// a value behind them. Both names in small letters.
+/// The values of the options that are this keyword or, where `letters` is not empty, these letters
+/// with a value behind them. Both names in small letters.
 std::vector<std::string> values_of_option(const std::vector<std::string>& words,
                                           const std::string& keyword, const std::string& letters);
 
@@ -39,7 +41,8 @@ std::vector<std::string> values_of_option(const std::vector<std::string>& words,
 std::string value_of_option(const std::vector<std::string>& words, const std::string& keyword,
                             const std::string& letters);
 
-/// Why a batch gives an option among this word's itself, or has no use for it; empty if all may be given.
+/// Why a batch gives an option among this word's itself, or has no use for it; empty if all may be
+/// given.
 std::string refused_renderer_option(const std::string& word);
 
 } // namespace integral

@@ -20,19 +20,25 @@ bool is_file(const std::string& path)
     return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
-std::string from(const std::string& folder, const std::string& name) { return name[0] == '/' ? name : folder + "/" + name; }
+std::string from(const std::string& folder, const std::string& name)
+{
+    return name[0] == '/' ? name : folder + "/" + name;
+}
 
 std::string without_quotes(const std::string& text)
 {
-    const bool quoted = text.size() >= 2 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0];
+    const bool quoted = text.size() >= 2 && (text[0] == '"' || text[0] == '\'') &&
+                        text.back() == text[0];
     return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// What begins as a scene's text or as settings; other files (pictures, fonts, meshes of data) name no files.
+/// What begins as a scene's text or as settings; other files (pictures, fonts, meshes of data) name
+/// no files.
 bool names_files(const std::string& path)
 {
     const std::string extension = extension_of(path);
-    return extension == "pov" || extension == "inc" || extension == "ini" || extension == "mcr" || extension == "macro" || extension == "h";
+    return extension == "pov" || extension == "inc" || extension == "ini" || extension == "mcr" ||
+           extension == "macro" || extension == "h";
 }
 
 /// An .ini file's name without its [SECTION].
@@ -41,7 +47,8 @@ std::string without_section(const std::string& name) { return name.substr(0, nam
 /// Whether an option is a folder of include files.
 bool is_folder(const RendererOption& option)
 {
-    return option.kind == RendererOption::Kind::path && !option.value.empty() && option.value.back() == '/';
+    return option.kind == RendererOption::Kind::path && !option.value.empty() &&
+           option.value.back() == '/';
 }
 
 std::string trimmed(const std::string& text)
@@ -54,8 +61,11 @@ std::string trimmed(const std::string& text)
 std::string library_in(const std::string& line)
 {
     const auto equals = line.find('=');
-    const bool keyword = equals != std::string::npos; // there may be blanks on both sides of the sign
-    const std::string option = keyword ? trimmed(line.substr(0, equals)) + "=" + trimmed(line.substr(equals + 1)) : line;
+    const bool keyword = equals !=
+                         std::string::npos; // there may be blanks on both sides of the sign
+    const std::string option = keyword ? trimmed(line.substr(0, equals)) + "=" +
+                                             trimmed(line.substr(equals + 1))
+                                       : line;
     return value_of_option({option}, "library_path", "l");
 }
 
@@ -73,12 +83,15 @@ std::vector<std::string> names_in(const std::string& text, bool settings)
             if (close == std::string::npos)
                 break;
             names.push_back(line.substr(open + 1, close - open - 1));
-            open = line.find('"', close); // the closing mark may open the next name in a line that a comment's mark shifted
+            open = line.find('"', close); // the closing mark may open the next name in a line that
+                                          // a comment's mark shifted
         }
         if (settings) {
             const std::string plain = trimmed(line.substr(0, line.find(';')));
             const auto equals = plain.find('=');
-            names.push_back(equals == std::string::npos ? plain : without_quotes(trimmed(plain.substr(equals + 1))));
+            names.push_back(equals == std::string::npos
+                                ? plain
+                                : without_quotes(trimmed(plain.substr(equals + 1))));
         }
     }
     return names;
@@ -124,7 +137,8 @@ public:
 
     void look_for(const std::string& name)
     {
-        if (name.empty() || name.size() > longest_name || name.find('\0') != std::string::npos || !looked_for_.insert(name).second)
+        if (name.empty() || name.size() > longest_name || name.find('\0') != std::string::npos ||
+            !looked_for_.insert(name).second)
             return;
         for (const std::string& library : libraries_)
             for (const char* extension : {"", ".inc", ".pov", ".ini", ".INC", ".POV"}) {
@@ -181,7 +195,8 @@ std::vector<SceneFile> files_of_scene(const std::string& scene, const SceneSearc
         for (const RendererOption& option : renderer_options_in(word))
             if (option.kind == RendererOption::Kind::path)
                 search.look_for(without_section(option.value));
-        for (const std::string& quoted : names_in(word, false)) // Declare=MAP="sky.png", Integral_Camera's files
+        for (const std::string& quoted : names_in(word, false)) // Declare=MAP="sky.png",
+                                                                // Integral_Camera's files
             search.look_for(quoted);
     }
     search.add(scene, from(given.folder, scene));

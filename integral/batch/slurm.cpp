@@ -29,7 +29,8 @@ struct Pipe {
     Pipe()
     {
         if (pipe2(ends, O_CLOEXEC) != 0)
-            throw InputError(std::string("Slurm's programs cannot be run: ") + std::strerror(errno));
+            throw InputError(std::string("Slurm's programs cannot be run: ") +
+                             std::strerror(errno));
     }
     ~Pipe()
     {
@@ -65,7 +66,8 @@ void read_both(Pipe& first, std::string& first_text, Pipe& second, std::string& 
     }
 }
 
-/// Runs a program of Slurm's, by PATH, with `input` on its standard input: a script, shorter than a pipe holds.
+/// Runs a program of Slurm's, by PATH, with `input` on its standard input: a script, shorter than a
+/// pipe holds.
 Said run(std::vector<std::string> words, const std::string& input = "")
 {
     std::vector<char*> arguments;
@@ -79,11 +81,13 @@ Said run(std::vector<std::string> words, const std::string& input = "")
     posix_spawn_file_actions_adddup2(&actions, out.ends[1], 1);
     posix_spawn_file_actions_adddup2(&actions, errors.ends[1], 2);
     pid_t child;
-    const int failed = posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
+    const int failed = posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(),
+                                    environ);
     posix_spawn_file_actions_destroy(&actions);
     if (failed)
-        throw InputError(words[0] + ": it cannot be run: " + std::strerror(failed)
-                         + "; batches on a cluster need Slurm's own programs on PATH (Debian's package slurm-client)");
+        throw InputError(words[0] + ": it cannot be run: " + std::strerror(failed) +
+                         "; batches on a cluster need Slurm's own programs on PATH (Debian's "
+                         "package slurm-client)");
     in.shut(0);
     out.shut(1);
     errors.shut(1);
@@ -111,7 +115,10 @@ std::string reason_of(const Said& said)
     return text.empty() ? "it ended with status " + std::to_string(said.status) : text;
 }
 
-[[noreturn]] void refuse(const char* program, const Said& said) { throw InputError(std::string(program) + ": " + reason_of(said)); }
+[[noreturn]] void refuse(const char* program, const Said& said)
+{
+    throw InputError(std::string(program) + ": " + reason_of(said));
+}
 
 std::string joined(const std::vector<std::string>& words, char separator)
 {
@@ -122,7 +129,10 @@ std::string joined(const std::vector<std::string>& words, char separator)
 }
 
 /// Slurm forgets jobs some minutes after their end.
-bool says_unknown(const Said& said) { return said.errors.find("Invalid job id") != std::string::npos; }
+bool says_unknown(const Said& said)
+{
+    return said.errors.find("Invalid job id") != std::string::npos;
+}
 
 /// What squeue prints in slurm_queue's format.
 std::vector<SlurmTask> tasks_in(const std::string& text)
@@ -133,7 +143,8 @@ std::vector<SlurmTask> tasks_in(const std::string& text)
         std::istringstream fields(line);
         std::string id;
         SlurmTask task;
-        if (!std::getline(fields, id, '|') || !std::getline(fields, task.state, '|') || !std::getline(fields, task.reason))
+        if (!std::getline(fields, id, '|') || !std::getline(fields, task.state, '|') ||
+            !std::getline(fields, task.reason))
             continue;
         const auto bar = id.find('_');
         task.job = id.substr(0, bar);
@@ -146,8 +157,8 @@ std::vector<SlurmTask> tasks_in(const std::string& text)
 
 bool has_backslash(const std::string& text) { return text.find('\\') != std::string::npos; }
 
-/// Slurm's pattern for the files that tasks' words go to. A folder's own % is written %%. Where there
-/// is a backslash, Slurm leaves all patterns as they are: then the script names the file.
+/// Slurm's pattern for the files that tasks' words go to. A folder's own % is written %%. Where
+/// there is a backslash, Slurm leaves all patterns as they are: then the script names the file.
 std::string log_pattern(const std::string& folder)
 {
     if (has_backslash(folder))
@@ -163,7 +174,8 @@ std::string redirection(const std::string& folder)
 {
     if (!has_backslash(folder))
         return "";
-    return "exec >> " + for_shell(folder) + "/\"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID.txt\" 2>&1\n";
+    return "exec >> " + for_shell(folder) +
+           "/\"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID.txt\" 2>&1\n";
 }
 
 } // namespace
@@ -178,9 +190,14 @@ std::string for_shell(const std::string& text)
 
 std::string slurm_submit(const SlurmRequest& request)
 {
-    std::vector<std::string> words{"sbatch", "--parsable", "--job-name=" + request.name,
-                                   "--output=" + log_pattern(request.log_folder), "--chdir=" + request.folder,
-                                   "--ntasks=1", "--cpus-per-task=" + std::to_string(request.cpus), "--open-mode=append"};
+    std::vector<std::string> words{"sbatch",
+                                   "--parsable",
+                                   "--job-name=" + request.name,
+                                   "--output=" + log_pattern(request.log_folder),
+                                   "--chdir=" + request.folder,
+                                   "--ntasks=1",
+                                   "--cpus-per-task=" + std::to_string(request.cpus),
+                                   "--open-mode=append"};
     const auto add = [&](const char* option, const std::string& value) {
         if (!value.empty())
             words.push_back(std::string(option) + value);
@@ -191,9 +208,12 @@ std::string slurm_submit(const SlurmRequest& request)
     words.push_back("--array=0-" + std::to_string(request.tasks - 1));
     add("--dependency=afterany:", joined(request.after, ':'));
     words.insert(words.end(), request.options.begin(), request.options.end());
-    const Said said = run(words, "#!/bin/sh\n" + redirection(request.log_folder) + request.commands);
-    const std::string number = said.output.substr(0, said.output.find_first_of(";\n")); // NUMBER[;CLUSTER]
-    if (said.status != 0 || number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
+    const Said said = run(words,
+                          "#!/bin/sh\n" + redirection(request.log_folder) + request.commands);
+    const std::string number = said.output.substr(
+        0, said.output.find_first_of(";\n")); // NUMBER[;CLUSTER]
+    if (said.status != 0 || number.empty() ||
+        number.find_first_not_of("0123456789") != std::string::npos)
         refuse("sbatch", said);
     return number;
 }
@@ -205,9 +225,11 @@ int slurm_array_limit()
     const auto place = said.output.find(name);
     if (said.status != 0 || place == std::string::npos)
         refuse("scontrol", said);
-    const int limit = std::atoi(said.output.c_str() + said.output.find('=', place) + 1); // of indices: one more than the largest
+    const int limit = std::atoi(said.output.c_str() + said.output.find('=', place) +
+                                1); // of indices: one more than the largest
     if (limit < 1)
-        throw InputError("scontrol: Slurm allows no job arrays here (MaxArraySize is " + std::to_string(limit) + ")");
+        throw InputError("scontrol: Slurm allows no job arrays here (MaxArraySize is " +
+                         std::to_string(limit) + ")");
     return limit;
 }
 

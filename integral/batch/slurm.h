@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Slurm, through its own programs: sbatch, squeue, scancel, scontrol. Nothing links it, and where they are missing, they are
-// refused in words.
+// Slurm, through its own programs: sbatch, squeue, scancel, scontrol. Nothing links it, and where
+// they are missing, they are refused in words.
 #ifndef INTEGRAL_BATCH_SLURM_H
 #define INTEGRAL_BATCH_SLURM_H
 
@@ -11,15 +11,15 @@ namespace integral {
 
 /// What is asked of sbatch. Empty texts and 0: the cluster's own defaults.
 struct SlurmRequest {
-    std::string name;                 ///< as squeue shows it
+    std::string name; ///< as squeue shows it
     std::string partition, time, memory;
     int cpus = 1;                     ///< of each task
     std::vector<std::string> options; ///< more of sbatch's own
     int tasks = 1;                    ///< of the array, numbered from 0
-    std::vector<std::string> after;   ///< jobs that must have ended, well or not, before this begins
-    std::string log_folder;           ///< what task T of job J says goes to J_T.txt there
-    std::string folder;               ///< to work in
-    std::string commands;             ///< of /bin/sh
+    std::vector<std::string> after; ///< jobs that must have ended, well or not, before this begins
+    std::string log_folder;         ///< what task T of job J says goes to J_T.txt there
+    std::string folder;             ///< to work in
+    std::string commands;           ///< of /bin/sh
 };
 
 /// A text as one word for a shell.
@@ -33,16 +33,18 @@ int slurm_array_limit();
 
 /// One task of an array that waits or runs.
 struct SlurmTask {
-    std::string job;    ///< the array's number
+    std::string job; ///< the array's number
     int task = 0;
     std::string state;  ///< PENDING, RUNNING ...
     std::string reason; ///< why it waits, "None" if it does not
 };
 
-/// Those of the jobs' tasks that have not ended. Jobs that Slurm has forgotten have ended. Throws InputError.
+/// Those of the jobs' tasks that have not ended. Jobs that Slurm has forgotten have ended. Throws
+/// InputError.
 std::vector<SlurmTask> slurm_queue(const std::vector<std::string>& jobs);
 
-/// Takes arrays, or tasks of them ("12_3"), from the queue and ends what runs of them. Throws InputError.
+/// Takes arrays, or tasks of them ("12_3"), from the queue and ends what runs of them. Throws
+/// InputError.
 void slurm_cancel(const std::vector<std::string>& jobs);
 
 } // namespace integral

@@ -24,10 +24,12 @@ struct StepRecord {
     std::optional<double> error;       ///< a frame's estimated RMS error
     std::string finished, host;        ///< when (UTC, ISO 8601) and where
     std::string reason;                ///< of the failure, one line
-    std::string remark;                ///< what its program said of the frame though it was done; one line, mostly empty
+    std::string remark; ///< what its program said of the frame though it was done; one line, mostly
+                        ///< empty
 };
 
-/// A record that is missing, or that is none (a broken disk's, another program's), reads as an empty one.
+/// A record that is missing, or that is none (a broken disk's, another program's), reads as an
+/// empty one.
 StepRecord read_record(const std::string& path);
 
 /// Writes it whole or not at all. Throws OutputError.

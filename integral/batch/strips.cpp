@@ -16,12 +16,13 @@ namespace integral {
 
 std::vector<RowStrip> row_strips(int height, int strips, int block_side, int reach)
 {
-    const int blocks = (height + block_side - 1) / block_side, number = std::clamp(strips, 1, blocks);
+    const int blocks = (height + block_side - 1) / block_side,
+              number = std::clamp(strips, 1, blocks);
     const int margin = (reach + block_side - 1) / block_side * block_side;
     std::vector<RowStrip> all;
     for (int k = 0; k < number; ++k) {
         RowStrip strip;
-        strip.first = int((long long)(blocks) * k / number) * block_side;
+        strip.first = int((long long)(blocks)*k / number) * block_side;
         const int end = std::min(height, int((long long)(blocks) * (k + 1) / number) * block_side);
         strip.rows = end - strip.first;
         strip.above = std::min(strip.first, margin);
@@ -40,7 +41,8 @@ std::vector<std::string> options_of(const RowStrip& strip, int height)
     if (end < height)
         options.push_back("End_Row=" + std::to_string(end));
     if (strip.above + strip.below > 0)
-        options.push_back("Integral_Rows=" + std::to_string(strip.first + 1) + "," + std::to_string(strip.first + strip.rows));
+        options.push_back("Integral_Rows=" + std::to_string(strip.first + 1) + "," +
+                          std::to_string(strip.first + strip.rows));
     return options;
 }
 
@@ -72,7 +74,8 @@ void copy_rows(const Image& from, int first, int rows, Image& to, int to_first)
         [&](const auto& source) {
             auto& target = std::get<std::decay_t<decltype(source)>>(to.samples);
             const std::size_t row = std::size_t(from.width) * from.channels;
-            std::copy_n(source.begin() + std::ptrdiff_t(row * first), row * rows, target.begin() + std::ptrdiff_t(row * to_first));
+            std::copy_n(source.begin() + std::ptrdiff_t(row * first), row * rows,
+                        target.begin() + std::ptrdiff_t(row * to_first));
         },
         from.samples);
 }
@@ -97,11 +100,14 @@ StripFile read_strip(const std::string& path)
         throw InputError(path + ": it does not say which rows of a frame it holds: " +
                          error.what() + "; delete it, so that it is rendered anew");
     } catch (const Json::exception&) {
-        throw InputError(path + ": it does not say which rows of a frame it holds; delete it, so that it is rendered anew");
+        throw InputError(path + ": it does not say which rows of a frame it holds; delete it, so "
+                                "that it is rendered anew");
     }
     const int rows = strip.picture.image.height;
     if (strip.first < 0 || strip.height < rows || strip.first > strip.height - rows)
-        throw InputError(path + ": the rows that it says it holds cannot be; delete it, so that it is rendered anew");
+        throw InputError(
+            path +
+            ": the rows that it says it holds cannot be; delete it, so that it is rendered anew");
     return strip;
 }
 
@@ -129,7 +135,8 @@ public:
             throw InputError(path + ": its geometry cannot be used: " + error.what());
         }
         if (whole_ && common_part(*whole_) != common_part(metadata))
-            throw InputError(path + ": it is a strip of another frame; delete it, so that it is rendered anew");
+            throw InputError(
+                path + ": it is a strip of another frame; delete it, so that it is rendered anew");
         if (metadata.render) {
             seconds_ += metadata.render->seconds;
             if (metadata.render->error)
@@ -166,14 +173,16 @@ void cut_strip(const std::string& rendered, const RowStrip& strip, const std::st
     DecodedImage picture = picture_of(rendered, bytes);
     const int height = picture.image.height;
     if (strip.first < 0 || strip.rows < 1 || strip.first + strip.rows + strip.below > height)
-        throw InputError(rendered + ": it has " + counted(height, "row") + ", too few for the strip that it was rendered for");
+        throw InputError(rendered + ": it has " + counted(height, "row") +
+                         ", too few for the strip that it was rendered for");
     Image rows = blank_like(picture.image, picture.image.width, strip.rows);
     copy_rows(picture.image, strip.first, strip.rows, rows, 0);
     picture.image = std::move(rows);
-    picture.document = Json{{"first_row", strip.first},
-                            {"of_rows", height},
-                            {"frame", picture.document}}
-                           .dump();
+    picture.document = Json{
+        {"first_row", strip.first},
+        {"of_rows", height},
+        {"frame",
+         picture.document}}.dump();
     write_as(is_exr(bytes), picture, output);
 }
 
@@ -186,7 +195,8 @@ void merge_strips(const std::vector<std::string>& strips, const std::string& out
     int next = 0;
     for (const std::string& path : strips) {
         if (!std::filesystem::exists(path))
-            throw InputError(path + ": this strip is missing; render it before the strips are merged");
+            throw InputError(path +
+                             ": this strip is missing; render it before the strips are merged");
         StripFile strip = read_strip(path);
         const Image& image = strip.picture.image;
         if (next == 0) {
@@ -194,19 +204,22 @@ void merge_strips(const std::vector<std::string>& strips, const std::string& out
             whole.picture.image = blank_like(image, image.width, strip.height);
         }
         const Image& frame = whole.picture.image;
-        if (image.width != frame.width || strip.height != frame.height || image.channels != frame.channels
-            || image.samples.index() != frame.samples.index() || strip.exr != whole.exr)
-            throw InputError(path + ": it is a strip of another frame; delete it, so that it is rendered anew");
+        if (image.width != frame.width || strip.height != frame.height ||
+            image.channels != frame.channels || image.samples.index() != frame.samples.index() ||
+            strip.exr != whole.exr)
+            throw InputError(
+                path + ": it is a strip of another frame; delete it, so that it is rendered anew");
         if (strip.first != next)
-            throw InputError(path + ": it begins at row " + std::to_string(strip.first + 1) + " where row " + std::to_string(next + 1)
-                             + " is wanted; delete it, so that it is rendered anew");
+            throw InputError(path + ": it begins at row " + std::to_string(strip.first + 1) +
+                             " where row " + std::to_string(next + 1) +
+                             " is wanted; delete it, so that it is rendered anew");
         documents.add(path, strip);
         copy_rows(image, 0, image.height, whole.picture.image, next);
         next += image.height;
     }
     if (next != whole.height)
-        throw InputError(strips.back() + ": it ends at row " + std::to_string(next) + " of " + std::to_string(whole.height)
-                         + ": the strips after it are missing");
+        throw InputError(strips.back() + ": it ends at row " + std::to_string(next) + " of " +
+                         std::to_string(whole.height) + ": the strips after it are missing");
     whole.picture.document = documents.document();
     write_as(whole.exr, whole.picture, output);
 }
@@ -224,7 +237,8 @@ ErrorEstimate combined(const std::vector<ErrorEstimate>& strips)
     result.pixels = 0;
     result.seconds = 0;
     for (const ErrorEstimate& strip : strips) {
-        const double share = double(strip.lit_pixels) / double(total), square = strip.rms * strip.rms;
+        const double share = double(strip.lit_pixels) / double(total),
+                     square = strip.rms * strip.rms;
         mean += share * square;
         down = std::hypot(down, share * (square - strip.low * strip.low));
         up = std::hypot(up, share * (strip.high * strip.high - square));
@@ -259,7 +273,8 @@ void add_words(const std::string& text, std::set<std::string>& words)
             ++k;
         } else if (std::isalpha(static_cast<unsigned char>(text[k])) || text[k] == '_') {
             std::size_t end = k;
-            while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
+            while (end < text.size() &&
+                   (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
                 ++end;
             words.insert(text.substr(k, end - k));
             k = end;

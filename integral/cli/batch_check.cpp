@@ -35,13 +35,17 @@ options::variables_map options_of(const Command& command, const BatchTarget& tar
 }
 
 /// Says where in the manifest stands what `check` finds wrong.
-template <class Check> void check_at(const std::string& place, const Command& command, const Check& check)
+template <class Check>
+void check_at(const std::string& place, const Command& command, const Check& check)
 {
     try {
         check();
     } catch (const UsageError& error) {
         const std::string what = error.what();
-        throw InputError(place + ": " + what + (what.find(';') == std::string::npos ? std::string("; see integral help ") + command.name : ""));
+        throw InputError(place + ": " + what +
+                         (what.find(';') == std::string::npos
+                              ? std::string("; see integral help ") + command.name
+                              : ""));
     } catch (const InputError& error) {
         throw InputError(place + ": " + error.what());
     }
@@ -77,12 +81,14 @@ void check_targets(const Manifest& manifest)
     for (const BatchTarget& panel : manifest.panels)
         check_panel(panel, file_of(manifest, panel));
     for (const BatchTarget& preview : manifest.previews)
-        check_at(preview.options_place, replay_command, [&] { options_of(replay_command, preview, {}); });
+        check_at(preview.options_place, replay_command,
+                 [&] { options_of(replay_command, preview, {}); });
 }
 
 double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel_pitch)
 {
-    const auto area = [](const options::variables_map& arguments, const char* option, double otherwise) {
+    const auto area = [](const options::variables_map& arguments, const char* option,
+                         double otherwise) {
         if (!given(arguments, option))
             return otherwise;
         const PixelSize size = parse_size(option, text_of(arguments, option), most_pixels_a_side);
@@ -102,14 +108,18 @@ double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel
         }
         if (step.kind == StepKind::panel) {
             const BatchTarget target = called(manifest.panels);
-            const auto arguments = options_of(lcd_command, target, {"--panel", file_of(manifest, target)});
+            const auto arguments = options_of(lcd_command, target,
+                                              {"--panel", file_of(manifest, target)});
             const Panel panel = panel_of(arguments);
             constexpr double views = 4; // of --size, in memory beside the image
-            return double(panel.film.width) * panel.film.height + views * area(arguments, "size", 0);
+            return double(panel.film.width) * panel.film.height +
+                   views * area(arguments, "size", 0);
         }
         if (step.kind == StepKind::preview) {
-            const options::variables_map arguments = options_of(replay_command, called(manifest.previews), {});
-            return area(arguments, "size", usual_view) * area(arguments, "grid", given(arguments, "stereo") ? 2 : 1);
+            const options::variables_map arguments = options_of(replay_command,
+                                                                called(manifest.previews), {});
+            return area(arguments, "size", usual_view) *
+                   area(arguments, "grid", given(arguments, "stereo") ? 2 : 1);
         }
     } catch (const UsageError&) { // its command says what is wrong
     } catch (const InputError&) {

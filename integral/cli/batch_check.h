@@ -8,13 +8,14 @@
 
 namespace integral {
 
-/// Before anything is rendered: that the commands know the papers, the panels and the options' names. Throws InputError with line and field. Says on
-/// standard error what a panel's calibration lacks.
+/// Before anything is rendered: that the commands know the papers, the panels and the options'
+/// names. Throws InputError with line and field. Says on standard error what a panel's calibration
+/// lacks.
 void check_targets(const Manifest& manifest);
 
-/// Pixels of the picture that a step makes of a frame whose pixels have this pitch (mm): of a printed
-/// page, a view or a sheet of views, a panel's image, with its views where --size says theirs. Of a
-/// PDF file none: it holds the frame itself.
+/// Pixels of the picture that a step makes of a frame whose pixels have this pitch (mm): of a
+/// printed page, a view or a sheet of views, a panel's image, with its views where --size says
+/// theirs. Of a PDF file none: it holds the frame itself.
 double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel_pitch);
 
 } // namespace integral

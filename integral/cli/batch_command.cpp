@@ -22,16 +22,20 @@ namespace {
 options::options_description make_options()
 {
     options::options_description all("Options");
-    all.add_options()
-        ("only", options::value<std::vector<std::string>>()->value_name("JOB"),
-         "only this job; may be given again. Several such runs may work in one folder at once, also on several machines; they write no summary")
-        ("jobs", options::value<int>()->value_name("N"), "programs that run at the same time, 1 to 4096 (default: one per core)")
-        ("memory", options::value<std::string>()->value_name("MB"), "memory that they may take together (default: what the machine has free)")
-        ("retry", options::value<int>()->value_name("N")->default_value(0), "how often a step that failed is tried again, 0 to 100 (default 0)")
-        ("dry-run", options::bool_switch(), "only say what would be done")
-        ("summary", options::bool_switch(), "only write summary.json and index.html, of what is there")
-        ("json", options::bool_switch(), "print the summary, or the plan of --dry-run, as JSON")
-        ("help", "print this");
+    all.add_options()("only", options::value<std::vector<std::string>>()->value_name("JOB"),
+                      "only this job; may be given again. Several such runs may work in one folder "
+                      "at once, also on several machines; they write no summary")(
+        "jobs", options::value<int>()->value_name("N"),
+        "programs that run at the same time, 1 to 4096 (default: one per core)")(
+        "memory", options::value<std::string>()->value_name("MB"),
+        "memory that they may take together (default: what the machine has free)")(
+        "retry", options::value<int>()->value_name("N")->default_value(0),
+        "how often a step that failed is tried again, 0 to 100 (default 0)")(
+        "dry-run", options::bool_switch(),
+        "only say what would be done")("summary", options::bool_switch(),
+                                       "only write summary.json and index.html, of what is there")(
+        "json", options::bool_switch(),
+        "print the summary, or the plan of --dry-run, as JSON")("help", "print this");
     add_slurm_options(all);
     return all;
 }
@@ -42,7 +46,8 @@ std::set<int> chosen_jobs(const options::variables_map& arguments, const Manifes
     if (!given(arguments, "only"))
         return chosen;
     for (const std::string& name : arguments["only"].as<std::vector<std::string>>()) {
-        const auto job = std::find_if(manifest.jobs.begin(), manifest.jobs.end(), [&](const BatchJob& one) { return one.name == name; });
+        const auto job = std::find_if(manifest.jobs.begin(), manifest.jobs.end(),
+                                      [&](const BatchJob& one) { return one.name == name; });
         if (job == manifest.jobs.end())
             throw UsageError("--only " + name + ": there is no such job; --dry-run lists them");
         chosen.insert(int(job - manifest.jobs.begin()));
@@ -53,14 +58,19 @@ std::set<int> chosen_jobs(const options::variables_map& arguments, const Manifes
 RunOptions run_options(const options::variables_map& arguments, const Manifest& manifest)
 {
     RunOptions run;
-    run.at_once = given(arguments, "jobs") ? in_range(arguments, "jobs", 1, 4096) : std::max(1, int(std::thread::hardware_concurrency()));
+    run.at_once = given(arguments, "jobs") ? in_range(arguments, "jobs", 1, 4096)
+                                           : std::max(1, int(std::thread::hardware_concurrency()));
     run.retries = in_range(arguments, "retry", 0, 100);
     if (given(arguments, "memory")) {
-        run.memory = parse_number("memory", text_of(arguments, "memory"), "a number of MB") * (1 << 20);
+        run.memory = parse_number("memory", text_of(arguments, "memory"), "a number of MB") *
+                     (1 << 20);
         if (!(run.memory > 0))
-            throw UsageError("--memory " + text_of(arguments, "memory") + ": more than 0 MB is expected");
+            throw UsageError("--memory " + text_of(arguments, "memory") +
+                             ": more than 0 MB is expected");
     }
-    run.output_pixels = [&manifest](const BatchStep& step, Vec2 pixel_pitch) { return output_pixels(manifest, step, pixel_pitch); };
+    run.output_pixels = [&manifest](const BatchStep& step, Vec2 pixel_pitch) {
+        return output_pixels(manifest, step, pixel_pitch);
+    };
     run.jobs = chosen_jobs(arguments, manifest);
     return run;
 }
@@ -74,9 +84,12 @@ std::string plan_text(const nlohmann::ordered_json& summary)
         for (const auto& step : job.at("steps")) {
             const bool is_kept = step.at("state") == "done";
             (is_kept ? kept : to_do) += 1;
-            text += std::string(is_kept ? "kept   " : "to do  ") + job.at("name").get<std::string>() + ": " + step.at("file").get<std::string>() + "\n";
+            text += std::string(is_kept ? "kept   " : "to do  ") +
+                    job.at("name").get<std::string>() + ": " + step.at("file").get<std::string>() +
+                    "\n";
         }
-    return text + counted(int(summary.at("jobs").size()), "job") + ": " + counted(to_do, "step") + " to do, " + std::to_string(kept) + " kept\n";
+    return text + counted(int(summary.at("jobs").size()), "job") + ": " + counted(to_do, "step") +
+           " to do, " + std::to_string(kept) + " kept\n";
 }
 
 /// Writes summary.json and index.html.
@@ -95,8 +108,10 @@ bool say_what_is_left(const nlohmann::ordered_json& summary)
         if (state == "done")
             continue;
         any = true;
-        const std::string lost = "its task ended without having made it, as if it was cancelled, killed or out of time; --slurm submits it again";
-        say("batch", job.at("name").get<std::string>() + ": " + (state == "failed" ? job.at("reason").get<std::string>() : lost));
+        const std::string lost = "its task ended without having made it, as if it was cancelled, "
+                                 "killed or out of time; --slurm submits it again";
+        say("batch", job.at("name").get<std::string>() + ": " +
+                         (state == "failed" ? job.at("reason").get<std::string>() : lost));
     }
     return any;
 }
@@ -127,7 +142,9 @@ int run(const options::variables_map& arguments)
         return exit_done;
     only_summary = only_summary || after == AfterSlurm::summary;
     const BatchFolder folder = batch_folder(manifest.output);
-    const auto results = dry || only_summary ? survey(manifest, plan, inputs, wanted) : run_batch(manifest, plan, inputs, wanted, progress_bar("batch"));
+    const auto results = dry || only_summary
+                             ? survey(manifest, plan, inputs, wanted)
+                             : run_batch(manifest, plan, inputs, wanted, progress_bar("batch"));
     const auto summary = batch_summary(manifest, plan, results, wanted.jobs);
     if (!dry && wanted.jobs.empty())
         write_summary(folder, summary);
@@ -137,10 +154,15 @@ int run(const options::variables_map& arguments)
     else if (dry)
         print_result(arguments, plan_text(summary));
     else
-        print_result(arguments, counted(summary.at("jobs_done").get<int>(), "job") + " done, " + std::to_string(failed) + " failed"
-                                    + (only_summary ? ", " + std::to_string(summary.at("jobs_missing").get<int>()) + " not yet made" : "") + "; "
-                                    + counted(summary.at("steps_made").get<int>(), "step") + " made, " + std::to_string(summary.at("steps_kept").get<int>())
-                                    + " kept\n");
+        print_result(arguments,
+                     counted(summary.at("jobs_done").get<int>(), "job") + " done, " +
+                         std::to_string(failed) + " failed" +
+                         (only_summary
+                              ? ", " + std::to_string(summary.at("jobs_missing").get<int>()) +
+                                    " not yet made"
+                              : "") +
+                         "; " + counted(summary.at("steps_made").get<int>(), "step") + " made, " +
+                         std::to_string(summary.at("steps_kept").get<int>()) + " kept\n");
     if (after == AfterSlurm::summary)
         return say_what_is_left(summary) ? exit_check_failed : exit_done;
     return !dry && failed > 0 ? exit_check_failed : exit_done;
@@ -151,12 +173,20 @@ int run(const options::variables_map& arguments)
 const Command batch_command = {
     "batch",
     "a manifest of scenes, sheets, papers and panels: frames, prints, panel images, previews",
-    "MANIFEST.json [--only JOB] [--jobs N] [--retry N] [--dry-run] [--slurm [--strips N]] [--follow] [--cancel]",
-    "Renders every scene of a manifest behind every sheet, and makes of each frame its prints, panel\n"
-    "images and previews, on all cores. What is there already, of the same inputs, is kept: a batch\n"
-    "that was interrupted or killed goes on where it was, and after a change only what depends on it\n"
-    "is made again. A failed step does not stop the others; its program's words are kept in logs/.\n"
+    "MANIFEST.json [--only JOB] [--jobs N] [--retry N] [--dry-run] [--slurm [--strips N]] "
+    "[--follow] [--cancel]",
+    "Renders every scene of a manifest behind every sheet, and makes of each frame its prints, "
+    "panel\n"
+    "images and previews, on all cores. What is there already, of the same inputs, is kept: a "
+    "batch\n"
+    "that was interrupted or killed goes on where it was, and after a change only what depends on "
+    "it\n"
+    "is made again. A failed step does not stop the others; its program's words are kept in "
+    "logs/.\n"
     "The output folder gets summary.json and index.html. The user's guide explains the manifest.\n",
-    1, 1, make_options, run};
+    1,
+    1,
+    make_options,
+    run};
 
 } // namespace integral

@@ -18,7 +18,7 @@ namespace options = boost::program_options;
 
 enum ExitStatus {
     exit_done = 0,
-    exit_check_failed = 1,  ///< a comparison or check failed
+    exit_check_failed = 1, ///< a comparison or check failed
     exit_usage = 2,
     exit_input = 3,         ///< unreadable or malformed input
     exit_output = 4,        ///< the output could not be written
@@ -38,18 +38,21 @@ struct Command {
     const char* description; ///< what it does, in lines of at most 80 columns
     int least_inputs, most_inputs;
     options::options_description (*make_options)();
-    /// Does the work: returns an ExitStatus or throws one of the errors above, InputError or OutputError.
+    /// Does the work: returns an ExitStatus or throws one of the errors above, InputError or
+    /// OutputError.
     int (*run)(const options::variables_map&);
 };
 
-extern const Command sheet_command, replay_command, views_command, print_command, lcd_command, compare_command, rectify_command,
-    batch_command;
+extern const Command sheet_command, replay_command, views_command, print_command, lcd_command,
+    compare_command, rectify_command, batch_command;
 
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();
 
-/// Reads the words of a command's line. Throws UsageError for options that it does not have, and for values of another kind.
-options::variables_map read_arguments(const Command& command, const std::vector<std::string>& words);
+/// Reads the words of a command's line. Throws UsageError for options that it does not have, and
+/// for values of another kind.
+options::variables_map read_arguments(const Command& command,
+                                      const std::vector<std::string>& words);
 
 /// The inputs of a command line, in order.
 std::vector<std::string> inputs_of(const options::variables_map& arguments);
@@ -60,7 +63,8 @@ std::string text_of(const options::variables_map& arguments, const char* option)
 /// Whether an option was given.
 bool given(const options::variables_map& arguments, const char* option);
 
-/// The value of an option that is a whole number. Throws UsageError where it is not from `least` to `most`.
+/// The value of an option that is a whole number. Throws UsageError where it is not from `least` to
+/// `most`.
 int in_range(const options::variables_map& arguments, const char* option, int least, int most);
 
 /// Prints a result to standard output, or to -o's FILE whole. Throws OutputError.

@@ -26,15 +26,15 @@ options::options_description make_options()
     const auto number = [](const char* name) {
         return options::value<std::string>()->value_name(name);
     };
-    all.add_options()
-        ("output,o", options::value<std::string>()->value_name("DIFFERENCE"),
-         "write the difference picture, |A - B| of each channel: .png, .exr or .tiff; - "
-         "writes a PNG to standard output and the figures to standard error")
-        ("gain", number("G")->default_value("1"), "multiply the difference picture by G")
-        ("sheet", options::value<std::string>()->value_name("FILE.json"),
-         "geometry for frames that carry none, or instead of their own")
-        ("json", "print the figures as JSON (a PSNR that is infinite is null)")
-        ("help", "print this");
+    all.add_options()(
+        "output,o", options::value<std::string>()->value_name("DIFFERENCE"),
+        "write the difference picture, |A - B| of each channel: .png, .exr or .tiff; - "
+        "writes a PNG to standard output and the figures to standard error")(
+        "gain", number("G")->default_value("1"), "multiply the difference picture by G")(
+        "sheet", options::value<std::string>()->value_name("FILE.json"),
+        "geometry for frames that carry none, or instead of their own")(
+        "json", "print the figures as JSON (a PSNR that is infinite is null)")("help",
+                                                                               "print this");
     add_limit_options(all);
     add_suite_options(all);
     return all;
@@ -54,11 +54,10 @@ std::string as_text(const Comparison& c)
                   name_of(c.encoding.kind));
     std::string result = text;
     if (c.worst) {
-        std::snprintf(text, sizeof text,
-                      "worst micro-image   lens %lld,%lld at %.3f,%.3f mm: RMSE %.6f\n",
-                      static_cast<long long>(c.worst->lens.i),
-                      static_cast<long long>(c.worst->lens.j), c.worst->pole.x, c.worst->pole.y,
-                      c.worst->rmse);
+        std::snprintf(
+            text, sizeof text, "worst micro-image   lens %lld,%lld at %.3f,%.3f mm: RMSE %.6f\n",
+            static_cast<long long>(c.worst->lens.i), static_cast<long long>(c.worst->lens.j),
+            c.worst->pole.x, c.worst->pole.y, c.worst->rmse);
         result += text;
     }
     return result;
@@ -116,7 +115,8 @@ int run(const options::variables_map& arguments)
     const Limits limits = limits_from(arguments);
     const auto inputs = inputs_of(arguments);
     if (inputs.size() != 2)
-        throw UsageError("an input is missing: A and B are compared, or folders with --suite; see integral help compare");
+        throw UsageError("an input is missing: A and B are compared, or folders with --suite; see "
+                         "integral help compare");
     const double gain = parse_number("gain", text_of(arguments, "gain"), "a number");
     const std::string output = text_of(arguments, "output");
     if (!output.empty()) {
@@ -128,8 +128,8 @@ int run(const options::variables_map& arguments)
     const Comparison comparison = compare_rows(a, b, inputs[1], output, gain);
 
     const auto missed = missed_limits(limits, comparison);
-    const std::string figures =
-        given(arguments, "json") ? as_json(comparison, missed.empty()) : as_text(comparison);
+    const std::string figures = given(arguments, "json") ? as_json(comparison, missed.empty())
+                                                         : as_text(comparison);
     if (output == "-") // the picture has standard output
         std::fputs(figures.c_str(), stderr);
     else
@@ -145,21 +145,29 @@ const Command compare_command = {
     "compare",
     "how far two frames or views are apart: RMSE, PSNR, SSIM, worst micro-image",
     "A B [-o DIFFERENCE] [--max-rmse R] [--min-psnr P] [--min-ssim S]\n"
-    "       integral compare --suite FOLDER [--references FOLDER] [-o REPORT.html] [--junit FILE.xml]",
+    "       integral compare --suite FOLDER [--references FOLDER] [-o REPORT.html] [--junit "
+    "FILE.xml]",
     "Compares two pictures of one size in their output encoding, 0 to 1 at full scale (linear\n"
     "pictures in the other's encoding). Colours are compared over black; alpha is a fourth\n"
     "channel where both have it. RMSE and PSNR (0 dB is full scale; inf: equal) are over all\n"
     "channels of all pixels; SSIM is of the lumas, over 11x11 Gaussian windows of sigma 1.5. With\n"
-    "a frame's geometry, the micro-image with the greatest RMSE is named: the lens's column and row\n"
+    "a frame's geometry, the micro-image with the greatest RMSE is named: the lens's column and "
+    "row\n"
     "and its place on the sheet.\n"
     "\n"
-    "With --suite, the pictures of a folder (PNG, EXR, TIFF; its sub-folders too) are compared with\n"
-    "those of the same names among the references. A picture fails if it misses a limit, or if size\n"
+    "With --suite, the pictures of a folder (PNG, EXR, TIFF; its sub-folders too) are compared "
+    "with\n"
+    "those of the same names among the references. A picture fails if it misses a limit, or if "
+    "size\n"
     "or geometry differ, a file is damaged, or one of the two is missing. Limits stand in a file:\n"
     "  {\"defaults\": {\"max_rmse\": 0.002},\n"
     "   \"files\": {\"glass/*\": {\"max_rmse\": 0.01}, \"noise.png\": {\"min_ssim\": 0.9}}}\n"
-    "A name's or glob's limits take the place of the defaults; a later match that of an earlier one;\n"
+    "A name's or glob's limits take the place of the defaults; a later match that of an earlier "
+    "one;\n"
     "null lifts a limit. A picture without any limit must equal its reference.\n",
-    0, 2, make_options, run};
+    0,
+    2,
+    make_options,
+    run};
 
 } // namespace integral

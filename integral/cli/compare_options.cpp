@@ -21,7 +21,9 @@ std::string option_of(const LimitKind& kind)
 void add_limit_options(options::options_description& all)
 {
     for (const LimitKind& kind : limit_kinds)
-        all.add_options()(option_of(kind).c_str(), options::value<std::string>()->value_name(kind.value_name), kind.explanation);
+        all.add_options()(option_of(kind).c_str(),
+                          options::value<std::string>()->value_name(kind.value_name),
+                          kind.explanation);
 }
 
 Limits limits_from(const options::variables_map& arguments)
@@ -35,8 +37,9 @@ Limits limits_from(const options::variables_map& arguments)
         const std::string text = text_of(arguments, option.c_str());
         const double limit = parse_number(option.c_str(), text, "a number");
         if (!(limit >= kind.least && limit <= kind.greatest))
-            throw UsageError("--" + option + " " + text + ": a number from " + with_digits(kind.least, 6) + " to " +
-                             with_digits(kind.greatest, 6) + " is expected");
+            throw UsageError("--" + option + " " + text + ": a number from " +
+                             with_digits(kind.least, 6) + " to " + with_digits(kind.greatest, 6) +
+                             " is expected");
         limits[i] = limit;
     }
     return limits;

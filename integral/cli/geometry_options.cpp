@@ -19,28 +19,29 @@ options::typed_value<std::string>* value(const char* name)
 
 void add_sheet_options(options::options_description& all)
 {
-    all.add_options()
-        ("arrangement", value("KIND"), "lenticular, square or hexagonal (default lenticular)")
-        ("pitch", value("MM"), "width of a lens (default 1.27)")
-        ("thickness", value("MM"), "from the lenses' poles to the film (default 3.08)")
-        ("ior", value("N"), "refractive index of the sheet (default 1.6)")
-        ("slant", value("DEGREES"), "turn of the lenses, anticlockwise as the viewer sees it (default 0)")
-        ("offset", value("X,Y"), "where the lens at index 0,0 is, mm from the sheet's centre");
+    all.add_options()("arrangement", value("KIND"),
+                      "lenticular, square or hexagonal (default lenticular)")(
+        "pitch", value("MM"), "width of a lens (default 1.27)")(
+        "thickness", value("MM"), "from the lenses' poles to the film (default 3.08)")(
+        "ior", value("N"), "refractive index of the sheet (default 1.6)")(
+        "slant", value("DEGREES"),
+        "turn of the lenses, anticlockwise as the viewer sees it (default 0)")(
+        "offset", value("X,Y"), "where the lens at index 0,0 is, mm from the sheet's centre");
 }
 
 void add_film_options(options::options_description& all)
 {
-    all.add_options()
-        ("dpi", value("D[,D]"), "film pixels per inch, across and down (default 300)")
-        ("pixel-pitch", value("MM[,MM]"), "the same as the width of a pixel")
-        ("size", value("WxH"), "pixels of the film");
+    all.add_options()("dpi", value("D[,D]"), "film pixels per inch, across and down (default 300)")(
+        "pixel-pitch", value("MM[,MM]"), "the same as the width of a pixel")("size", value("WxH"),
+                                                                             "pixels of the film");
 }
 
 void add_aperture_options(options::options_description& all)
 {
-    all.add_options()
-        ("distance", value("MM"), "from the viewer, and the capture aperture, to the sheet (default 300)")
-        ("aperture", value("W[,H]"), "extent of the capture aperture, mm (default: what fills a lens)");
+    all.add_options()("distance", value("MM"),
+                      "from the viewer, and the capture aperture, to the sheet (default 300)")(
+        "aperture", value("W[,H]"),
+        "extent of the capture aperture, mm (default: what fills a lens)");
 }
 
 FrameMetadata default_geometry()
@@ -88,8 +89,8 @@ void change_film(const options::variables_map& arguments, Film& film)
         film.pixel_pitch = {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
     }
     if (given(arguments, "pixel-pitch"))
-        film.pixel_pitch =
-            parse_one_or_two("pixel-pitch", text_of(arguments, "pixel-pitch"), "MM or MM,MM");
+        film.pixel_pitch = parse_one_or_two("pixel-pitch", text_of(arguments, "pixel-pitch"),
+                                            "MM or MM,MM");
     if (given(arguments, "size")) {
         const PixelSize size = parse_size("size", text_of(arguments, "size"), largest_film_side);
         film.width = size.width;
@@ -105,7 +106,8 @@ void change_aperture(const options::variables_map& arguments, FrameMetadata& geo
         throw UsageError("--distance " + text_of(arguments, "distance") +
                          ": 0.01 to 1e9 mm is expected");
     if (given(arguments, "aperture")) {
-        const auto numbers = parse_numbers("aperture", text_of(arguments, "aperture"), "W or W,H", 1, 2);
+        const auto numbers = parse_numbers("aperture", text_of(arguments, "aperture"), "W or W,H",
+                                           1, 2);
         Vec2 extent{numbers.front(), numbers.back()};
         if (numbers.size() == 1 && geometry.sheet.arrangement == Arrangement::lenticular)
             (slit_is_horizontal(geometry.sheet) ? extent.y : extent.x) = 0; // a slit

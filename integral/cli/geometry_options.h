@@ -10,7 +10,8 @@ namespace integral {
 
 constexpr int largest_film_side = 1000000; ///< pixels
 
-/// Adds --arrangement, --pitch, --thickness, --ior, --slant and --offset; and --dpi, --pixel-pitch and --size.
+/// Adds --arrangement, --pitch, --thickness, --ior, --slant and --offset; and --dpi, --pixel-pitch
+/// and --size.
 void add_sheet_options(options::options_description& all);
 void add_film_options(options::options_description& all);
 
@@ -24,7 +25,8 @@ FrameMetadata default_geometry();
 void change_sheet(const options::variables_map& arguments, LensSheet& sheet);
 void change_film(const options::variables_map& arguments, Film& film);
 
-/// The aperture: as given, else as the geometry has it if `keep`, else what fills the lens. Throws UsageError.
+/// The aperture: as given, else as the geometry has it if `keep`, else what fills the lens. Throws
+/// UsageError.
 void change_aperture(const options::variables_map& arguments, FrameMetadata& geometry, bool keep);
 
 /// Whether any option changes what the filling aperture depends on.

@@ -26,9 +26,11 @@ struct GivenViews {
     std::optional<FrameMetadata> metadata; ///< of the frame they come from, with its quilt record
 };
 
-/// Reads one quilt, or the files of all views. Their number is that of --views, else what they say of themselves, else (files) how many
-/// there are. `eyes`: they are said to be what eyes see; a quilt may then have a rest. Throws UsageError and InputError.
-GivenViews read_given_views(const options::variables_map& arguments, const std::vector<std::string>& inputs, bool eyes);
+/// Reads one quilt, or the files of all views. Their number is that of --views, else what they say
+/// of themselves, else (files) how many there are. `eyes`: they are said to be what eyes see; a
+/// quilt may then have a rest. Throws UsageError and InputError.
+GivenViews read_given_views(const options::variables_map& arguments,
+                            const std::vector<std::string>& inputs, bool eyes);
 
 /// What eyes see of a frame that are spread over its viewing zone, by number. Throws Interrupted.
 std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, PixelSize size, int threads);

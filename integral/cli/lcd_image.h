@@ -27,20 +27,28 @@ class PanelImages {
 public:
     PanelImages(const options::variables_map& arguments, const Panel& panel);
 
-    /// The inputs taken together that make one image each: files of views, or a frame or a quilt alone. Throws UsageError, InputError.
+    /// The inputs taken together that make one image each: files of views, or a frame or a quilt
+    /// alone. Throws UsageError, InputError.
     std::vector<std::vector<std::string>> groups(const std::vector<std::string>& inputs) const;
 
-    /// The panel's image of one group, with its frame's geometry unless it is mirrored. Throws UsageError, InputError, Interrupted.
+    /// The panel's image of one group, with its frame's geometry unless it is mirrored. Throws
+    /// UsageError, InputError, Interrupted.
     Frame image_of(const std::vector<std::string>& group);
 
     /// The test card of --card.
     Frame card();
 
-    int views() const { return views_; } ///< of which the last image was made; 0: none, it was native
+    int views() const
+    {
+        return views_;
+    } ///< of which the last image was made; 0: none, it was native
 
 private:
-    Image interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes, Blend blend);
-    Frame finished(Image image, std::optional<Aperture> zone = std::nullopt) const; ///< `zone`: where not the panel's
+    Image interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
+                     Blend blend);
+    Frame finished(Image image, std::optional<Aperture> zone = std::nullopt) const; ///< `zone`:
+                                                                                    ///< where not
+                                                                                    ///< the panel's
 
     const options::variables_map& arguments_;
     Panel panel_;

@@ -18,19 +18,27 @@ namespace integral {
 namespace {
 
 /// A positive number of an option, `fallback` if it was not given.
-double positive(const options::variables_map& arguments, const char* option, double most, double fallback)
+double positive(const options::variables_map& arguments, const char* option, double most,
+                double fallback)
 {
     if (!given(arguments, option))
         return fallback;
     const std::string form = "a number above 0 and up to " + with_digits(most, 10);
     const double value = parse_number(option, text_of(arguments, option), form.c_str());
     if (!(value > 0 && value <= most))
-        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": " + form + " is expected");
+        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": " +
+                         form + " is expected");
     return value;
 }
 
-double parse_fps(const options::variables_map& arguments) { return positive(arguments, "fps", 1000, 30); }
-double parse_seconds(const options::variables_map& arguments) { return positive(arguments, "seconds", 1e7, 0); }
+double parse_fps(const options::variables_map& arguments)
+{
+    return positive(arguments, "fps", 1000, 30);
+}
+double parse_seconds(const options::variables_map& arguments)
+{
+    return positive(arguments, "seconds", 1e7, 0);
+}
 
 std::string wanted_display(const options::variables_map& arguments)
 {
@@ -49,8 +57,9 @@ PixelSize common_size(const std::vector<std::string>& files)
         if (&file == &files.front())
             first = {width, height};
         else if (width != first.width || height != first.height)
-            throw InputError(file + ": it has " + size_text(width, height) + " pixels, and " + files.front() + " " + size_text(first.width, first.height)
-                             + "; pictures that are played have one size");
+            throw InputError(file + ": it has " + size_text(width, height) + " pixels, and " +
+                             files.front() + " " + size_text(first.width, first.height) +
+                             "; pictures that are played have one size");
     }
     return first;
 }
@@ -59,7 +68,8 @@ ScreenPicture load_picture(const std::string& file, PixelSize size)
 {
     ScreenPicture picture = screen_picture(read_views(file, false).image);
     if (picture.width != size.width || picture.height != size.height)
-        throw InputError(file + ": it has " + size_text(picture.width, picture.height) + " pixels, and had " + size_text(size.width, size.height) + " before");
+        throw InputError(file + ": it has " + size_text(picture.width, picture.height) +
+                         " pixels, and had " + size_text(size.width, size.height) + " before");
     return picture;
 }
 
@@ -88,24 +98,34 @@ void print_report(const options::variables_map& arguments, const PlayReport& rep
 
 void add_show_options(options::options_description& all)
 {
-    const auto value = [](const char* name) { return options::value<std::string>()->value_name(name); };
-    all.add_options()
-        ("show", value("DISPLAY"), "show the picture on this display, pixel for pixel: its number or name, or auto, the only one of the picture's size. "
-                                   "Escape, q or Ctrl-C ends it")
-        ("play", options::bool_switch(), "show all pictures one after another, on the display of --show (default auto); the space bar pauses")
-        ("fps", value("N"), "with --play: pictures a second (default 30); late ones are dropped and counted")
-        ("loop", options::bool_switch(), "with --play: begin again after the last")
-        ("seconds", value("S"), "with --show and --play: end by itself after so long")
-        ("list-displays", options::bool_switch(), "list the displays: number, name, pixels, rate, place, and whether they show pictures as they are");
+    const auto value = [](const char* name) {
+        return options::value<std::string>()->value_name(name);
+    };
+    all.add_options()("show", value("DISPLAY"),
+                      "show the picture on this display, pixel for pixel: its number or name, or "
+                      "auto, the only one of the picture's size. "
+                      "Escape, q or Ctrl-C ends it")(
+        "play", options::bool_switch(),
+        "show all pictures one after another, on the display of --show (default auto); the space "
+        "bar pauses")(
+        "fps", value("N"),
+        "with --play: pictures a second (default 30); late ones are dropped and counted")(
+        "loop", options::bool_switch(), "with --play: begin again after the last")(
+        "seconds", value("S"), "with --show and --play: end by itself after so long")(
+        "list-displays", options::bool_switch(),
+        "list the displays: number, name, pixels, rate, place, and whether they show pictures as "
+        "they are");
 }
 
 void check_show_options(const options::variables_map& arguments, int inputs)
 {
-    const bool plays = arguments["play"].as<bool>(), lists = arguments["list-displays"].as<bool>(), shows = given(arguments, "show");
+    const bool plays = arguments["play"].as<bool>(), lists = arguments["list-displays"].as<bool>(),
+               shows = given(arguments, "show");
     if (lists && (plays || shows || inputs > 0))
         throw UsageError("--list-displays stands alone");
     if (!plays && (given(arguments, "fps") || arguments["loop"].as<bool>()))
-        throw UsageError(std::string(given(arguments, "fps") ? "--fps" : "--loop") + " is for --play");
+        throw UsageError(std::string(given(arguments, "fps") ? "--fps" : "--loop") +
+                         " is for --play");
     if (!plays && !shows && given(arguments, "seconds"))
         throw UsageError("--seconds is for --show and --play");
     if ((plays || shows) && inputs == 0)
@@ -124,11 +144,19 @@ int list_displays(const options::variables_map& arguments)
     for (const Screen& screen : desktop.screens()) {
         ++number;
         if (given(arguments, "json"))
-            list.push_back({{"number", number}, {"name", screen.name}, {"width", screen.width}, {"height", screen.height}, {"rate", screen.rate},
-                            {"x", screen.x}, {"y", screen.y}, {"scaled", screen.scaled}});
+            list.push_back({{"number", number},
+                            {"name", screen.name},
+                            {"width", screen.width},
+                            {"height", screen.height},
+                            {"rate", screen.rate},
+                            {"x", screen.x},
+                            {"y", screen.y},
+                            {"scaled", screen.scaled}});
         else
-            std::cout << number << "  " << screen.name << "  " << size_text(screen.width, screen.height)
-                      << (screen.rate > 0 ? "  " + with_decimals(screen.rate, 2) + " Hz" : "") << "  at " << screen.x << "," << screen.y << "  "
+            std::cout << number << "  " << screen.name << "  "
+                      << size_text(screen.width, screen.height)
+                      << (screen.rate > 0 ? "  " + with_decimals(screen.rate, 2) + " Hz" : "")
+                      << "  at " << screen.x << "," << screen.y << "  "
                       << (screen.scaled.empty() ? "pixel for pixel" : screen.scaled) << '\n';
     }
     if (given(arguments, "json"))
@@ -136,12 +164,15 @@ int list_displays(const options::variables_map& arguments)
     return exit_done;
 }
 
-int show_picture(const options::variables_map& arguments, const Image& picture, const std::string& name)
+int show_picture(const options::variables_map& arguments, const Image& picture,
+                 const std::string& name)
 {
     const Desktop desktop;
-    const std::size_t k = choose_screen(desktop.screens(), wanted_display(arguments), name, picture.width, picture.height);
+    const std::size_t k = choose_screen(desktop.screens(), wanted_display(arguments), name,
+                                        picture.width, picture.height);
     ScreenWindow window(desktop.screens()[k], call(desktop.screens(), k));
-    if (!show_still(window, screen_picture(picture), parse_seconds(arguments), [] { return !interrupted(); }))
+    if (!show_still(window, screen_picture(picture), parse_seconds(arguments),
+                    [] { return !interrupted(); }))
         throw Interrupted();
     return exit_done;
 }
@@ -155,12 +186,17 @@ int play_files(const options::variables_map& arguments, const std::vector<std::s
     playing.seconds = parse_seconds(arguments);
     playing.source.count = static_cast<long long>(files.size());
     playing.source.loop = arguments["loop"].as<bool>();
-    playing.source.keep = pictures_to_keep(sizeof(std::uint32_t) * std::size_t(size.width) * std::size_t(size.height));
-    playing.source.threads = threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()));
-    playing.source.load = [&](long long file) { return load_picture(files[std::size_t(file)], size); };
+    playing.source.keep = pictures_to_keep(sizeof(std::uint32_t) * std::size_t(size.width) *
+                                           std::size_t(size.height));
+    playing.source.threads = threads > 0 ? threads
+                                         : std::max(1, int(std::thread::hardware_concurrency()));
+    playing.source.load = [&](long long file) {
+        return load_picture(files[std::size_t(file)], size);
+    };
 
     const Desktop desktop;
-    const std::size_t k = choose_screen(desktop.screens(), wanted_display(arguments), files.front(), size.width, size.height);
+    const std::size_t k = choose_screen(desktop.screens(), wanted_display(arguments), files.front(),
+                                        size.width, size.height);
     PlayReport report;
     {
         ScreenWindow window(desktop.screens()[k], call(desktop.screens(), k));

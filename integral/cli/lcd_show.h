@@ -10,14 +10,17 @@ namespace integral {
 
 void add_show_options(options::options_description& all);
 
-/// Throws UsageError where the options of showing make no sense together, or with so many inputs; for before any work.
+/// Throws UsageError where the options of showing make no sense together, or with so many inputs;
+/// for before any work.
 void check_show_options(const options::variables_map& arguments, int inputs);
 
-/// Each of these does its work and returns an ExitStatus, or throws: OutputError where no display takes a picture as it is.
+/// Each of these does its work and returns an ExitStatus, or throws: OutputError where no display
+/// takes a picture as it is.
 int list_displays(const options::variables_map& arguments);
 
 /// Shows a picture until the user ends it. `name` is how messages call it.
-int show_picture(const options::variables_map& arguments, const Image& picture, const std::string& name);
+int show_picture(const options::variables_map& arguments, const Image& picture,
+                 const std::string& name);
 
 /// Plays picture files, all of one size, and prints how that went.
 int play_files(const options::variables_map& arguments, const std::vector<std::string>& files);

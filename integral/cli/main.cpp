@@ -17,9 +17,9 @@ namespace integral {
 
 const std::vector<const Command*>& all_commands()
 {
-    static const std::vector<const Command*> commands = {&sheet_command, &replay_command, &views_command,
-                                                         &print_command, &lcd_command, &compare_command, &rectify_command,
-                                                         &batch_command};
+    static const std::vector<const Command*> commands = {
+        &sheet_command, &replay_command,  &views_command,   &print_command,
+        &lcd_command,   &compare_command, &rectify_command, &batch_command};
     return commands;
 }
 
@@ -33,8 +33,7 @@ const Command* find_command(const std::string& name)
     std::string names;
     for (const Command* command : all_commands())
         names += std::string(names.empty() ? "" : ", ") + command->name;
-    throw UsageError("there is no command " + name + "; there are: " + names +
-                     " (integral help)");
+    throw UsageError("there is no command " + name + "; there are: " + names + " (integral help)");
 }
 
 std::string overview()
@@ -46,9 +45,12 @@ std::string overview()
     for (const Command* command : all_commands())
         text << "  " << command->name << std::string(12 - std::string(command->name).size(), ' ')
              << command->summary << "\n";
-    text << "\n`integral help COMMAND` explains one; `integral help --man` prints the man page,\n`integral --version` the version.\n\n"
-            "Exit status: 0 done; 1 a comparison or check failed, or a batch has failed jobs; 2 wrong\n"
-            "usage; 3 unreadable or malformed input; 4 the output could not be written; 130 interrupted.\n";
+    text << "\n`integral help COMMAND` explains one; `integral help --man` prints the man "
+            "page,\n`integral --version` the version.\n\n"
+            "Exit status: 0 done; 1 a comparison or check failed, or a batch has failed jobs; 2 "
+            "wrong\n"
+            "usage; 3 unreadable or malformed input; 4 the output could not be written; 130 "
+            "interrupted.\n";
     return text.str();
 }
 
@@ -75,12 +77,14 @@ std::string manual_page()
         }
         return roff + ".fi\n";
     };
-    std::string page = ".\\\" Written by `integral help --man`.\n"
-                       ".TH INTEGRAL 1 \"\" \"povray-integral\" \"User commands\"\n.SH NAME\n"
-                       "integral \\- takes micro-image frames to print, panel and eye\n.SH DESCRIPTION\n" +
-                       verbatim(overview());
+    std::string
+        page = ".\\\" Written by `integral help --man`.\n"
+               ".TH INTEGRAL 1 \"\" \"povray-integral\" \"User commands\"\n.SH NAME\n"
+               "integral \\- takes micro-image frames to print, panel and eye\n.SH DESCRIPTION\n" +
+               verbatim(overview());
     for (const Command* command : all_commands())
-        page += ".SH \"INTEGRAL " + std::string(command->name) + "\"\n" + verbatim(help_for(*command));
+        page += ".SH \"INTEGRAL " + std::string(command->name) + "\"\n" +
+                verbatim(help_for(*command));
     return page + ".SH \"SEE ALSO\"\n.BR povray-integral (1)\n";
 }
 
@@ -110,8 +114,9 @@ int run_program(const std::vector<std::string>& words, std::string& name)
         return exit_done;
     }
     if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") {
-        std::cout << (words.size() == 1 ? overview()
-                      : words[1] == "--man" ? manual_page() : help_for(*find_command(words[1])));
+        std::cout << (words.size() == 1     ? overview()
+                      : words[1] == "--man" ? manual_page()
+                                            : help_for(*find_command(words[1])));
         return exit_done;
     }
     const Command& command = *find_command(words[0]);
@@ -132,7 +137,8 @@ int guarded(const std::vector<std::string>& words)
             throw OutputError("standard output: cannot be written");
         return status;
     } catch (const UsageError& error) {
-        const bool has_help = name != "integral" && std::string(error.what()).find(';') == std::string::npos;
+        const bool has_help = name != "integral" &&
+                              std::string(error.what()).find(';') == std::string::npos;
         return complain(error.what() + (has_help ? "; see integral help" + name.substr(8) : ""),
                         exit_usage);
     } catch (const InputError& error) {

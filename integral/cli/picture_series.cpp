@@ -10,10 +10,10 @@ namespace integral {
 
 void add_series_options(options::options_description& all)
 {
-    all.add_options()
-        ("fps", options::value<std::string>()->value_name("N"), "pictures a second of an animation, 0.1 to 100 (default: 25)")
-        ("quality", options::value<int>()->value_name("N")->default_value(90),
-         "of an animation's pictures, 0 to 100; 100 keeps every 8-bit value");
+    all.add_options()("fps", options::value<std::string>()->value_name("N"),
+                      "pictures a second of an animation, 0.1 to 100 (default: 25)")(
+        "quality", options::value<int>()->value_name("N")->default_value(90),
+        "of an animation's pictures, 0 to 100; 100 keeps every 8-bit value");
 }
 
 bool is_animation(const std::string& path) { return extension_of(path) == "webp"; }
@@ -33,21 +33,28 @@ double pictures_a_second(const options::variables_map& arguments)
         return plain;
     const double value = parse_number("fps", text_of(arguments, "fps"), "a number");
     if (!(value >= 0.1 && value <= 100))
-        throw UsageError("--fps " + text_of(arguments, "fps") + ": 0.1 to 100 pictures a second is expected");
+        throw UsageError("--fps " + text_of(arguments, "fps") +
+                         ": 0.1 to 100 pictures a second is expected");
     return value;
 }
 
 } // namespace
 
-PictureSeries::PictureSeries(const options::variables_map& arguments, const std::string& path, int count, int first)
-    : path_(path), last_(first + count - 1), next_(first), pictures_a_second_(pictures_a_second(arguments)),
+PictureSeries::PictureSeries(const options::variables_map& arguments, const std::string& path,
+                             int count, int first)
+    : path_(path),
+      last_(first + count - 1),
+      next_(first),
+      pictures_a_second_(pictures_a_second(arguments)),
       animation_(in_range(arguments, "quality", 0, 100))
 {
     if (path == "-")
-        throw UsageError("-o -: several pictures need a name, FILE.webp for an animation or FILE.png for files with numbers");
+        throw UsageError("-o -: several pictures need a name, FILE.webp for an animation or "
+                         "FILE.png for files with numbers");
     if (is_animation(path)) {
         if (!can_animate())
-            throw OutputError(path + ": this program was built without libwebp; a name that ends in .png gives files with numbers");
+            throw OutputError(path + ": this program was built without libwebp; a name that ends "
+                                     "in .png gives files with numbers");
         check_writable(path);
         return;
     }
@@ -83,7 +90,8 @@ void PictureSeries::finish(bool there_and_back)
     constexpr double milliseconds_a_second = 1000;
     std::string bytes;
     try {
-        bytes = animation_.bytes(int(std::lround(milliseconds_a_second / pictures_a_second_)), there_and_back);
+        bytes = animation_.bytes(int(std::lround(milliseconds_a_second / pictures_a_second_)),
+                                 there_and_back);
     } catch (const std::runtime_error& error) {
         throw OutputError(path_ + ": " + error.what());
     }

@@ -20,19 +20,24 @@ bool is_animation(const std::string& path);
 /// Throws UsageError where they are given for an output that is none.
 void check_series_options(const options::variables_map& arguments, const std::string& output);
 
-/// The path of one of several files: its number before the extension, with as many digits as the last one's.
+/// The path of one of several files: its number before the extension, with as many digits as the
+/// last one's.
 std::string numbered(const std::string& path, int number, int last);
 
 class PictureSeries {
 public:
-    /// `path`: NAME.webp, or NAME.png (.exr, .tiff) for files NAMEn.png, n from `first` on with as many digits as the last needs, as
-    /// POV-Ray numbers an animation's. Throws UsageError for what the options say, OutputError for a path that cannot be written.
-    PictureSeries(const options::variables_map& arguments, const std::string& path, int count, int first);
+    /// `path`: NAME.webp, or NAME.png (.exr, .tiff) for files NAMEn.png, n from `first` on with as
+    /// many digits as the last needs, as POV-Ray numbers an animation's. Throws UsageError for what
+    /// the options say, OutputError for a path that cannot be written.
+    PictureSeries(const options::variables_map& arguments, const std::string& path, int count,
+                  int first);
 
-    /// The next picture: a numbered file is written at once, with its document if there is one. Throws OutputError.
+    /// The next picture: a numbered file is written at once, with its document if there is one.
+    /// Throws OutputError.
     void add(Image picture, const std::optional<FrameMetadata>& metadata = std::nullopt);
 
-    /// Writes the animation, if it is one. there_and_back: it plays back to the first picture, too. Throws OutputError.
+    /// Writes the animation, if it is one. there_and_back: it plays back to the first picture, too.
+    /// Throws OutputError.
     void finish(bool there_and_back);
 
 private:

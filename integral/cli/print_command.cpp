@@ -27,31 +27,47 @@ namespace {
 options::options_description make_options()
 {
     options::options_description all("Options");
-    const auto value = [](const char* name) { return options::value<std::string>()->value_name(name); };
-    all.add_options()
-        ("output,o", value("FILE"), "the page: .pdf (several tiles: several pages), .tiff or .png (several tiles: files with numbers)")
-        ("paper", value("NAME|WxH"), "the paper: 4x6, 6x8, 5x7, 8x10, A4, A6, letter, postcard and others, or its width and height in mm "
-                                     "(default: as large as picture and marks)")
-        ("orientation", value("WAY"), "portrait, landscape or auto: as the picture is (default auto; WxH: as given)")
-        ("dpi", value("D[,D]"), "the printer's pixels per inch, across and down (default: the frame's)")
-        ("feed", value("X[,Y]"), "how long the printer makes what should be 1, measured across and down (default 1)")
-        ("centre", value("WHAT"), "what comes to the paper's middle: lens, the axis nearest to it (default), or picture")
-        ("bleed", value("MM"), "how much of the picture's edge is cut off afterwards (default 0)")
-        ("marks", value("KIND,..."), "crop, registration, axis (where lenses' axes run) or all, outside the picture (default none)")
-        ("strip", options::bool_switch(), "below the picture: scene, sheet, film, date and error figure")
-        ("mirror", options::bool_switch(), "turned left to right, for printing on the back of the lens sheet")
-        ("tile", options::bool_switch(), "on several pages, where one is too small")
-        ("overlap", value("MM"), "of neighbouring tiles (default 10)")
-        ("bits", options::value<int>()->value_name("N"), "8 or 16 bits for each colour (default: the frame's)")
-        ("icc", value("FILE"), "the printer's ICC profile, to whose colours the page is converted (default: sRGB)")
-        ("intent", value("INTENT"), "perceptual, relative (default), saturation or absolute")
-        ("printer", value("NAME"), "print it, to a queue of CUPS; ? lists them. -o is then not needed")
-        ("copies", options::value<int>()->value_name("N"), "how many, 1 to 1000 (default 1)")
-        ("medium", value("NAME"), "the printer's name of the paper (default: by the page's size)")
-        ("printer-option", options::value<std::vector<std::string>>()->value_name("NAME=VALUE"), "of the printer's driver, as StpLaminate=Matte; may be given again")
-        ("sheet", value("FILE.json"), "geometry for a frame that carries none, or instead of its own")
-        ("json", "with --even: print figures as JSON")
-        ("help", "print this");
+    const auto value = [](const char* name) {
+        return options::value<std::string>()->value_name(name);
+    };
+    all.add_options()("output,o", value("FILE"),
+                      "the page: .pdf (several tiles: several pages), .tiff or .png (several "
+                      "tiles: files with numbers)")(
+        "paper", value("NAME|WxH"),
+        "the paper: 4x6, 6x8, 5x7, 8x10, A4, A6, letter, postcard and others, or its width and "
+        "height in mm "
+        "(default: as large as picture and marks)")(
+        "orientation", value("WAY"),
+        "portrait, landscape or auto: as the picture is (default auto; WxH: as given)")(
+        "dpi", value("D[,D]"),
+        "the printer's pixels per inch, across and down (default: the frame's)")(
+        "feed", value("X[,Y]"),
+        "how long the printer makes what should be 1, measured across and down (default 1)")(
+        "centre", value("WHAT"),
+        "what comes to the paper's middle: lens, the axis nearest to it (default), or picture")(
+        "bleed", value("MM"), "how much of the picture's edge is cut off afterwards (default 0)")(
+        "marks", value("KIND,..."),
+        "crop, registration, axis (where lenses' axes run) or all, outside the picture (default "
+        "none)")("strip", options::bool_switch(),
+                 "below the picture: scene, sheet, film, date and error figure")(
+        "mirror", options::bool_switch(),
+        "turned left to right, for printing on the back of the lens sheet")(
+        "tile", options::bool_switch(), "on several pages, where one is too small")(
+        "overlap", value("MM"), "of neighbouring tiles (default 10)")(
+        "bits", options::value<int>()->value_name("N"),
+        "8 or 16 bits for each colour (default: the frame's)")(
+        "icc", value("FILE"),
+        "the printer's ICC profile, to whose colours the page is converted (default: sRGB)")(
+        "intent", value("INTENT"), "perceptual, relative (default), saturation or absolute")(
+        "printer", value("NAME"),
+        "print it, to a queue of CUPS; ? lists them. -o is then not needed")(
+        "copies", options::value<int>()->value_name("N"), "how many, 1 to 1000 (default 1)")(
+        "medium", value("NAME"), "the printer's name of the paper (default: by the page's size)")(
+        "printer-option", options::value<std::vector<std::string>>()->value_name("NAME=VALUE"),
+        "of the printer's driver, as StpLaminate=Matte; may be given again")(
+        "sheet", value("FILE.json"),
+        "geometry for a frame that carries none, or instead of its own")(
+        "json", "with --even: print figures as JSON")("help", "print this");
     add_chart_options(all);
     return all;
 }
@@ -72,13 +88,17 @@ std::string today()
 std::string strip_text(const std::string& input, const FrameMetadata& m)
 {
     const auto slash = input.rfind('/');
-    std::string text = m.render && !m.render->scene.empty() ? m.render->scene : input.substr(slash == std::string::npos ? 0 : slash + 1);
-    text += std::string(", ") + name_of(m.sheet.arrangement) + " " + with_digits(m.sheet.pitch, 6) + " mm, " + with_digits(m.sheet.thickness, 6) + " mm thick, ior "
-          + with_digits(m.sheet.ior, 6);
+    std::string text = m.render && !m.render->scene.empty()
+                           ? m.render->scene
+                           : input.substr(slash == std::string::npos ? 0 : slash + 1);
+    text += std::string(", ") + name_of(m.sheet.arrangement) + " " + with_digits(m.sheet.pitch, 6) +
+            " mm, " + with_digits(m.sheet.thickness, 6) + " mm thick, ior " +
+            with_digits(m.sheet.ior, 6);
     if (m.sheet.slant != 0)
         text += ", slant " + with_digits(m.sheet.slant, 6);
-    text += ", " + with_digits(mm_per_inch / m.film.pixel_pitch.x, 6) + " x " + with_digits(mm_per_inch / m.film.pixel_pitch.y, 6) + " dpi, from "
-          + with_digits(m.aperture.distance, 6) + " mm, " + today();
+    text += ", " + with_digits(mm_per_inch / m.film.pixel_pitch.x, 6) + " x " +
+            with_digits(mm_per_inch / m.film.pixel_pitch.y, 6) + " dpi, from " +
+            with_digits(m.aperture.distance, 6) + " mm, " + today();
     if (m.render && m.render->error)
         text += ", error " + with_digits(m.render->error->rms, 6);
     return text;
@@ -122,7 +142,8 @@ PageFormat page_format(const std::string& path)
 }
 
 /// The options that only one kind of work has, refused for the other.
-void refuse_given(const options::variables_map& arguments, std::initializer_list<const char*> names, const std::string& why)
+void refuse_given(const options::variables_map& arguments, std::initializer_list<const char*> names,
+                  const std::string& why)
 {
     for (const char* option : names)
         if (given(arguments, option) && !arguments[option].defaulted())
@@ -143,7 +164,8 @@ void send(const options::variables_map& arguments, std::vector<Image> pages, Vec
     if (given(arguments, "copies"))
         job.copies = in_range(arguments, "copies", 1, 1000);
     if (given(arguments, "printer-option"))
-        for (const std::string& option : arguments["printer-option"].as<std::vector<std::string>>()) {
+        for (const std::string& option :
+             arguments["printer-option"].as<std::vector<std::string>>()) {
             const std::size_t middle = option.find('=');
             if (middle == std::string::npos || middle == 0)
                 throw UsageError("--printer-option " + option + ": NAME=VALUE is expected");
@@ -181,8 +203,10 @@ Print::Print(const options::variables_map& arguments)
 {
     const std::string input = inputs_of(arguments)[0];
     const Intent intent = parse_intent(arguments);
-    if (given(arguments, "bits") && arguments["bits"].as<int>() != 8 && arguments["bits"].as<int>() != 16)
-        throw UsageError("--bits " + std::to_string(arguments["bits"].as<int>()) + ": 8 or 16 is expected");
+    if (given(arguments, "bits") && arguments["bits"].as<int>() != 8 &&
+        arguments["bits"].as<int>() != 16)
+        throw UsageError("--bits " + std::to_string(arguments["bits"].as<int>()) +
+                         ": 8 or 16 is expected");
     reader_.require_metadata();
     const Image& frame = reader_.frame().image;
     metadata = *reader_.frame().metadata;
@@ -196,8 +220,8 @@ Print::Print(const options::variables_map& arguments)
     } catch (const std::invalid_argument& error) {
         throw UsageError(input + ": " + error.what());
     }
-    const int bits =
-        given(arguments, "bits") ? arguments["bits"].as<int>() : std::min(16, sample_bits(frame));
+    const int bits = given(arguments, "bits") ? arguments["bits"].as<int>()
+                                              : std::min(16, sample_bits(frame));
     form = form_of(bits, frame.width, frame.height, 3, Encoding());
     profile = srgb_profile();
     if (!given(arguments, "icc"))
@@ -249,7 +273,8 @@ template <class Draw> auto drawn(const Page& page, Draw draw)
     } catch (const Interrupted&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw UsageError("a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) + " pixels: " + error.what());
+        throw UsageError("a page of " + std::to_string(page.width) + " x " +
+                         std::to_string(page.height) + " pixels: " + error.what());
     }
 }
 
@@ -323,7 +348,8 @@ int print_frame(const options::variables_map& arguments)
     Print print(arguments);
     stop_if_interrupted();
     if (output == "-" && print.pages.size() > 1)
-        throw UsageError("-o -: " + std::to_string(print.pages.size()) + " pages go to a .pdf or to files with numbers");
+        throw UsageError("-o -: " + std::to_string(print.pages.size()) +
+                         " pages go to a .pdf or to files with numbers");
     if (!output.empty() && page_format(output) == PageFormat::pdf)
         write_as_pdf(print, output);
     else if (!output.empty())
@@ -340,7 +366,9 @@ int print_frame(const options::variables_map& arguments)
 
 int print_chart(const options::variables_map& arguments)
 {
-    refuse_given(arguments, {"paper", "orientation", "feed", "centre", "bleed", "marks", "strip", "mirror", "tile", "overlap", "bits", "icc", "intent"},
+    refuse_given(arguments,
+                 {"paper", "orientation", "feed", "centre", "bleed", "marks", "strip", "mirror",
+                  "tile", "overlap", "bits", "icc", "intent"},
                  "is for frames, not for charts");
     if (given(arguments, "even"))
         refuse_given(arguments, {"printer"}, "does not go with --even");
@@ -367,8 +395,10 @@ int run(const options::variables_map& arguments)
         refuse_given(arguments, {"copies", "medium", "printer-option"}, "is for --printer");
     if (is_chart(arguments))
         return print_chart(arguments);
-    refuse_given(arguments, {"arrangement", "pitch", "thickness", "ior", "slant", "offset", "pixel-pitch", "size", "pitch-range", "pitch-step", "bars",
-                             "page", "keep-index", "json"}, "is for --chart and --even");
+    refuse_given(arguments,
+                 {"arrangement", "pitch", "thickness", "ior", "slant", "offset", "pixel-pitch",
+                  "size", "pitch-range", "pitch-step", "bars", "page", "keep-index", "json"},
+                 "is for --chart and --even");
     return print_frame(arguments);
 }
 
@@ -379,12 +409,18 @@ const Command print_command = {
     "a frame on paper, pixel for pixel: PDF, TIFF, PNG or a printer; and pitch charts",
     "FRAME (-o PAGE.pdf | --printer NAME) [--paper 4x6] ... | --chart -o FILE | --even BARS@MM ...",
     "Lays a frame out on paper at its own size. Its pixels are the printer's: they are never\n"
-    "resampled, and a printer of another resolution is refused. A lens's axis comes to the middle of\n"
+    "resampled, and a printer of another resolution is refused. A lens's axis comes to the middle "
+    "of\n"
     "the paper; marks to cut and to lay the lens sheet by stand outside the picture.\n"
     "\n"
-    "--chart makes a chart of pitches in fine steps, to be looked at through a lens sheet: its bar that\n"
-    "is even tells the sheet's pitch as it is seen from there. --even works out from one such reading\n"
+    "--chart makes a chart of pitches in fine steps, to be looked at through a lens sheet: its bar "
+    "that\n"
+    "is even tells the sheet's pitch as it is seen from there. --even works out from one such "
+    "reading\n"
     "the sheet's mechanical pitch, and from readings at several distances its index as well.\n",
-    0, 1, make_options, run};
+    0,
+    1,
+    make_options,
+    run};
 
 } // namespace integral

@@ -20,14 +20,16 @@ double parse_length(const options::variables_map& arguments, const char* option,
         return fallback;
     const double value = parse_number(option, text_of(arguments, option), "a number of mm");
     if (!(value >= 0 && value <= largest_paper))
-        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": 0 to 5000 mm is expected");
+        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) +
+                         ": 0 to 5000 mm is expected");
     return value;
 }
 
 /// The paper as it is fed.
 std::optional<Paper> parse_paper(const options::variables_map& arguments, const Film& film)
 {
-    const std::string way = given(arguments, "orientation") ? text_of(arguments, "orientation") : "auto";
+    const std::string way = given(arguments, "orientation") ? text_of(arguments, "orientation")
+                                                            : "auto";
     if (way != "auto" && way != "portrait" && way != "landscape")
         throw UsageError("--orientation " + way + ": portrait, landscape or auto is expected");
     if (!given(arguments, "paper")) {
@@ -39,7 +41,8 @@ std::optional<Paper> parse_paper(const options::variables_map& arguments, const 
     Paper paper = parse_paper_size(text);
     const bool named = paper_named(text).has_value();
     const bool wide = film.width * film.pixel_pitch.x > film.height * film.pixel_pitch.y;
-    const bool turn = way == "auto" ? named && wide : (way == "landscape") != (paper.width > paper.height);
+    const bool turn = way == "auto" ? named && wide
+                                    : (way == "landscape") != (paper.width > paper.height);
     if (turn)
         std::swap(paper.width, paper.height);
     return paper;
@@ -53,9 +56,11 @@ Paper parse_paper_size(const std::string& text)
         return *paper;
     double width = 0, height = 0;
     int read = 0;
-    if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 || read != int(text.size()) || !(width >= 5 && height >= 5)
-        || !(width <= largest_paper && height <= largest_paper))
-        throw UsageError("--paper " + text + ": " + paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm, is expected");
+    if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 ||
+        read != int(text.size()) || !(width >= 5 && height >= 5) ||
+        !(width <= largest_paper && height <= largest_paper))
+        throw UsageError("--paper " + text + ": " + paper_names() +
+                         ", or WIDTHxHEIGHT of 5 to 5000 mm, is expected");
     return {width, height};
 }
 
@@ -75,9 +80,12 @@ Vec2 printer_pitch(const options::variables_map& arguments, const Film& film)
     const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
     if (differs(mm_per_inch / made.x, dpi.x) || differs(mm_per_inch / made.y, dpi.y)) {
         const Vec2 pitch{mm_per_inch / dpi.x * feed.x, mm_per_inch / dpi.y * feed.y};
-        throw UsageError("the frame has " + with_digits(mm_per_inch / film.pixel_pitch.x, 6) + " x " + with_digits(mm_per_inch / film.pixel_pitch.y, 6)
-                         + " pixels an inch, and is never resampled; for this printer render it with film { pixel_pitch <" + with_digits(pitch.x, 6) + ", "
-                         + with_digits(pitch.y, 6) + "> }, or let it print at the frame's own resolution");
+        throw UsageError("the frame has " + with_digits(mm_per_inch / film.pixel_pitch.x, 6) +
+                         " x " + with_digits(mm_per_inch / film.pixel_pitch.y, 6) +
+                         " pixels an inch, and is never resampled; for this printer render it with "
+                         "film { pixel_pitch <" +
+                         with_digits(pitch.x, 6) + ", " + with_digits(pitch.y, 6) +
+                         "> }, or let it print at the frame's own resolution");
     }
     return {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
 }
@@ -103,7 +111,8 @@ PageRequest parse_request(const options::variables_map& arguments, const Film& f
         const std::string kind = kinds.substr(0, kinds.find(','));
         kinds.erase(0, kind.size() + 1);
         if (kind != "crop" && kind != "registration" && kind != "axis" && kind != "all")
-            throw UsageError("--marks " + text_of(arguments, "marks") + ": crop, registration, axis or all is expected");
+            throw UsageError("--marks " + text_of(arguments, "marks") +
+                             ": crop, registration, axis or all is expected");
         request.crop_marks |= kind == "crop" || kind == "all";
         request.registration_marks |= kind == "registration" || kind == "all";
         request.axis_marks |= kind == "axis" || kind == "all";
@@ -116,11 +125,13 @@ Intent parse_intent(const options::variables_map& arguments)
     const std::string word = given(arguments, "intent") ? text_of(arguments, "intent") : "relative";
     if (given(arguments, "intent") && !given(arguments, "icc"))
         throw UsageError("--intent needs --icc");
-    for (const auto& [name, intent] : {std::pair("perceptual", Intent::perceptual), std::pair("relative", Intent::relative),
-                                       std::pair("saturation", Intent::saturation), std::pair("absolute", Intent::absolute)})
+    for (const auto& [name, intent] :
+         {std::pair("perceptual", Intent::perceptual), std::pair("relative", Intent::relative),
+          std::pair("saturation", Intent::saturation), std::pair("absolute", Intent::absolute)})
         if (word == name)
             return intent;
-    throw UsageError("--intent " + word + ": perceptual, relative, saturation or absolute is expected");
+    throw UsageError("--intent " + word +
+                     ": perceptual, relative, saturation or absolute is expected");
 }
 
 } // namespace integral

@@ -9,13 +9,15 @@
 
 namespace integral {
 
-/// The printer's own pixel pitch, mm: --dpi and --feed. Refuses, by UsageError, to print a film of other pixels than the printer's.
+/// The printer's own pixel pitch, mm: --dpi and --feed. Refuses, by UsageError, to print a film of
+/// other pixels than the printer's.
 Vec2 printer_pitch(const options::variables_map& arguments, const Film& film);
 
 /// A paper by its name, or WIDTHxHEIGHT in mm. Throws UsageError.
 Paper parse_paper_size(const std::string& text);
 
-/// --paper, --orientation, --centre, --bleed, --marks, --mirror, --tile and --overlap; the strip is left empty. Throws UsageError.
+/// --paper, --orientation, --centre, --bleed, --marks, --mirror, --tile and --overlap; the strip is
+/// left empty. Throws UsageError.
 PageRequest parse_request(const options::variables_map& arguments, const Film& film);
 
 /// --intent. Throws UsageError.

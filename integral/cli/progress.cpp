@@ -14,7 +14,8 @@ Progress progress_bar(const char* what)
         const int percent = int(100.0 * done / total);
         if (terminal && percent != shown) {
             shown = percent;
-            const std::string bar = std::string(percent / 2, '#') + std::string(50 - percent / 2, '.');
+            const std::string bar = std::string(percent / 2, '#') +
+                                    std::string(50 - percent / 2, '.');
             std::fprintf(stderr, "\r%s [%s] %3d%%%s", what, bar.c_str(), percent,
                          done == total ? "\r\033[K" : "");
             std::fflush(stderr);

@@ -18,9 +18,10 @@ namespace {
 
 /// What helps a scene that reaches beyond its budget.
 struct Remedy {
-    double shift;                    ///< mm by which the sheet would be moved backwards to lie in the middle of the depths
-    double needed;                   ///< the budget that this takes, mm
-    std::optional<double> pixel;     ///< the pixel pitch that gives it, mm
+    double shift;  ///< mm by which the sheet would be moved backwards to lie in the middle of the
+                   ///< depths
+    double needed; ///< the budget that this takes, mm
+    std::optional<double> pixel; ///< the pixel pitch that gives it, mm
 };
 
 struct Judged {
@@ -52,8 +53,10 @@ template <class... Values> std::string line(const char* format, Values... values
 /// (4-6) at a depth, in words.
 std::string resolution_at(const DepthFrame& depths, double depth)
 {
-    const auto sheet_only = observer_resolution(depths.metadata.sheet.pitch, depths.metadata.aperture.distance, 0);
-    const auto lpi = depth_resolution(depths.metadata.sheet, counted(depths.metadata).pixel, std::max(1e-9, std::fabs(depth)));
+    const auto sheet_only = observer_resolution(depths.metadata.sheet.pitch,
+                                                depths.metadata.aperture.distance, 0);
+    const auto lpi = depth_resolution(depths.metadata.sheet, counted(depths.metadata).pixel,
+                                      std::max(1e-9, std::fabs(depth)));
     return lpi ? line("%10.4g", std::min(*lpi, sheet_only)) : std::string("         -");
 }
 
@@ -65,8 +68,9 @@ DepthFrame depths_of_scene(const std::string& path, const std::vector<std::strin
     if (extension == "exr")
         return read_depths(path);
     if (extension != "pov" && extension != "ini")
-        throw InputError(path + ": it is no scene (.pov, .ini) and no depth frame (.exr); a micro-image frame holds no depths: "
-                         "Integral_Depth_Image=FILE.exr writes them beside it");
+        throw InputError(path + ": it is no scene (.pov, .ini) and no depth frame (.exr); a "
+                                "micro-image frame holds no depths: "
+                                "Integral_Depth_Image=FILE.exr writes them beside it");
     read_file(path);
     const ScratchFolder scratch;
     const std::string depths = scratch.path("depths.exr");
@@ -78,12 +82,14 @@ DepthFrame depths_of_scene(const std::string& path, const std::vector<std::strin
     for (const char* word : {"-D", "+KFI1", "+KFF1"}) // one picture of an animation
         words.push_back(word);
     words.insert(words.end(), options.begin(), options.end());
-    for (const std::string& word : {std::string("-F"), std::string("-A"), std::string("-P"), std::string("+Q1"),
-                                    std::string("Integral_Audit=off"), "Integral_Depth_Image=\"" + depths + "\""})
+    for (const std::string& word :
+         {std::string("-F"), std::string("-A"), std::string("-P"), std::string("+Q1"),
+          std::string("Integral_Audit=off"), "Integral_Depth_Image=\"" + depths + "\""})
         words.push_back(word);
     render(path, words, scratch);
     if (!std::filesystem::exists(depths))
-        throw InputError(path + ": its camera is not integral; Integral_Camera=\"lens_sheet{...} film{...}\" after it makes it so");
+        throw InputError(path + ": its camera is not integral; Integral_Camera=\"lens_sheet{...} "
+                                "film{...}\" after it makes it so");
     return read_depths(depths);
 }
 
@@ -104,18 +110,22 @@ std::string scene_depth_text(const std::string& path, const DepthFrame& depths)
     row("middle", r.median);
     row("99 in 100", r.high);
     row("farthest", r.farthest);
-    text += line("  no surface: %.1f%% of the pixels\n", 100 * (1 - double(r.surfaces) / double(r.pixels)));
+    text += line("  no surface: %.1f%% of the pixels\n",
+                 100 * (1 - double(r.surfaces) / double(r.pixels)));
     if (!j.budget)
         return text + "  depth budget: (4-6) has none for this sheet\n";
-    text += line("  depth budget %.4g mm either side: %.1f%% of the surfaces are within it, %.1f%% before it, %.1f%% behind it\n", *j.budget,
-                 100 * (1 - r.before - r.behind), 100 * r.before, 100 * r.behind);
+    text += line("  depth budget %.4g mm either side: %.1f%% of the surfaces are within it, %.1f%% "
+                 "before it, %.1f%% behind it\n",
+                 *j.budget, 100 * (1 - r.before - r.behind), 100 * r.before, 100 * r.behind);
     if (std::max(-r.low, r.high) <= *j.budget)
         return text + "  all but a hundredth at either end is sharp\n";
     if (j.remedy.needed <= *j.budget)
-        return text + line("  all but a hundredth at either end would be sharp with the sheet %.4g mm farther %s\n", std::fabs(j.remedy.shift),
-                           j.remedy.shift > 0 ? "back" : "forward");
-    text += line("  beyond it details get coarser. Sharp as a whole with the sheet %.4g mm farther %s", std::fabs(j.remedy.shift),
-                 j.remedy.shift > 0 ? "back" : "forward");
+        return text + line("  all but a hundredth at either end would be sharp with the sheet %.4g "
+                           "mm farther %s\n",
+                           std::fabs(j.remedy.shift), j.remedy.shift > 0 ? "back" : "forward");
+    text += line(
+        "  beyond it details get coarser. Sharp as a whole with the sheet %.4g mm farther %s",
+        std::fabs(j.remedy.shift), j.remedy.shift > 0 ? "back" : "forward");
     if (j.remedy.pixel)
         text += line(" and %.0f dpi", std::ceil(mm_per_inch / *j.remedy.pixel));
     return text + line(", or a scene %.3g times as shallow\n", j.remedy.needed / *j.budget);
@@ -125,7 +135,9 @@ nlohmann::ordered_json scene_depth_json(const std::string& path, const DepthFram
 {
     const Judged j = judge(depths);
     const DepthRange& r = j.range;
-    const auto or_null = [&](std::optional<double> v) { return v && r.surfaces > 0 ? nlohmann::ordered_json(*v) : nlohmann::ordered_json(nullptr); };
+    const auto or_null = [&](std::optional<double> v) {
+        return v && r.surfaces > 0 ? nlohmann::ordered_json(*v) : nlohmann::ordered_json(nullptr);
+    };
     return {{"scene", path},
             {"pixels", r.pixels},
             {"surfaces", r.surfaces},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The depths of a scene against the depth budget of sheet and film: what `integral sheet --report` adds.
+// The depths of a scene against the depth budget of sheet and film: what `integral sheet --report`
+// adds.
 #ifndef INTEGRAL_CLI_SCENE_DEPTH_H
 #define INTEGRAL_CLI_SCENE_DEPTH_H
 
@@ -12,8 +13,9 @@
 
 namespace integral {
 
-/// The depth frame of a depth frame's file (.exr), or of a scene (.pov, .ini), which povray-integral renders for it with
-/// `options` besides and one ray a pixel, quality 1. Throws InputError.
+/// The depth frame of a depth frame's file (.exr), or of a scene (.pov, .ini), which
+/// povray-integral renders for it with `options` besides and one ray a pixel, quality 1. Throws
+/// InputError.
 DepthFrame depths_of_scene(const std::string& path, const std::vector<std::string>& options);
 
 /// A paragraph of the report.

@@ -27,18 +27,21 @@ options::options_description make_options()
     add_sheet_options(all);
     add_film_options(all);
     add_aperture_options(all);
-    all.add_options()
-        ("pupil", value("MM"), "diameter of the eye's pupil (default 5)")
-        ("depths", value("MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")
-        ("detail", value("MM"), "distance between the edges that sampling errors are foretold for (default 5)")
-        ("report", value("SCENE"),
-         "add how deep a scene reaches against the depth budget: a .pov or .ini, which povray-integral looks through (what else is on "
-         "the command line is for it, as +W900 +H600), or a depth frame (.exr); the geometry is the scene's")
-        ("plot", value("KIND"), "draw instead: spread, lens, sheets, resolution or film; needs -o FILE.svg or FILE.png")
-        ("sheet", value("FILE.json"), "start from this geometry: a JSON document, or a frame")
-        ("json", "print the geometry and the figures as JSON, which --sheet of every command reads")
-        ("output,o", value("FILE"), "print to FILE instead of standard output")
-        ("help", "print this");
+    all.add_options()("pupil", value("MM"), "diameter of the eye's pupil (default 5)")(
+        "depths", value("MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")(
+        "detail", value("MM"),
+        "distance between the edges that sampling errors are foretold for (default 5)")(
+        "report", value("SCENE"),
+        "add how deep a scene reaches against the depth budget: a .pov or .ini, which "
+        "povray-integral looks through (what else is on "
+        "the command line is for it, as +W900 +H600), or a depth frame (.exr); the geometry is the "
+        "scene's")(
+        "plot", value("KIND"),
+        "draw instead: spread, lens, sheets, resolution or film; needs -o FILE.svg or FILE.png")(
+        "sheet", value("FILE.json"), "start from this geometry: a JSON document, or a frame")(
+        "json", "print the geometry and the figures as JSON, which --sheet of every command reads")(
+        "output,o", value("FILE"), "print to FILE instead of standard output")("help",
+                                                                               "print this");
     return all;
 }
 
@@ -46,7 +49,8 @@ double positive(const options::variables_map& arguments, const char* option, dou
 {
     read_number(arguments, option, value);
     if (!(value > 0))
-        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": it must be greater than 0");
+        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) +
+                         ": it must be greater than 0");
     return value;
 }
 
@@ -55,7 +59,8 @@ Viewer read_viewer(const options::variables_map& arguments)
     Viewer viewer;
     viewer.pupil = positive(arguments, "pupil", default_pupil);
     viewer.detail = positive(arguments, "detail", default_detail);
-    const std::string depths = given(arguments, "depths") ? text_of(arguments, "depths") : default_depths;
+    const std::string depths = given(arguments, "depths") ? text_of(arguments, "depths")
+                                                          : default_depths;
     viewer.depths = parse_numbers("depths", depths, "numbers separated by commas", 1, 1000);
     for (const double depth : viewer.depths)
         if (!(depth > 0))
@@ -63,7 +68,8 @@ Viewer read_viewer(const options::variables_map& arguments)
     return viewer;
 }
 
-void draw(const options::variables_map& arguments, const FrameMetadata& geometry, const Viewer& viewer)
+void draw(const options::variables_map& arguments, const FrameMetadata& geometry,
+          const Viewer& viewer)
 {
     const std::string kind = text_of(arguments, "plot"), output = text_of(arguments, "output");
     if (given(arguments, "json"))
@@ -81,13 +87,15 @@ void draw(const options::variables_map& arguments, const FrameMetadata& geometry
 int report_scene(const options::variables_map& arguments)
 {
     const std::string scene = text_of(arguments, "report");
-    for (const char* option : {"plot", "sheet", "arrangement", "pitch", "thickness", "ior", "slant", "offset", "dpi", "pixel-pitch", "size",
-                               "distance", "aperture"})
+    for (const char* option : {"plot", "sheet", "arrangement", "pitch", "thickness", "ior", "slant",
+                               "offset", "dpi", "pixel-pitch", "size", "distance", "aperture"})
         if (given(arguments, option))
-            throw UsageError(std::string("--report and --") + option + " do not go together: the geometry is the scene's");
+            throw UsageError(std::string("--report and --") + option +
+                             " do not go together: the geometry is the scene's");
     const Viewer viewer = read_viewer(arguments);
     if (given(arguments, "output"))
-        check_writable(text_of(arguments, "output")); // rather than after a long look through the scene
+        check_writable(text_of(arguments, "output")); // rather than after a long look through the
+                                                      // scene
     const DepthFrame depths = depths_of_scene(scene, inputs_of(arguments));
     stop_if_interrupted();
     if (given(arguments, "json")) {
@@ -95,7 +103,8 @@ int report_scene(const options::variables_map& arguments)
         json["scene_depths"] = scene_depth_json(scene, depths);
         print_result(arguments, json.dump(2) + "\n");
     } else {
-        print_result(arguments, sheet_report_text(depths.metadata, viewer) + scene_depth_text(scene, depths));
+        print_result(arguments,
+                     sheet_report_text(depths.metadata, viewer) + scene_depth_text(scene, depths));
     }
     return exit_done;
 }
@@ -124,8 +133,9 @@ int run(const options::variables_map& arguments)
         draw(arguments, geometry, viewer);
         return exit_done;
     }
-    print_result(arguments, given(arguments, "json") ? sheet_report_json(geometry, viewer).dump(2) + "\n"
-                                                     : sheet_report_text(geometry, viewer));
+    print_result(arguments, given(arguments, "json")
+                                ? sheet_report_json(geometry, viewer).dump(2) + "\n"
+                                : sheet_report_text(geometry, viewer));
     return exit_done;
 }
 
@@ -141,14 +151,19 @@ const Command sheet_command = {
     "Starts from the thesis's sheet and printer, from a frame, or from a geometry document; the\n"
     "options change that.\n"
     "\n"
-    "--report looks through a scene before it is rendered, and says how much of it lies within the\n"
+    "--report looks through a scene before it is rendered, and says how much of it lies within "
+    "the\n"
     "depth budget.\n"
     "\n"
     "--plot draws instead: spread, the width of a micro-image against the distance, by the\n"
     "pinhole, the extended pinhole and a real lens (figure 3-26); lens, the real lens's beam\n"
     "against the extended pinhole's ray from axis to margin; sheets, the same for the thesis's\n"
-    "sheets; resolution, against depth (figures 4-12 and 4-15); film, what of it a lens shows with the\n"
+    "sheets; resolution, against depth (figures 4-12 and 4-15); film, what of it a lens shows with "
+    "the\n"
     "film at its focus, nearer and farther (figures 4-3 to 4-6).\n",
-    0, 1000, make_options, run};
+    0,
+    1000,
+    make_options,
+    run};
 
 } // namespace integral

@@ -27,8 +27,8 @@ std::string written(double value)
 
 std::string description(const LensSheet& sheet)
 {
-    return std::string(name_of(sheet.arrangement)) + ", pitch " + written(sheet.pitch) + " mm, thickness " +
-           written(sheet.thickness) + " mm, ior " + written(sheet.ior);
+    return std::string(name_of(sheet.arrangement)) + ", pitch " + written(sheet.pitch) +
+           " mm, thickness " + written(sheet.thickness) + " mm, ior " + written(sheet.ior);
 }
 
 PlotSeries series(const std::string& label, Style style)
@@ -46,7 +46,8 @@ void add(PlotSeries& s, double x, std::optional<double> y)
 }
 
 /// A line across the plot at one height, or at one on either side of 0.
-PlotSeries level(const std::string& label, double from, double to, double y, bool both_sides = false)
+PlotSeries level(const std::string& label, double from, double to, double y,
+                 bool both_sides = false)
 {
     PlotSeries s = series(label, Style::dashed);
     s.x = {from, to};
@@ -59,14 +60,19 @@ PlotSeries level(const std::string& label, double from, double to, double y, boo
 }
 
 /// Rays across a lens, for a figure that is smooth at a plot's size.
-int points_across(const LensSheet& sheet) { return sheet.arrangement == Arrangement::lenticular ? 1000 : 100; }
+int points_across(const LensSheet& sheet)
+{
+    return sheet.arrangement == Arrangement::lenticular ? 1000 : 100;
+}
 
 void demand_surface(const LensSheet& sheet, const std::string& kind)
 {
     if (has_surface(sheet))
         return;
-    throw UsageError("--plot " + kind + ": a spherical lens of radius " + written(surface_radius(sheet)) +
-                     " mm, t(n-1)/n, is not as wide as the sheet's; a thicker sheet or a smaller pitch is needed");
+    throw UsageError("--plot " + kind + ": a spherical lens of radius " +
+                     written(surface_radius(sheet)) +
+                     " mm, t(n-1)/n, is not as wide as the sheet's; a thicker sheet or a smaller "
+                     "pitch is needed");
 }
 
 Plot spread_plot(const FrameMetadata& g)
@@ -86,7 +92,8 @@ Plot spread_plot(const FrameMetadata& g)
     plot.y.low = 0;
     PlotSeries pinhole = series("pinhole (3-8)", Style::line);
     PlotSeries extended = series("extended pinhole (3-9)", Style::line);
-    PlotSeries full = series("real lens, at half intensity (bars: at 9/10 and 1/10)", Style::points);
+    PlotSeries full = series("real lens, at half intensity (bars: at 9/10 and 1/10)",
+                             Style::points);
     constexpr int steps = 140, measured_every = 7;
     for (int i = 0; i <= steps; ++i) {
         const double distance = nearest + (farthest - nearest) * i / steps;
@@ -94,7 +101,8 @@ Plot spread_plot(const FrameMetadata& g)
         add(extended, distance, micro_image_width(sheet, distance, c.aperture));
         if (i % measured_every != 0)
             continue;
-        if (const auto width = full_image_width(sheet, distance, c.aperture, points_across(sheet))) {
+        if (const auto width = full_image_width(sheet, distance, c.aperture,
+                                                points_across(sheet))) {
             add(full, distance, width->at_half);
             full.low.push_back(width->at_least);
             full.high.push_back(width->at_most);
@@ -147,7 +155,8 @@ Plot sheets_plot()
 {
     Plot plot;
     plot.title = "Real lenses against the extended pinhole: the thesis's sheets";
-    plot.subtitle = "root mean square of the directions of a film point's rays less the extended pinhole's";
+    plot.subtitle =
+        "root mean square of the directions of a film point's rays less the extended pinhole's";
     plot.x.label = "film point's place in its lens, from axis (0) to margin (1)";
     plot.y.label = "direction error (degrees)";
     plot.x.low = 0;
@@ -157,7 +166,8 @@ Plot sheets_plot()
         PlotSeries errors = series(description(sheet), Style::line_and_points);
         constexpr int steps = 20;
         for (int i = 0; i <= steps; ++i)
-            if (const auto beam = full_beam_direction(sheet, 0.5 * sheet.pitch * i / steps, points_across(sheet)))
+            if (const auto beam = full_beam_direction(sheet, 0.5 * sheet.pitch * i / steps,
+                                                      points_across(sheet)))
                 add(errors, double(i) / steps, beam->error());
         plot.series.push_back(errors);
     }
@@ -170,12 +180,13 @@ Plot resolution_plot(const FrameMetadata& g, const Viewer& viewer)
     const double pixel = counted(g).pixel, d = g.aperture.distance;
     const auto budget = depth_budget(sheet, pixel);
     if (!budget)
-        throw UsageError("--plot resolution: (4-6) has no value for lenses that wide on a sheet that thin");
+        throw UsageError(
+            "--plot resolution: (4-6) has no value for lenses that wide on a sheet that thin");
     const double deepest = *std::max_element(viewer.depths.begin(), viewer.depths.end());
     Plot plot;
     plot.title = "Resolution against depth (figures 4-12 and 4-15)";
-    plot.subtitle = description(sheet) + "; " + written(mm_per_inch / pixel) + " dpi, seen from " + written(d) +
-                    " mm; depth budget " + written(*budget) + " mm";
+    plot.subtitle = description(sheet) + "; " + written(mm_per_inch / pixel) + " dpi, seen from " +
+                    written(d) + " mm; depth budget " + written(*budget) + " mm";
     plot.x.label = "distance from the sheet (mm)";
     plot.y.label = "resolution (line pairs per inch)";
     plot.x.low = 0;
@@ -214,8 +225,10 @@ Plot film_plot(const FrameMetadata& g)
     const double image = micro_image_width(sheet, d, c.aperture);
     for (const double part : {-0.3, -0.15, 0.0, 0.15, 0.3}) { // of the thickness
         const double film_gap = part * t;
-        PlotSeries seen = series(part == 0 ? "film at the focus" : "film " + written(std::fabs(film_gap)) + " mm " +
-                                 (part < 0 ? "nearer" : "farther"), Style::line);
+        PlotSeries seen = series(part == 0 ? "film at the focus"
+                                           : "film " + written(std::fabs(film_gap)) + " mm " +
+                                                 (part < 0 ? "nearer" : "farther"),
+                                 Style::line);
         const Medium medium(t + film_gap, sheet.ior);
         constexpr int steps = 100;
         for (int i = 0; i <= steps; ++i) {
@@ -230,7 +243,8 @@ Plot film_plot(const FrameMetadata& g)
         plot.series.push_back(seen);
     }
     if (std::isfinite(image)) {
-        plot.series.push_back(level("the capture aperture's micro-image", -margin, margin, 0.5 * image, true));
+        plot.series.push_back(
+            level("the capture aperture's micro-image", -margin, margin, 0.5 * image, true));
         plot.series.back().colour = 6;
     }
     return plot;

@@ -26,7 +26,8 @@ struct PixelSize {
 };
 
 /// WxH, each from 1 to `most`; `form` is what a complaint calls it.
-PixelSize parse_size(const char* option, const std::string& text, int most, const char* form = "WxH");
+PixelSize parse_size(const char* option, const std::string& text, int most,
+                     const char* form = "WxH");
 
 } // namespace integral
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral views: the views that are in a frame, as a quilt, an animation or files; and the frame of them.
+// integral views: the views that are in a frame, as a quilt, an animation or files; and the frame
+// of them.
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/given_views.h"
@@ -26,25 +27,30 @@ constexpr int largest_side = 32768;
 options::options_description make_options()
 {
     options::options_description all("Options");
-    all.add_options()
-        ("output,o", options::value<std::string>()->value_name("FILE"),
-         "the quilt, or with --to-frame the frame: .png, .exr or .tiff; a quilt's name gets _qsCxRaASPECT before the extension, "
-         "unless it has such an end; .webp: an animation")
-        ("views", options::value<std::string>()->value_name("CxR"),
-         "views across and up (default: as many as whole pixels are nearest to a lens's; with --to-frame what the quilt says)")
-        ("eyes", options::bool_switch(),
-         "what eyes see that are spread over the frame's viewing zone, in place of parallel views; needs --views")
-        ("files", options::bool_switch(), "a file for each view, with its number before the extension, in place of a quilt")
-        ("upright", options::bool_switch(),
-         "parallel views as they look, of the film's shape and without the lenses' slant, in place of a pixel a lens; not for --to-frame. "
-         "An animation's are")
-        ("size", options::value<std::string>()->value_name("WxH"),
-         "pixels of each view of --eyes and --upright (default: 500 on the longer side)")
-        ("to-frame", options::bool_switch(), "back: the frame that shows the views of a quilt, or of files")
-        ("sheet", options::value<std::string>()->value_name("FILE.json"),
-         "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not carry it, or instead of that")
-        ("threads", options::value<int>()->value_name("N")->default_value(0), "threads to work with (0: one per core)")
-        ("help", "print this");
+    all.add_options()("output,o", options::value<std::string>()->value_name("FILE"),
+                      "the quilt, or with --to-frame the frame: .png, .exr or .tiff; a quilt's "
+                      "name gets _qsCxRaASPECT before the extension, "
+                      "unless it has such an end; .webp: an animation")(
+        "views", options::value<std::string>()->value_name("CxR"),
+        "views across and up (default: as many as whole pixels are nearest to a lens's; with "
+        "--to-frame what the quilt says)")("eyes", options::bool_switch(),
+                                           "what eyes see that are spread over the frame's viewing "
+                                           "zone, in place of parallel views; needs --views")(
+        "files", options::bool_switch(),
+        "a file for each view, with its number before the extension, in place of a quilt")(
+        "upright", options::bool_switch(),
+        "parallel views as they look, of the film's shape and without the lenses' slant, in place "
+        "of a pixel a lens; not for --to-frame. "
+        "An animation's are")(
+        "size", options::value<std::string>()->value_name("WxH"),
+        "pixels of each view of --eyes and --upright (default: 500 on the longer side)")(
+        "to-frame", options::bool_switch(),
+        "back: the frame that shows the views of a quilt, or of files")(
+        "sheet", options::value<std::string>()->value_name("FILE.json"),
+        "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not "
+        "carry it, or instead of that")(
+        "threads", options::value<int>()->value_name("N")->default_value(0),
+        "threads to work with (0: one per core)")("help", "print this");
     add_series_options(all);
     return all;
 }
@@ -52,19 +58,23 @@ options::options_description make_options()
 void check_view_size(int width, int height)
 {
     if (std::max(width, height) > largest_side)
-        throw UsageError("views of " + std::to_string(width) + "x" + std::to_string(height) + " pixels have more than "
-                         + std::to_string(largest_side) + " one way");
+        throw UsageError("views of " + std::to_string(width) + "x" + std::to_string(height) +
+                         " pixels have more than " + std::to_string(largest_side) + " one way");
 }
 
 void check_quilt_size(ViewGrid grid, int width, int height)
 {
     if (std::max(double(grid.columns) * width, double(grid.rows) * height) > largest_side)
-        throw UsageError("a quilt of " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows) + " views of "
-                         + std::to_string(width) + "x" + std::to_string(height) + " pixels has more than "
-                         + std::to_string(largest_side) + " one way; fewer views would do");
+        throw UsageError("a quilt of " + std::to_string(grid.columns) + "x" +
+                         std::to_string(grid.rows) + " views of " + std::to_string(width) + "x" +
+                         std::to_string(height) + " pixels has more than " +
+                         std::to_string(largest_side) + " one way; fewer views would do");
 }
 
-double aspect_of(const Film& film) { return film.width * film.pixel_pitch.x / (film.height * film.pixel_pitch.y); }
+double aspect_of(const Film& film)
+{
+    return film.width * film.pixel_pitch.x / (film.height * film.pixel_pitch.y);
+}
 
 /// The size of a view for people to look at.
 PixelSize size_to_look_at(const options::variables_map& arguments, const Film& film)
@@ -77,7 +87,8 @@ PixelSize size_to_look_at(const options::variables_map& arguments, const Film& f
     return {view.width, view.height};
 }
 
-/// Parallel views as they look: upright and of the film's shape. Black where the lenses reflect totally.
+/// Parallel views as they look: upright and of the film's shape. Black where the lenses reflect
+/// totally.
 std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, PixelSize size, int threads)
 {
     View view;
@@ -86,7 +97,8 @@ std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, PixelSize si
     std::vector<Image> views;
     const Progress bar = progress_bar("views");
     for (const auto& eye : far_eyes(*frame.metadata, grid)) {
-        auto picture = eye ? replay_each(frame, view, {*eye}, threads, piece_of(bar, int(views.size()), grid.count()))
+        auto picture = eye ? replay_each(frame, view, {*eye}, threads,
+                                         piece_of(bar, int(views.size()), grid.count()))
                            : std::vector<Image>{blank_like(frame.image, size.width, size.height)};
         if (!picture)
             throw Interrupted();
@@ -104,7 +116,8 @@ void state_loss(const Frame& frame, ViewGrid grid, int threads)
     if (!psnr)
         throw Interrupted();
     say("views", "the views are interpolated between the film's pixels: made into a frame again, "
-                 "PSNR " + with_decimals(*psnr, 1) + " dB");
+                 "PSNR " +
+                     with_decimals(*psnr, 1) + " dB");
 }
 
 /// Makes some rows, which draw(row) does, in `threads` threads.
@@ -153,7 +166,8 @@ void write_views(PictureSeries& series, const Frame& frame, const ParallelViews&
     }
 }
 
-/// Row by row upwards, the even rows from the left, the odd ones from the right: each view beside the one before.
+/// Row by row upwards, the even rows from the left, the odd ones from the right: each view beside
+/// the one before.
 void play(PictureSeries& series, const std::vector<Image>& views, ViewGrid grid)
 {
     for (int row = 0; row < grid.rows; ++row)
@@ -177,31 +191,43 @@ PixelSize size_of_parallel_views(const std::string& input, const FrameMetadata& 
 
 int make_views(const options::variables_map& arguments, const std::string& output, int threads)
 {
-    const Frame frame = read_frame_with_metadata(inputs_of(arguments)[0], text_of(arguments, "sheet"));
+    const Frame frame = read_frame_with_metadata(inputs_of(arguments)[0],
+                                                 text_of(arguments, "sheet"));
     stop_if_interrupted();
     const FrameMetadata& metadata = *frame.metadata;
-    const bool eyes = arguments["eyes"].as<bool>(), files = arguments["files"].as<bool>(), animated = is_animation(output);
+    const bool eyes = arguments["eyes"].as<bool>(), files = arguments["files"].as<bool>(),
+               animated = is_animation(output);
     const bool upright = !eyes && (animated || arguments["upright"].as<bool>());
-    const ViewGrid grid = given(arguments, "views") ? parse_view_grid(arguments) : natural_views(metadata);
-    if (!given(arguments, "views") && (grid.columns > metadata.film.width || grid.rows > metadata.film.height))
-        throw UsageError(inputs_of(arguments)[0] + ": a lens is as large as " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows)
-                         + " pixels, more than the whole film; --views CxR would tell how many views to take");
+    const ViewGrid grid = given(arguments, "views") ? parse_view_grid(arguments)
+                                                    : natural_views(metadata);
+    if (!given(arguments, "views") &&
+        (grid.columns > metadata.film.width || grid.rows > metadata.film.height))
+        throw UsageError(
+            inputs_of(arguments)[0] + ": a lens is as large as " + std::to_string(grid.columns) +
+            "x" + std::to_string(grid.rows) +
+            " pixels, more than the whole film; --views CxR would tell how many views to take");
     const PixelSize size = size_to_look_at(arguments, metadata.film);
     std::optional<PictureSeries> series;
     if (files || animated)
         series.emplace(arguments, output, grid.count(), 0);
-    const std::string path = series || output == "-" ? output : quilt_name(output, grid, aspect_of(metadata.film));
+    const std::string path = series || output == "-"
+                                 ? output
+                                 : quilt_name(output, grid, aspect_of(metadata.film));
     if (!series) {
         const auto named = grid_in_name(path);
         if (named && (named->columns != grid.columns || named->rows != grid.rows))
-            throw UsageError("-o " + output + ": its name says " + std::to_string(named->columns) + "x" + std::to_string(named->rows)
-                             + " views, but there are " + std::to_string(grid.columns) + "x" + std::to_string(grid.rows));
+            throw UsageError("-o " + output + ": its name says " + std::to_string(named->columns) +
+                             "x" + std::to_string(named->rows) + " views, but there are " +
+                             std::to_string(grid.columns) + "x" + std::to_string(grid.rows));
         check_writable(path);
     }
 
     if (metadata.sheet.arrangement == Arrangement::lenticular && grid.rows > 1)
-        throw UsageError("--views " + text_of(arguments, "views") + ": lenticular lenses show nothing new from above: one row is expected");
-    const PixelSize of_lenses = eyes ? size : size_of_parallel_views(inputs_of(arguments)[0], metadata); // refuses what has none
+        throw UsageError("--views " + text_of(arguments, "views") +
+                         ": lenticular lenses show nothing new from above: one row is expected");
+    const PixelSize of_lenses = eyes ? size
+                                     : size_of_parallel_views(inputs_of(arguments)[0],
+                                                              metadata); // refuses what has none
     const PixelSize of_a_view = upright ? size : of_lenses;
     check_view_size(of_a_view.width, of_a_view.height);
     if (!series)
@@ -245,24 +271,29 @@ int run(const options::variables_map& arguments)
     const std::string output = text_of(arguments, "output");
     if (output.empty())
         throw UsageError("-o FILE is missing");
-    const bool back = arguments["to-frame"].as<bool>(), eyes = arguments["eyes"].as<bool>(), files = arguments["files"].as<bool>();
+    const bool back = arguments["to-frame"].as<bool>(), eyes = arguments["eyes"].as<bool>(),
+               files = arguments["files"].as<bool>();
     const bool animated = is_animation(output);
     if (!animated || back)
         format_for(output);
     check_series_options(arguments, output);
     if (files && (back || animated))
-        throw UsageError(std::string("--files does not go with ") + (back ? "--to-frame" : "an animation"));
+        throw UsageError(std::string("--files does not go with ") +
+                         (back ? "--to-frame" : "an animation"));
     if (eyes && !back && !given(arguments, "views"))
         throw UsageError("--eyes needs --views CxR, how many eyes");
     const bool upright = arguments["upright"].as<bool>();
     if (upright && (back || eyes))
-        throw UsageError(std::string("--upright does not go with ") + (back ? "--to-frame" : "--eyes, whose views are upright"));
+        throw UsageError(std::string("--upright does not go with ") +
+                         (back ? "--to-frame" : "--eyes, whose views are upright"));
     if (given(arguments, "size") && (back || (!eyes && !animated && !upright)))
-        throw UsageError("--size is for --eyes, --upright and animations; else parallel views have a pixel a lens");
+        throw UsageError("--size is for --eyes, --upright and animations; else parallel views have "
+                         "a pixel a lens");
     if (!back && inputs_of(arguments).size() > 1)
         throw UsageError("one frame is expected; --to-frame takes several views");
     const int threads = in_range(arguments, "threads", 0, 1024);
-    return back ? frame_of_views(arguments, output, threads) : make_views(arguments, output, threads);
+    return back ? frame_of_views(arguments, output, threads)
+                : make_views(arguments, output, threads);
 }
 
 } // namespace
@@ -276,6 +307,9 @@ const Command views_command = {
     "from the far left and below, at the bottom left. With whole pixels a lens nothing is lost,\n"
     "and --to-frame gives the frame back to the bit. Quilts and files carry the frame's geometry,\n"
     "so that nothing else has to be said on the way back; other programs' need --sheet.\n",
-    1, most_views_a_side * most_views_a_side, make_options, run};
+    1,
+    most_views_a_side* most_views_a_side,
+    make_options,
+    run};
 
 } // namespace integral

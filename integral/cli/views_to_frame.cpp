@@ -13,25 +13,31 @@ int frame_of_views(const options::variables_map& arguments, const std::string& o
 {
     const auto inputs = inputs_of(arguments);
     check_writable(output);
-    const GivenViews given_views = read_given_views(arguments, inputs, arguments["eyes"].as<bool>());
+    const GivenViews given_views = read_given_views(arguments, inputs,
+                                                    arguments["eyes"].as<bool>());
     const std::string sheet = text_of(arguments, "sheet");
     if (sheet.empty() && !given_views.metadata)
-        throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame (integral sheet FRAME --json writes it): "
-                         + inputs[0] + " carries none");
+        throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "
+                         "(integral sheet FRAME --json writes it): " +
+                         inputs[0] + " carries none");
     FrameMetadata geometry = sheet.empty() ? *given_views.metadata : read_metadata(sheet);
     if (geometry.film.width < 1)
         throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
     stop_if_interrupted();
     if (arguments["eyes"].as<bool>() && given_views.metadata && !given_views.metadata->quilt->eyes)
         throw UsageError(inputs[0] + ": it says that it holds parallel views, not those of --eyes");
-    const bool eyes = arguments["eyes"].as<bool>() || (given_views.metadata && given_views.metadata->quilt->eyes);
-    EyeGrid eye_grid{viewing_zone(geometry, geometry.aperture.distance), geometry.aperture.distance};
+    const bool eyes = arguments["eyes"].as<bool>() ||
+                      (given_views.metadata && given_views.metadata->quilt->eyes);
+    EyeGrid eye_grid{viewing_zone(geometry, geometry.aperture.distance),
+                     geometry.aperture.distance};
     if (given_views.metadata)
         eye_grid = given_views.metadata->quilt->eyes.value_or(eye_grid);
     try {
         const Progress bar = progress_bar("views");
-        auto image = eyes ? frame_from_perspective_views(given_views.views, geometry, given_views.grid, eye_grid, threads, bar)
-                          : frame_from_views(given_views.views, geometry, given_views.grid, threads, bar);
+        auto image = eyes ? frame_from_perspective_views(given_views.views, geometry,
+                                                         given_views.grid, eye_grid, threads, bar)
+                          : frame_from_views(given_views.views, geometry, given_views.grid, threads,
+                                             bar);
         if (!image)
             throw Interrupted();
         Frame frame{std::move(*image), std::nullopt};

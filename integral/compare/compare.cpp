@@ -57,10 +57,7 @@ void require_same_size(const Image& a, const Image& b)
 }
 
 /// Whether `value` is the new largest; NaN is larger than all.
-bool exceeds(double value, double largest)
-{
-    return !std::isnan(largest) && !(value <= largest);
-}
+bool exceeds(double value, double largest) { return !std::isnan(largest) && !(value <= largest); }
 
 float luma(Color c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
 
@@ -116,17 +113,18 @@ private:
 struct Differences {
     std::vector<double> squares; ///< of a pixel's channels, added up
     std::vector<float> luma_a, luma_b;
-    std::vector<LensIndex> lenses; ///< if they are asked for
-    std::vector<double> largest;   ///< of a row's channels
-    std::vector<std::int64_t>
-        close; ///< a row's pixels of which no channel differs by more than 2/255
+    std::vector<LensIndex> lenses;   ///< if they are asked for
+    std::vector<double> largest;     ///< of a row's channels
+    std::vector<std::int64_t> close; ///< a row's pixels of which no channel differs by more than
+                                     ///< 2/255
 };
 
 } // namespace
 
 struct Comparer::State {
     State(const Frame& a, const Frame& b, bool similarity)
-        : width(a.image.width), height(a.image.height),
+        : width(a.image.width),
+          height(a.image.height),
           alpha(a.image.channels == 4 && b.image.channels == 4)
     {
         require_same_size(a.image, b.image);

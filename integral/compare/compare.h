@@ -13,7 +13,7 @@ namespace integral {
 /// The lens whose share of the film (the pixels nearest to it) differs most.
 struct WorstMicroImage {
     LensIndex lens;
-    Vec2 pole;       ///< mm, sheet frame
+    Vec2 pole; ///< mm, sheet frame
     double rmse = 0;
 };
 
@@ -27,9 +27,10 @@ struct Comparison {
     double psnr = 0;               ///< dB, -20 log10(rmse); infinite where the pictures are equal
     double ssim = 0;               ///< mean structural similarity of the lumas, see similarity.h
     double largest_difference = 0; ///< of any channel of any pixel
-    double within_two = 0;         ///< fraction of pixels of which no channel differs by more than 2/255
-    Encoding encoding;             ///< that of the figures
-    std::optional<WorstMicroImage> worst; ///< where either picture has metadata (the first's, if both)
+    double within_two = 0; ///< fraction of pixels of which no channel differs by more than 2/255
+    Encoding encoding;     ///< that of the figures
+    std::optional<WorstMicroImage> worst; ///< where either picture has metadata (the first's, if
+                                          ///< both)
 };
 
 /// Compares two pictures that come row by row.

@@ -17,7 +17,8 @@ Json geometry_of(const FrameMetadata& metadata, bool with_render)
     if (!with_render)
         json.erase("render");
     else
-        for (const char* other : {"program", "scene", "mapping", "pixel_samples", "beam_samples", "seconds", "error"})
+        for (const char* other :
+             {"program", "scene", "mapping", "pixel_samples", "beam_samples", "seconds", "error"})
             json["render"].erase(other);
     return json;
 }
@@ -30,7 +31,9 @@ std::string difference(const Json& reference, const Json& result, const std::str
         if (std::fabs(a - b) <= 1e-9 * std::max({std::fabs(a), std::fabs(b), 1e-3}))
             return "";
     } else if (reference.is_object() && result.is_object()) {
-        const auto path_of = [&](const std::string& key) { return path.empty() ? key : path + "." + key; };
+        const auto path_of = [&](const std::string& key) {
+            return path.empty() ? key : path + "." + key;
+        };
         for (const auto& [key, value] : reference.items()) {
             if (!result.contains(key))
                 return path_of(key) + " is missing, its reference has it";
@@ -44,7 +47,8 @@ std::string difference(const Json& reference, const Json& result, const std::str
         return "";
     } else if (reference.is_array() && result.is_array() && reference.size() == result.size()) {
         for (std::size_t i = 0; i < reference.size(); ++i) {
-            const std::string found = difference(reference[i], result[i], path + "[" + std::to_string(i) + "]");
+            const std::string found = difference(reference[i], result[i],
+                                                 path + "[" + std::to_string(i) + "]");
             if (!found.empty())
                 return found;
         }
@@ -58,10 +62,13 @@ std::string difference(const Json& reference, const Json& result, const std::str
 
 } // namespace
 
-std::string geometry_difference(const std::optional<FrameMetadata>& reference, const std::optional<FrameMetadata>& result)
+std::string geometry_difference(const std::optional<FrameMetadata>& reference,
+                                const std::optional<FrameMetadata>& result)
 {
     if (!reference || !result)
-        return !reference && !result ? "" : reference ? "it has no geometry, its reference has" : "it has geometry, its reference has none";
+        return !reference && !result ? ""
+               : reference           ? "it has no geometry, its reference has"
+                                     : "it has geometry, its reference has none";
     const bool with_render = reference->render && result->render;
     return difference(geometry_of(*reference, with_render), geometry_of(*result, with_render), "");
 }

@@ -9,8 +9,10 @@ const std::array<LimitKind, limit_count> limit_kinds = {{
     {"max_rmse", "RMSE", true, 0, 1e6, "R", "fail (exit status 1) if the RMSE is greater than R"},
     {"min_psnr", "PSNR", false, -1e6, 1e6, "P", "fail if the PSNR is less than P dB"},
     {"min_ssim", "SSIM", false, -1, 1, "S", "fail if the SSIM is less than S"},
-    {"max_difference", "largest difference", true, 0, 1e6, "D", "fail if a channel of a pixel differs by more than D"},
-    {"max_micro_image_rmse", "the worst micro-image's RMSE", true, 0, 1e6, "R", "fail if the RMSE of a frame's worst micro-image is greater than R"},
+    {"max_difference", "largest difference", true, 0, 1e6, "D",
+     "fail if a channel of a pixel differs by more than D"},
+    {"max_micro_image_rmse", "the worst micro-image's RMSE", true, 0, 1e6, "R",
+     "fail if the RMSE of a frame's worst micro-image is greater than R"},
 }};
 
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind)
@@ -36,7 +38,8 @@ std::vector<std::string> missed_limits(const Limits& limits, const Comparison& c
         const auto figure = figure_of(comparison, kind);
         if (figure && limits[kind] && !keeps(*figure, kind, *limits[kind]))
             missed.push_back(limit_kinds[kind].name + (" " + with_digits(*figure, 6)) +
-                             (limit_kinds[kind].is_most ? " is greater than " : " is less than ") + with_digits(*limits[kind], 6));
+                             (limit_kinds[kind].is_most ? " is greater than " : " is less than ") +
+                             with_digits(*limits[kind], 6));
     }
     return missed;
 }

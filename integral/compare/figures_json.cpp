@@ -8,12 +8,12 @@ namespace integral {
 Json figures_json(const Comparison& c)
 {
     Json json = {{"rmse", c.rmse},
-                                   {"psnr", c.psnr}, // infinity is written as null
-                                   {"ssim", c.ssim},
-                                   {"largest_difference", c.largest_difference},
-                                   {"within_two", c.within_two},
-                                   {"encoding", name_of(c.encoding.kind)},
-                                   {"worst_micro_image", nullptr}};
+                 {"psnr", c.psnr}, // infinity is written as null
+                 {"ssim", c.ssim},
+                 {"largest_difference", c.largest_difference},
+                 {"within_two", c.within_two},
+                 {"encoding", name_of(c.encoding.kind)},
+                 {"worst_micro_image", nullptr}};
     if (c.worst)
         json["worst_micro_image"] = {{"lens", {c.worst->lens.i, c.worst->lens.j}},
                                      {"pole_mm", {c.worst->pole.x, c.worst->pole.y}},

@@ -39,8 +39,13 @@ template <class Add> double weigh(const std::vector<double>& taps, int centre, i
 } // namespace
 
 Similarity::Similarity(int width, int height)
-    : width_(width), height_(height), left_(width >= window ? reach : 0), right_(width - left_),
-      top_(height >= window ? reach : 0), bottom_(height - top_), taps_(gaussian_taps()),
+    : width_(width),
+      height_(height),
+      left_(width >= window ? reach : 0),
+      right_(width - left_),
+      top_(height >= window ? reach : 0),
+      bottom_(height - top_),
+      taps_(gaussian_taps()),
       ring_(std::size_t(std::min(ring_rows, height)) * moments * std::size_t(right_ - left_))
 {
 }
@@ -126,8 +131,8 @@ void Similarity::add(const float* a, const float* b, int rows)
         return;
     std::vector<std::vector<double>> terms(std::size_t(end - first));
     for_each_row(end - first, 0, [&](int k) { add_centres(first + k, terms[std::size_t(k)]); });
-    for (const auto& row :
-         terms) // in order, so that the sum is the same however many threads there are
+    for (const auto& row : terms) // in order, so that the sum is the same however many threads
+                                  // there are
         for (const double term : row)
             total_ += term;
     centred_ = end;

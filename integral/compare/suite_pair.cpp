@@ -25,7 +25,10 @@ std::optional<Frame> read(SuitePair& pair, const std::string& path, const char* 
     }
 }
 
-std::string size_of(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
+std::string size_of(const Image& image)
+{
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
 
 } // namespace
 
@@ -62,7 +65,8 @@ void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictu
     if (reference && result) {
         if (size_of(reference->image) != size_of(result->image)) {
             pair.state = PairState::other_size;
-            pair.faults.push_back("it has " + size_of(result->image) + " pixels, its reference has " + size_of(reference->image));
+            pair.faults.push_back("it has " + size_of(result->image) +
+                                  " pixels, its reference has " + size_of(reference->image));
         } else {
             pair.figures = compare(*reference, *result);
             const std::string other = geometry_difference(reference->metadata, result->metadata);
@@ -70,7 +74,9 @@ void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictu
                 pair.faults.push_back(other);
             const auto missed = missed_limits(pair.limits, *pair.figures);
             pair.faults.insert(pair.faults.end(), missed.begin(), missed.end());
-            pair.state = !other.empty() ? PairState::other_geometry : !missed.empty() ? PairState::over_limit : PairState::passed;
+            pair.state = !other.empty()    ? PairState::other_geometry
+                         : !missed.empty() ? PairState::over_limit
+                                           : PairState::passed;
         }
     }
     if (pictures.wanted)

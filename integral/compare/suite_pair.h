@@ -12,7 +12,15 @@
 namespace integral {
 
 /// What became of a pair. Of several, the one that stands last here.
-enum class PairState { passed, over_limit, other_geometry, other_size, damaged, no_reference, no_result };
+enum class PairState {
+    passed,
+    over_limit,
+    other_geometry,
+    other_size,
+    damaged,
+    no_reference,
+    no_result
+};
 
 /// The word for a state, in reports and for programs: "passed", "limit", "geometry" ...
 const char* name_of(PairState state);
@@ -37,13 +45,15 @@ struct SuitePair {
     bool passed() const { return state == PairState::passed; }
 };
 
-/// Whether there is a report to make pictures for, and how the differences are amplified in it (0: so that they are seen).
+/// Whether there is a report to make pictures for, and how the differences are amplified in it (0:
+/// so that they are seen).
 struct SuitePictures {
     bool wanted = false;
     double gain = 0;
 };
 
-/// Compares one pair, or looks at the one file that there is; fills in what is empty above. Faults of the files are noted, not thrown.
+/// Compares one pair, or looks at the one file that there is; fills in what is empty above. Faults
+/// of the files are noted, not thrown.
 void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictures& pictures);
 
 } // namespace integral

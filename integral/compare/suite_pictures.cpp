@@ -20,7 +20,8 @@ figcaption { color: var(--quiet); font-size: 0.87rem; margin: 0 0 3px; }
 
 namespace {
 
-constexpr int shown_failed = 376, shown_small = 176; // pixels of the longer side; three of the larger fit beside each other
+constexpr int shown_failed = 376, shown_small = 176; // pixels of the longer side; three of the
+                                                     // larger fit beside each other
 constexpr int magnified_side = 240;
 
 struct Rectangle {
@@ -60,40 +61,49 @@ template <class Counts> Vec2 worst_pixel(const Image& difference, Counts counts)
     return worst;
 }
 
-/// What is shown magnified: the worst micro-image with a quarter of its neighbours, else the surroundings of the worst pixel.
-Detail find_detail(const Image& difference, const Comparison& figures, const FrameMetadata* geometry)
+/// What is shown magnified: the worst micro-image with a quarter of its neighbours, else the
+/// surroundings of the worst pixel.
+Detail find_detail(const Image& difference, const Comparison& figures,
+                   const FrameMetadata* geometry)
 {
     const auto at = [](const Rectangle& r) {
-        return "; pixels " + std::to_string(r.x) + " to " + std::to_string(r.x + r.width - 1) + " across, " + std::to_string(r.y) +
-               " to " + std::to_string(r.y + r.height - 1) + " down";
+        return "; pixels " + std::to_string(r.x) + " to " + std::to_string(r.x + r.width - 1) +
+               " across, " + std::to_string(r.y) + " to " + std::to_string(r.y + r.height - 1) +
+               " down";
     };
     if (!figures.worst || !geometry) {
         const Vec2 worst = worst_pixel(difference, [](int, int) { return true; });
         const Rectangle where = around(difference, int(worst.x), int(worst.y), 48);
-        return {where, "Around the pixel " + std::to_string(int(worst.x)) + "," + std::to_string(int(worst.y)) +
-                           ", which differs most" + at(where)};
+        return {where, "Around the pixel " + std::to_string(int(worst.x)) + "," +
+                           std::to_string(int(worst.y)) + ", which differs most" + at(where)};
     }
     const Film& film = geometry->film;
     const Lattice lattice(geometry->sheet);
     const LensIndex lens = figures.worst->lens;
     Vec2 centre = lattice.pole(lens);
-    if (lattice.arrangement() == Arrangement::lenticular) { // a micro-image is as long as the film: where on it
-        const Vec2 worst = worst_pixel(difference, [&](int x, int y) { return lattice.nearest(film_from_pixel(film, {x + 0.5, y + 0.5})) == lens; });
+    if (lattice.arrangement() == Arrangement::lenticular) { // a micro-image is as long as the film:
+                                                            // where on it
+        const Vec2 worst = worst_pixel(difference, [&](int x, int y) {
+            return lattice.nearest(film_from_pixel(film, {x + 0.5, y + 0.5})) == lens;
+        });
         const Vec2 point = film_from_pixel(film, {worst.x + 0.5, worst.y + 0.5});
         centre = centre + dot(point - centre, lattice.along()) * lattice.along();
     }
     const Vec2 pixel = pixel_from_film(film, centre);
     const double across = lattice.pitch() / std::min(film.pixel_pitch.x, film.pixel_pitch.y);
-    const Rectangle where = around(difference, int(std::clamp(pixel.x, 0.0, double(film.width))), int(std::clamp(pixel.y, 0.0, double(film.height))),
+    const Rectangle where = around(difference, int(std::clamp(pixel.x, 0.0, double(film.width))),
+                                   int(std::clamp(pixel.y, 0.0, double(film.height))),
                                    int(std::clamp(1.5 * across, 16.0, 120.0)));
-    return {where, "The worst micro-image: lens " + std::to_string(lens.i) + "," + std::to_string(lens.j) + " at " +
-                       with_decimals(figures.worst->pole.x, 2) + "," + with_decimals(figures.worst->pole.y, 2) + " mm, RMSE " +
+    return {where, "The worst micro-image: lens " + std::to_string(lens.i) + "," +
+                       std::to_string(lens.j) + " at " + with_decimals(figures.worst->pole.x, 2) +
+                       "," + with_decimals(figures.worst->pole.y, 2) + " mm, RMSE " +
                        with_digits(figures.worst->rmse, 4) + at(where)};
 }
 
 std::string figure(const std::string& caption, const std::string& picture)
 {
-    return "<figure><figcaption>" + markup_text(caption) + "</figcaption>" + picture + "</figure>\n";
+    return "<figure><figcaption>" + markup_text(caption) + "</figcaption>" + picture +
+           "</figure>\n";
 }
 
 /// A part of a picture, its pixels whole numbers of pixels on the screen.
@@ -101,23 +111,32 @@ std::string magnified(const Image& picture, const Rectangle& r, const std::strin
 {
     const int times = std::max(1, magnified_side / std::max(r.width, r.height));
     const Image part = scaled_down(part_of(picture, r.x, r.y, r.width, r.height), magnified_side);
-    return "<img src=\"" + picture_uri(part) + "\" width=\"" + std::to_string(times * part.width) + "\" height=\"" +
-           std::to_string(times * part.height) + "\" alt=\"" + markup_text(text) + "\">";
+    return "<img src=\"" + picture_uri(part) + "\" width=\"" + std::to_string(times * part.width) +
+           "\" height=\"" + std::to_string(times * part.height) + "\" alt=\"" + markup_text(text) +
+           "\">";
 }
 
 } // namespace
 
-std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference, const std::optional<Frame>& result, double gain)
+std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference,
+                           const std::optional<Frame>& result, double gain)
 {
-    const bool to_compare = pair.state == PairState::over_limit || pair.state == PairState::other_geometry || pair.state == PairState::other_size;
+    const bool to_compare = pair.state == PairState::over_limit ||
+                            pair.state == PairState::other_geometry ||
+                            pair.state == PairState::other_size;
     const int longest = to_compare ? shown_failed : shown_small;
     std::string html = "<div class=\"pictures\">\n";
     if (pair.figures && pair.figures->largest_difference == 0)
-        return html + figure("reference and result, which are equal", picture_element(result->image, longest, "the result " + pair.name)) + "</div>\n";
+        return html +
+               figure("reference and result, which are equal",
+                      picture_element(result->image, longest, "the result " + pair.name)) +
+               "</div>\n";
     if (reference)
-        html += figure("reference", picture_element(reference->image, longest, "the reference of " + pair.name));
+        html += figure("reference",
+                       picture_element(reference->image, longest, "the reference of " + pair.name));
     if (result)
-        html += figure("result", picture_element(result->image, longest, "the result " + pair.name));
+        html += figure("result",
+                       picture_element(result->image, longest, "the result " + pair.name));
     if (!pair.figures)
         return html + "</div>\n";
 
@@ -127,16 +146,22 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
     Image difference = difference_picture(reference->image, result->image, gain);
     difference.encoding = Encoding{}; // shown as it is
     const std::string times = "difference × " + with_digits(gain, 6);
-    html += figure(times, picture_element(difference, longest, "their difference", Scaling::greatest)) + "</div>\n";
+    html += figure(times,
+                   picture_element(difference, longest, "their difference", Scaling::greatest)) +
+            "</div>\n";
     if (pair.passed())
         return html;
 
     const auto& metadata = reference->metadata ? reference->metadata : result->metadata;
-    const Detail detail = find_detail(difference_picture(reference->image, result->image, 1 / largest), *pair.figures, metadata ? &*metadata : nullptr);
-    return html + "<p class=\"detail\">" + markup_text(detail.words) + ".</p>\n<div class=\"pictures magnified\">\n" +
+    const Detail detail = find_detail(
+        difference_picture(reference->image, result->image, 1 / largest), *pair.figures,
+        metadata ? &*metadata : nullptr);
+    return html + "<p class=\"detail\">" + markup_text(detail.words) +
+           ".</p>\n<div class=\"pictures magnified\">\n" +
            figure("reference", magnified(reference->image, detail.where, "part of the reference")) +
            figure("result", magnified(result->image, detail.where, "part of the result")) +
-           figure(times, magnified(difference, detail.where, "part of their difference")) + "</div>\n";
+           figure(times, magnified(difference, detail.where, "part of their difference")) +
+           "</div>\n";
 }
 
 } // namespace integral

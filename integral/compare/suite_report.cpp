@@ -32,7 +32,10 @@ Counts counts_of(const Suite& suite)
 }
 
 /// The file of tolerances and what is wrong with it: "suite.json: line 3: ...".
-std::string unused_fault(const Suite& suite, const std::string& fault) { return suite.tolerances + ": " + fault; }
+std::string unused_fault(const Suite& suite, const std::string& fault)
+{
+    return suite.tolerances + ": " + fault;
+}
 
 /// One or several paragraphs of faults.
 std::string fault_lines(const std::vector<std::string>& faults)
@@ -49,11 +52,13 @@ std::vector<const SuitePair*> failed_first(const Suite& suite)
     std::vector<const SuitePair*> pairs;
     for (const SuitePair& pair : suite.pairs)
         pairs.push_back(&pair);
-    std::stable_partition(pairs.begin(), pairs.end(), [](const SuitePair* pair) { return !pair->passed(); });
+    std::stable_partition(pairs.begin(), pairs.end(),
+                          [](const SuitePair* pair) { return !pair->passed(); });
     return pairs;
 }
 
-constexpr const char* column_names[limit_count] = {"RMSE", "PSNR, dB", "SSIM", "Largest difference", "Worst micro-image"};
+constexpr const char* column_names[limit_count] = {"RMSE", "PSNR, dB", "SSIM", "Largest difference",
+                                                   "Worst micro-image"};
 
 std::string figure_text(double figure, std::size_t kind)
 {
@@ -71,13 +76,18 @@ std::string figure_cell(const SuitePair& pair, std::size_t kind)
         return "<td class=\"number none" + head + "–</span></td>";
     const auto limit = pair.limits[kind];
     const bool bad = limit && !keeps(*figure, kind, *limit);
-    std::string html = std::string("<td class=\"number") + (bad ? " bad" : "") + head + figure_text(*figure, kind);
+    std::string html = std::string("<td class=\"number") + (bad ? " bad" : "") + head +
+                       figure_text(*figure, kind);
     if (limit)
-        html += std::string("<span class=\"limit\">") + (limit_kinds[kind].is_most ? "≤ " : "≥ ") + with_digits(*limit, 4) + "</span>";
+        html += std::string("<span class=\"limit\">") + (limit_kinds[kind].is_most ? "≤ " : "≥ ") +
+                with_digits(*limit, 4) + "</span>";
     return html + "</span></td>";
 }
 
-std::string anchor_of(const Suite& suite, const SuitePair& pair) { return "pair-" + std::to_string(&pair - suite.pairs.data() + 1); }
+std::string anchor_of(const Suite& suite, const SuitePair& pair)
+{
+    return "pair-" + std::to_string(&pair - suite.pairs.data() + 1);
+}
 
 std::string table(const Suite& suite, const std::vector<const SuitePair*>& pairs)
 {
@@ -86,9 +96,10 @@ std::string table(const Suite& suite, const std::vector<const SuitePair*>& pairs
         html += std::string("<th class=\"number\">") + name + "</th>";
     html += "</tr></thead>\n<tbody>\n";
     for (const SuitePair* pair : pairs) {
-        html += std::string("<tr") + (pair->passed() ? "" : " class=\"failed\"") + "><td data-label=\"File\"><span><a href=\"#" + anchor_of(suite, *pair) + "\">" +
-                markup_text(pair->name) + "</a></span></td><td data-label=\"Outcome\" class=\"" + (pair->passed() ? "good" : "bad") + "\">" +
-                name_of(pair->state) + "</td>";
+        html += std::string("<tr") + (pair->passed() ? "" : " class=\"failed\"") +
+                "><td data-label=\"File\"><span><a href=\"#" + anchor_of(suite, *pair) + "\">" +
+                markup_text(pair->name) + "</a></span></td><td data-label=\"Outcome\" class=\"" +
+                (pair->passed() ? "good" : "bad") + "\">" + name_of(pair->state) + "</td>";
         for (std::size_t kind = 0; kind < limit_count; ++kind)
             html += figure_cell(*pair, kind);
         html += "</tr>\n";
@@ -105,9 +116,11 @@ std::string links(const Suite& suite, const SuitePair& pair, const std::string& 
     std::string html;
     const auto add = [&](bool is_there, const std::string& path, const char* name) {
         std::error_code ignored;
-        const std::string relative = fs::proximate(fs::path(path), fs::path(folder), ignored).string();
+        const std::string relative = fs::proximate(fs::path(path), fs::path(folder), ignored)
+                                         .string();
         if (is_there && !ignored)
-            html += std::string(html.empty() ? "" : " · ") + "<a href=\"" + link_to(relative) + "\">" + name + "</a>";
+            html += std::string(html.empty() ? "" : " · ") + "<a href=\"" + link_to(relative) +
+                    "\">" + name + "</a>";
     };
     add(pair.has_reference, suite.folders.reference(pair.name), "reference");
     add(pair.has_result, suite.folders.result(pair.name), "result");
@@ -131,13 +144,15 @@ td.bad { font-weight: 600; }
 
 bool Suite::passed() const
 {
-    return unused.empty() && std::all_of(pairs.begin(), pairs.end(), [](const SuitePair& pair) { return pair.passed(); });
+    return unused.empty() && std::all_of(pairs.begin(), pairs.end(),
+                                         [](const SuitePair& pair) { return pair.passed(); });
 }
 
 std::string suite_summary(const Suite& suite)
 {
     const Counts counts = counts_of(suite);
-    std::string text = std::to_string(counts.compared) + " compared, " + std::to_string(counts.failed) + " failed, " +
+    std::string text = std::to_string(counts.compared) + " compared, " +
+                       std::to_string(counts.failed) + " failed, " +
                        std::to_string(counts.missing) + " missing";
     if (!suite.unused.empty())
         text += ", " + counted(int(suite.unused.size()), "tolerance") + " for no file";
@@ -147,32 +162,40 @@ std::string suite_summary(const Suite& suite)
 std::string suite_page(const Suite& suite, const std::string& folder)
 {
     const auto pairs = failed_first(suite);
-    std::string body = "<h1>" + markup_text(suite.folders.results) + " against " + markup_text(suite.folders.references) + "</h1>\n";
-    body += std::string("<p class=\"outcome ") + (suite.passed() ? "good" : "bad") + "\">" + (suite.passed() ? "Passed" : "Failed") + ": " +
-            suite_summary(suite) + "</p>\n";
+    std::string body = "<h1>" + markup_text(suite.folders.results) + " against " +
+                       markup_text(suite.folders.references) + "</h1>\n";
+    body += std::string("<p class=\"outcome ") + (suite.passed() ? "good" : "bad") + "\">" +
+            (suite.passed() ? "Passed" : "Failed") + ": " + suite_summary(suite) + "</p>\n";
     std::vector<std::string> unused;
     for (const std::string& fault : suite.unused)
         unused.push_back(unused_fault(suite, fault));
     body += fault_lines(unused) + table(suite, pairs);
     const auto section = [&](const SuitePair& pair) {
-        return "<section id=\"" + anchor_of(suite, pair) + "\">\n<h2>" + markup_text(pair.name) + "</h2>\n" + fault_lines(pair.faults) +
-               links(suite, pair, folder) + pair.pictures + "</section>\n";
+        return "<section id=\"" + anchor_of(suite, pair) + "\">\n<h2>" + markup_text(pair.name) +
+               "</h2>\n" + fault_lines(pair.faults) + links(suite, pair, folder) + pair.pictures +
+               "</section>\n";
     };
     std::string passed;
     for (const SuitePair* pair : pairs)
         (pair->passed() ? passed : body) += section(*pair);
     body += passed;
-    return html_page("integral compare: " + suite_summary(suite), std::string(suite_pictures_style) + style, body);
+    return html_page("integral compare: " + suite_summary(suite),
+                     std::string(suite_pictures_style) + style, body);
 }
 
 std::string suite_json(const Suite& suite)
 {
     const Counts counts = counts_of(suite);
-    nlohmann::ordered_json json = {{"compared", counts.compared}, {"failed", counts.failed}, {"missing", counts.missing},
-                                   {"passed", suite.passed()}, {"unused_tolerances", suite.unused}, {"files", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {
+        {"compared", counts.compared},       {"failed", counts.failed},
+        {"missing", counts.missing},         {"passed", suite.passed()},
+        {"unused_tolerances", suite.unused}, {"files", nlohmann::ordered_json::array()}};
     for (const SuitePair& pair : suite.pairs) {
-        nlohmann::ordered_json file = {{"name", pair.name}, {"outcome", name_of(pair.state)}, {"faults", pair.faults},
-                                       {"limits", nlohmann::ordered_json::object()}, {"figures", nullptr}};
+        nlohmann::ordered_json file = {{"name", pair.name},
+                                       {"outcome", name_of(pair.state)},
+                                       {"faults", pair.faults},
+                                       {"limits", nlohmann::ordered_json::object()},
+                                       {"figures", nullptr}};
         for (std::size_t kind = 0; kind < limit_count; ++kind)
             if (pair.limits[kind])
                 file["limits"][limit_kinds[kind].word] = *pair.limits[kind];
@@ -180,14 +203,16 @@ std::string suite_json(const Suite& suite)
             file["figures"] = figures_json(*pair.figures);
         json["files"].push_back(file);
     }
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"; // a name may be no UTF-8
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+           "\n"; // a name may be no UTF-8
 }
 
 std::string suite_junit(const Suite& suite)
 {
     const Counts counts = counts_of(suite);
     std::string cases;
-    const auto add = [&](const std::string& name, const char* element, const std::string& type, const std::vector<std::string>& faults) {
+    const auto add = [&](const std::string& name, const char* element, const std::string& type,
+                         const std::vector<std::string>& faults) {
         cases += "    <testcase classname=\"integral.compare\" name=\"" + markup_text(name) + "\"";
         if (faults.empty()) {
             cases += "/>\n";
@@ -196,19 +221,25 @@ std::string suite_junit(const Suite& suite)
         std::string all;
         for (const std::string& fault : faults)
             all += (all.empty() ? "" : "\n") + fault;
-        cases += std::string(">\n      <") + element + " type=\"" + type + "\" message=\"" + markup_text(faults.front()) + "\">" + markup_text(all) +
-                 "</" + element + ">\n    </testcase>\n";
+        cases += std::string(">\n      <") + element + " type=\"" + type + "\" message=\"" +
+                 markup_text(faults.front()) + "\">" + markup_text(all) + "</" + element +
+                 ">\n    </testcase>\n";
     };
     for (const SuitePair& pair : suite.pairs)
-        add(pair.name, pair.state == PairState::damaged ? "error" : "failure", name_of(pair.state), pair.faults);
+        add(pair.name, pair.state == PairState::damaged ? "error" : "failure", name_of(pair.state),
+            pair.faults);
     for (const std::string& fault : suite.unused)
         add(unused_fault(suite, fault), "failure", "tolerance", {fault});
 
-    const std::string figures = " tests=\"" + std::to_string(suite.pairs.size() + suite.unused.size()) + "\" failures=\"" +
-                                std::to_string(counts.failed + counts.missing - counts.damaged + int(suite.unused.size())) + "\" errors=\"" +
-                                std::to_string(counts.damaged) + "\"";
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + figures + ">\n  <testsuite name=\"" + markup_text(suite.folders.results) + "\"" +
-           figures + ">\n" + cases + "  </testsuite>\n</testsuites>\n";
+    const std::string figures = " tests=\"" +
+                                std::to_string(suite.pairs.size() + suite.unused.size()) +
+                                "\" failures=\"" +
+                                std::to_string(counts.failed + counts.missing - counts.damaged +
+                                               int(suite.unused.size())) +
+                                "\" errors=\"" + std::to_string(counts.damaged) + "\"";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + figures +
+           ">\n  <testsuite name=\"" + markup_text(suite.folders.results) + "\"" + figures + ">\n" +
+           cases + "  </testsuite>\n</testsuites>\n";
 }
 
 } // namespace integral

@@ -15,11 +15,12 @@ struct Suite {
     bool passed() const;
 };
 
-/// "12 compared, 2 failed, 1 missing": pairs of two files, those of them that failed, files without their counterpart.
+/// "12 compared, 2 failed, 1 missing": pairs of two files, those of them that failed, files without
+/// their counterpart.
 std::string suite_summary(const Suite& suite);
 
-/// One HTML page: a table, failed pairs first, then their pictures. `folder` is where the page will lie, so that it links to the files
-/// themselves; empty: it does not.
+/// One HTML page: a table, failed pairs first, then their pictures. `folder` is where the page will
+/// lie, so that it links to the files themselves; empty: it does not.
 std::string suite_page(const Suite& suite, const std::string& folder);
 
 std::string suite_json(const Suite& suite);

@@ -27,8 +27,9 @@ const Json& object_at(int line, const std::string& name, const Json& json)
     return json;
 }
 
-std::vector<std::pair<std::size_t, std::optional<double>>>
-limits_at(const LinedJson& document, const std::string& name, const Json& json)
+std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const LinedJson& document,
+                                                                     const std::string& name,
+                                                                     const Json& json)
 {
     std::vector<std::pair<std::size_t, std::optional<double>>> limits;
     for (const auto& [word, value] :
@@ -44,10 +45,12 @@ limits_at(const LinedJson& document, const std::string& name, const Json& json)
             refuse(line, quoted(word) + " in " + quoted(name) + " is unknown; there are: " + words);
         }
         const double least = limit_kinds[kind].least, greatest = limit_kinds[kind].greatest;
-        if (!value.is_null() && !(value.is_number() && value.get<double>() >= least && value.get<double>() <= greatest))
-            refuse(line, quoted(word) + " must be a number from " + with_digits(least, 6) + " to " + with_digits(greatest, 6) +
-                             ", or null for no limit");
-        limits.emplace_back(kind, value.is_null() ? std::nullopt : std::optional<double>(value.get<double>()));
+        if (!value.is_null() &&
+            !(value.is_number() && value.get<double>() >= least && value.get<double>() <= greatest))
+            refuse(line, quoted(word) + " must be a number from " + with_digits(least, 6) + " to " +
+                             with_digits(greatest, 6) + ", or null for no limit");
+        limits.emplace_back(kind, value.is_null() ? std::nullopt
+                                                  : std::optional<double>(value.get<double>()));
     }
     return limits;
 }
@@ -87,7 +90,8 @@ Limits limits_for(const Tolerances& tolerances, const std::string& name)
         if (matches(entry.pattern, name))
             for (const auto& [kind, limit] : entry.limits)
                 limits[kind] = limit;
-    if (std::none_of(limits.begin(), limits.end(), [](const auto& limit) { return limit.has_value(); }))
+    if (std::none_of(limits.begin(), limits.end(),
+                     [](const auto& limit) { return limit.has_value(); }))
         limits[3] = 0; // max_difference
     return limits;
 }

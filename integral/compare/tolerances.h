@@ -25,15 +25,17 @@ struct Tolerances {
     std::vector<Entry> entries; ///< in the document's order
 };
 
-/// Reads the document. Throws std::invalid_argument: "line 3: " and what is wrong there, with the legal words for an unknown one.
+/// Reads the document. Throws std::invalid_argument: "line 3: " and what is wrong there, with the
+/// legal words for an unknown one.
 Tolerances tolerances_from_json(const std::string& text);
 
-/// Whether a file's name, relative to the suite and with / between folders, is the pattern or matches it as a glob: * any
-/// characters (/ too), ? one, [a-z] one of those.
+/// Whether a file's name, relative to the suite and with / between folders, is the pattern or
+/// matches it as a glob: * any characters (/ too), ? one, [a-z] one of those.
 bool matches(const std::string& pattern, const std::string& name);
 
-/// A file's limits: the defaults, then every entry that matches, in order, a later one over an earlier one.
-/// A file that is left without any must equal its reference: its largest difference is limited to 0.
+/// A file's limits: the defaults, then every entry that matches, in order, a later one over an
+/// earlier one. A file that is left without any must equal its reference: its largest difference is
+/// limited to 0.
 Limits limits_for(const Tolerances& tolerances, const std::string& name);
 
 } // namespace integral

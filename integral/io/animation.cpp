@@ -23,7 +23,8 @@ void Animation::add(const Image& picture)
     if (!pictures_.empty() && (picture.width != width_ || picture.height != height_))
         throw std::runtime_error("the pictures differ in size");
     if (picture.width > largest_side || picture.height > largest_side)
-        throw std::runtime_error("a WebP has at most " + std::to_string(largest_side) + " pixels either way");
+        throw std::runtime_error("a WebP has at most " + std::to_string(largest_side) +
+                                 " pixels either way");
     width_ = picture.width;
     height_ = picture.height;
     const Image plain = converted(picture, 8, Encoding(), false);
@@ -35,11 +36,13 @@ void Animation::add(const Image& picture)
     const std::unique_ptr<WebPPicture, Release<WebPPicture, WebPPictureFree>> owned(&source);
     WebPMemoryWriter written;
     WebPMemoryWriterInit(&written);
-    const std::unique_ptr<WebPMemoryWriter, Release<WebPMemoryWriter, WebPMemoryWriterClear>> written_owned(&written);
+    const std::unique_ptr<WebPMemoryWriter, Release<WebPMemoryWriter, WebPMemoryWriterClear>>
+        written_owned(&written);
 
     const bool lossless = quality_ >= 100;
     if (lossless)
-        WebPConfigLosslessPreset(&config, 3); // of 0 to 9: more takes seconds a picture for a few per cent
+        WebPConfigLosslessPreset(&config, 3); // of 0 to 9: more takes seconds a picture for a few
+                                              // per cent
     else
         config.quality = float(quality_);
     config.exact = lossless; // colours of transparent pixels as well
@@ -51,8 +54,11 @@ void Animation::add(const Image& picture)
     source.custom_ptr = &written;
     const std::uint8_t* samples = std::get<std::vector<std::uint8_t>>(plain.samples).data();
     const int stride = width_ * plain.channels;
-    if (!(plain.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB)(&source, samples, stride) || !WebPEncode(&config, &source))
-        throw std::runtime_error("libwebp could not encode a picture (error " + std::to_string(source.error_code) + ")");
+    if (!(plain.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB)(&source, samples,
+                                                                              stride) ||
+        !WebPEncode(&config, &source))
+        throw std::runtime_error("libwebp could not encode a picture (error " +
+                                 std::to_string(source.error_code) + ")");
     pictures_.emplace_back(reinterpret_cast<const char*>(written.mem), written.size);
 }
 
@@ -90,7 +96,10 @@ bool can_animate() { return false; }
 
 void Animation::add(const Image&) { throw std::runtime_error("this build has no libwebp"); }
 
-std::string Animation::bytes(int, bool) const { throw std::runtime_error("this build has no libwebp"); }
+std::string Animation::bytes(int, bool) const
+{
+    throw std::runtime_error("this build has no libwebp");
+}
 
 #endif
 

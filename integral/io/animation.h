@@ -13,7 +13,8 @@ namespace integral {
 /// Whether this build has libwebp.
 bool can_animate();
 
-/// Pictures of one size, at most `largest_side` pixels either way. Each is kept encoded: 8 bits, sRGB, not premultiplied.
+/// Pictures of one size, at most `largest_side` pixels either way. Each is kept encoded: 8 bits,
+/// sRGB, not premultiplied.
 class Animation {
 public:
     static constexpr int largest_side = 16383;
@@ -24,8 +25,9 @@ public:
     /// Throws std::runtime_error with the reason.
     void add(const Image& picture);
 
-    /// The file: each picture shown for `milliseconds` > 0, for ever. there_and_back: from the last one back to the first, the
-    /// two ends once each. Throws as add does, or where there are no pictures.
+    /// The file: each picture shown for `milliseconds` > 0, for ever. there_and_back: from the last
+    /// one back to the first, the two ends once each. Throws as add does, or where there are no
+    /// pictures.
     std::string bytes(int milliseconds, bool there_and_back) const;
 
 private:

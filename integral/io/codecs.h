@@ -17,9 +17,9 @@ namespace integral {
 /// A picture as a file holds it, with what the file says of the frame.
 struct DecodedImage {
     Image image;
-    std::string document;           ///< the JSON document, unparsed; empty if there is none
+    std::string document;            ///< the JSON document, unparsed; empty if there is none
     std::optional<Vec2> pixel_pitch; ///< mm, from the file's resolution
-    std::string profile = "";        ///< an ICC file's bytes; only written, by PNG and TIFF; empty: none
+    std::string profile = ""; ///< an ICC file's bytes; only written, by PNG and TIFF; empty: none
 };
 
 /// A picture that is read row by row, from the top.
@@ -62,14 +62,15 @@ DecodedImage decode_png(const std::string& bytes);
 DecodedImage decode_exr(const std::string& bytes);
 DecodedImage decode_tiff(const std::string& bytes);
 
-/// What a file says before its pixels: size, bits a sample, and the JSON document, empty if there is
-/// none.
+/// What a file says before its pixels: size, bits a sample, and the JSON document, empty if there
+/// is none.
 struct PictureHeader {
     int width = 0, height = 0, bits = 0;
     std::string document;
 };
 
-/// Each takes a file's first bytes, which hold all that comes before the pixels. Throws as decode_png does.
+/// Each takes a file's first bytes, which hold all that comes before the pixels. Throws as
+/// decode_png does.
 PictureHeader decode_png_header(const std::string& bytes);
 PictureHeader decode_exr_header(const std::string& bytes);
 

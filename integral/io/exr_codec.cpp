@@ -97,10 +97,13 @@ Imf::Slice slice(const Image& image, int channel, const Imath::Box2i& window)
 int width_of(const Imath::Box2i& window) { return window.max.x - window.min.x + 1; }
 int height_of(const Imath::Box2i& window) { return window.max.y - window.min.y + 1; }
 
-/// As many rows as OpenEXR keeps of a picture of `height` rows: those of the picture, and of its first row of tiles.
+/// As many rows as OpenEXR keeps of a picture of `height` rows: those of the picture, and of its
+/// first row of tiles.
 double rows_kept(const Imf::Header& header, int height)
 {
-    return header.hasTileDescription() ? std::max(double(height), double(header.tileDescription().ySize)) : height;
+    return header.hasTileDescription()
+               ? std::max(double(height), double(header.tileDescription().ySize))
+               : height;
 }
 
 std::string document_of(const Imf::Header& header)
@@ -174,8 +177,8 @@ public:
             const double pitch = mm_per_inch / Imf::xDensity(header);
             head_.pixel_pitch = Vec2{pitch, pitch / header.pixelAspectRatio()};
         }
-        const double packed_row =
-            double(head_.image.width) * head_.image.channels * 2; // half floats
+        const double packed_row = double(head_.image.width) * head_.image.channels *
+                                  2; // half floats
         check_plausible_size(packed_row * rows_kept(header, head_.image.height),
                              double(input.size()), greatest_ratio);
     }
@@ -277,7 +280,10 @@ DecodedDepths decode_z(const InputFile& input)
 
 } // namespace
 
-PictureHeader decode_exr_header(const std::string& bytes) { return guarded([&] { return decode_start(InputFile::of_bytes(bytes)); }); }
+PictureHeader decode_exr_header(const std::string& bytes)
+{
+    return guarded([&] { return decode_start(InputFile::of_bytes(bytes)); });
+}
 
 bool is_whole_exr(const std::string& path)
 {
@@ -286,7 +292,9 @@ bool is_whole_exr(const std::string& path)
         const Imath::Box2i window = file.header().dataWindow();
         std::vector<float> row(std::size_t(width_of(window)));
         Imf::FrameBuffer target; // every row goes to the same place
-        target.insert("R", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x), sizeof(float), 0));
+        target.insert("R",
+                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x),
+                                 sizeof(float), 0));
         file.setFrameBuffer(target);
         file.readPixels(window.min.y, window.max.y);
         return file.isComplete();

@@ -10,10 +10,33 @@ namespace integral {
 namespace {
 
 /// Bytes of the types that are always as long.
-constexpr struct { const char* type; std::size_t size; } sizes[] = {
-    {"box2f", 16}, {"box2i", 16}, {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8}, {"envmap", 1},
-    {"float", 4}, {"int", 4}, {"keycode", 28}, {"lineOrder", 1}, {"m33d", 72}, {"m33f", 36}, {"m44d", 128}, {"m44f", 64},
-    {"rational", 8}, {"tiledesc", 9}, {"timecode", 8}, {"v2d", 16}, {"v2f", 8}, {"v2i", 8}, {"v3d", 24}, {"v3f", 12}, {"v3i", 12}};
+constexpr struct {
+    const char* type;
+    std::size_t size;
+} sizes[] = {{"box2f", 16},
+             {"box2i", 16},
+             {"chromaticities", 32},
+             {"compression", 1},
+             {"deepImageState", 1},
+             {"double", 8},
+             {"envmap", 1},
+             {"float", 4},
+             {"int", 4},
+             {"keycode", 28},
+             {"lineOrder", 1},
+             {"m33d", 72},
+             {"m33f", 36},
+             {"m44d", 128},
+             {"m44f", 64},
+             {"rational", 8},
+             {"tiledesc", 9},
+             {"timecode", 8},
+             {"v2d", 16},
+             {"v2f", 8},
+             {"v2i", 8},
+             {"v3d", 24},
+             {"v3f", 12},
+             {"v3i", 12}};
 
 [[noreturn]] void fail(const char* what) { throw std::runtime_error(what); }
 

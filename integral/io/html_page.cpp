@@ -51,15 +51,19 @@ th { font-weight: 600; color: var(--quiet); }
 Image scaled_down(const Image& picture, int longest, Scaling scaling)
 {
     const double scale = std::min(1.0, double(longest) / std::max(picture.width, picture.height));
-    const int width = std::max(1, int(std::lround(picture.width * scale))), height = std::max(1, int(std::lround(picture.height * scale)));
+    const int width = std::max(1, int(std::lround(picture.width * scale))),
+              height = std::max(1, int(std::lround(picture.height * scale)));
     Image small = make_image<std::uint8_t>(width, height, 3, Encoding{});
     const LinearReader light(picture);
     // Pixel x of the result has the columns from edge(x) up to edge(x + 1).
-    const auto edge = [](int x, int whole, int parts) { return int(std::int64_t(x) * whole / parts); };
+    const auto edge = [](int x, int whole, int parts) {
+        return int(std::int64_t(x) * whole / parts);
+    };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const int x0 = edge(x, picture.width, width), x1 = edge(x + 1, picture.width, width);
-            const int y0 = edge(y, picture.height, height), y1 = edge(y + 1, picture.height, height);
+            const int y0 = edge(y, picture.height, height),
+                      y1 = edge(y + 1, picture.height, height);
             double sum[3] = {};
             Color greatest = {0, 0, 0, 1};
             for (int v = y0; v < y1; ++v)
@@ -68,11 +72,15 @@ Image scaled_down(const Image& picture, int longest, Scaling scaling)
                     sum[0] += c.r;
                     sum[1] += c.g;
                     sum[2] += c.b;
-                    greatest = {std::max(greatest.r, c.r), std::max(greatest.g, c.g), std::max(greatest.b, c.b), 1};
+                    greatest = {std::max(greatest.r, c.r), std::max(greatest.g, c.g),
+                                std::max(greatest.b, c.b), 1};
                 }
             const double count = double(x1 - x0) * (y1 - y0);
-            store_linear(small, x, y, scaling == Scaling::greatest ? greatest
-                                      : Color{float(sum[0] / count), float(sum[1] / count), float(sum[2] / count), 1});
+            store_linear(small, x, y,
+                         scaling == Scaling::greatest
+                             ? greatest
+                             : Color{float(sum[0] / count), float(sum[1] / count),
+                                     float(sum[2] / count), 1});
         }
     return small;
 }
@@ -84,20 +92,24 @@ std::string picture_uri(const Image& picture)
     return "data:image/png;base64," + base64(encode_png(file));
 }
 
-std::string picture_element(const Image& picture, int longest, const std::string& text, Scaling scaling)
+std::string picture_element(const Image& picture, int longest, const std::string& text,
+                            Scaling scaling)
 {
     const Image small = scaled_down(picture, longest, scaling);
-    return "<img src=\"" + picture_uri(small) + "\" width=\"" + std::to_string(small.width) + "\" height=\"" +
-           std::to_string(small.height) + "\" alt=\"" + markup_text(text) + "\">";
+    return "<img src=\"" + picture_uri(small) + "\" width=\"" + std::to_string(small.width) +
+           "\" height=\"" + std::to_string(small.height) + "\" alt=\"" + markup_text(text) + "\">";
 }
 
 std::string link_to(const std::string& path)
 {
     constexpr char digits[] = "0123456789ABCDEF";
-    std::string link = path.empty() || path[0] == '/' || path[0] == '.' ? "" : "./"; // no file is taken for a scheme
+    std::string link = path.empty() || path[0] == '/' || path[0] == '.'
+                           ? ""
+                           : "./"; // no file is taken for a scheme
     for (const char c : path) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80 && (std::isalnum(byte) || c == '/' || c == '.' || c == '-' || c == '_' || c == '~'))
+        if (byte < 0x80 &&
+            (std::isalnum(byte) || c == '/' || c == '.' || c == '-' || c == '_' || c == '~'))
             link += c;
         else
             link += {'%', digits[byte >> 4], digits[byte & 15]};
@@ -109,9 +121,12 @@ std::string html_page(const std::string& title, const std::string& style, const 
 {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n"
-           "<title>" + markup_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + page_style + style +
-           "</style>\n</head>\n<body>\n<main>\n" + body + "</main>\n</body>\n</html>\n";
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
+           "data:; style-src 'unsafe-inline'\">\n"
+           "<title>" +
+           markup_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" +
+           page_style + style + "</style>\n</head>\n<body>\n<main>\n" + body +
+           "</main>\n</body>\n</html>\n";
 }
 
 } // namespace integral

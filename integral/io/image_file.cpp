@@ -271,7 +271,8 @@ DepthFrame read_depths(const std::string& path)
 {
     DecodedDepths file = guarded(path, [&] { return decode_depths(read_file(path)); });
     if (file.document.empty())
-        refuse(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes depth frames that do");
+        refuse(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes "
+                     "depth frames that do");
     DepthFrame frame{std::move(file.depth), std::move(file.imaged), parse(path, file.document, "")};
     if (frame.metadata.film.width != file.width || frame.metadata.film.height != file.height)
         refuse(path, "its geometry is of a frame of another size");

@@ -63,7 +63,8 @@ struct Views {
     std::optional<FrameMetadata> metadata; ///< with its quilt record
 };
 
-/// Reads a quilt or one view of it. Throws InputError; for a geometry that cannot be used only if it is needed.
+/// Reads a quilt or one view of it. Throws InputError; for a geometry that cannot be used only if
+/// it is needed.
 Views read_views(const std::string& path, bool needs_geometry);
 
 /// Width and height of a picture, of which no pixel is read. Throws InputError.
@@ -81,7 +82,8 @@ Scan read_scan(const std::string& path);
 /// As read_frame, of a picture that must have geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
 
-/// Reads a geometry document: a JSON file, or a picture's own (of views: their frame's). Throws InputError.
+/// Reads a geometry document: a JSON file, or a picture's own (of views: their frame's). Throws
+/// InputError.
 FrameMetadata read_metadata(const std::string& path);
 
 /// Reads a depth frame, which has its geometry in it. Throws InputError.

@@ -45,8 +45,8 @@ void InputFile::read(std::uint64_t at, void* to, std::size_t count) const
         return;
     }
     for (std::size_t done = 0; done < count;) {
-        const ssize_t n =
-            pread(file_, static_cast<char*>(to) + done, count - done, off_t(at + done));
+        const ssize_t n = pread(file_, static_cast<char*>(to) + done, count - done,
+                                off_t(at + done));
         if (n < 0 && errno == EINTR)
             continue;
         if (n < 0)

@@ -10,10 +10,14 @@ namespace {
 /// Length of the UTF-8 character of XML 1.0 that begins at `at`; 0 if none does.
 std::size_t character_length(const std::string& text, std::size_t at)
 {
-    const auto byte = [&](std::size_t i) { return at + i < text.size() ? std::uint8_t(text[at + i]) : 0u; };
+    const auto byte = [&](std::size_t i) {
+        return at + i < text.size() ? std::uint8_t(text[at + i]) : 0u;
+    };
     const std::uint32_t first = byte(0);
     if (first < 0x80)
-        return first >= 0x20 && first != 0x7f ? 1 : first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+        return first >= 0x20 && first != 0x7f                    ? 1
+               : first == '\t' || first == '\n' || first == '\r' ? 1
+                                                                 : 0;
     const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
     std::uint32_t code = first & (0xffu >> (length + 1));
     for (std::size_t i = 1; i < length; ++i) {
@@ -22,8 +26,9 @@ std::size_t character_length(const std::string& text, std::size_t at)
         code = code << 6 | (byte(i) & 0x3f);
     }
     const std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool is_character = first >= 0xc0 && first < 0xf8 && code >= least[length] && code <= 0x10ffff &&
-                              !(code >= 0xd800 && code < 0xe000) && code != 0xfffe && code != 0xffff;
+    const bool is_character = first >= 0xc0 && first < 0xf8 && code >= least[length] &&
+                              code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000) &&
+                              code != 0xfffe && code != 0xffff;
     return is_character ? length : 0;
 }
 

@@ -7,8 +7,9 @@
 
 namespace integral {
 
-/// A text as HTML and XML show it, between tags or in a quoted attribute: & < > " ', tabs and line ends become references.
-/// Bytes that are not UTF-8 and characters that XML 1.0 does not have become U+FFFD.
+/// A text as HTML and XML show it, between tags or in a quoted attribute: & < > " ', tabs and line
+/// ends become references. Bytes that are not UTF-8 and characters that XML 1.0 does not have
+/// become U+FFFD.
 std::string markup_text(const std::string& text);
 
 /// Bytes in base64 (RFC 4648), without line ends.

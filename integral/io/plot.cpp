@@ -15,15 +15,20 @@ namespace {
 
 constexpr PlotInk black{0.13, 0.13, 0.13}, grey{0.42, 0.42, 0.42}, axis_ink{0.35, 0.35, 0.35};
 constexpr PlotInk major_grid{0.88, 0.88, 0.88}, minor_grid{0.945, 0.945, 0.945};
-// Okabe and Ito's colours, which the colour-blind can tell apart, without their yellow, too pale for white.
-constexpr PlotInk inks[] = {{0, 0.447, 0.698}, {0.835, 0.369, 0}, {0, 0.620, 0.451}, {0.8, 0.475, 0.655},
-                            {0.902, 0.624, 0}, {0.337, 0.706, 0.914}, {0.25, 0.25, 0.25}};
+// Okabe and Ito's colours, which the colour-blind can tell apart, without their yellow, too pale
+// for white.
+constexpr PlotInk inks[] = {{0, 0.447, 0.698},   {0.835, 0.369, 0}, {0, 0.620, 0.451},
+                            {0.8, 0.475, 0.655}, {0.902, 0.624, 0}, {0.337, 0.706, 0.914},
+                            {0.25, 0.25, 0.25}};
 
-constexpr double title_size = 17, subtitle_size = 13, label_size = 13.5, tick_size = 12.5, name_size = 11.5;
+constexpr double title_size = 17, subtitle_size = 13, label_size = 13.5, tick_size = 12.5,
+                 name_size = 11.5;
 constexpr double mark_radius = 4.5, sample_length = 30; // of the legend's lines
 constexpr double margin = 18, pixels_per_label_x = 75, pixels_per_label_y = 42;
 
-struct Point { double x, y; };
+struct Point {
+    double x, y;
+};
 
 class Drawing {
 public:
@@ -45,8 +50,14 @@ private:
     void write_names();
     std::vector<PlotBox> obstacles() const;
 
-    bool shows(const PlotSeries& s, std::size_t i) const { return x_.showable(s.x[i]) && y_.showable(s.y[i]); }
-    bool within(const PlotSeries& s, std::size_t i) const { return x_.contains(s.x[i]) && y_.contains(s.y[i]); }
+    bool shows(const PlotSeries& s, std::size_t i) const
+    {
+        return x_.showable(s.x[i]) && y_.showable(s.y[i]);
+    }
+    bool within(const PlotSeries& s, std::size_t i) const
+    {
+        return x_.contains(s.x[i]) && y_.contains(s.y[i]);
+    }
     double at_x(double x) const { return area_.left + x_.part(x) * (area_.right - area_.left); }
     double at_y(double y) const { return area_.bottom - y_.part(y) * (area_.bottom - area_.top); }
     /// In pixels, and where a value has no place on a logarithmic axis far below it.
@@ -62,12 +73,14 @@ private:
     const Plot& plot_;
     PlotCanvas& canvas_;
     PlotScale x_, y_;
-    PlotBox area_;    // of the points
-    double top_ = 0;  // below what is written so far
+    PlotBox area_;   // of the points
+    double top_ = 0; // below what is written so far
 };
 
-
-bool has_line(PlotSeries::Style style) { return style != PlotSeries::Style::points && style != PlotSeries::Style::none; }
+bool has_line(PlotSeries::Style style)
+{
+    return style != PlotSeries::Style::points && style != PlotSeries::Style::none;
+}
 bool has_marks(PlotSeries::Style style)
 {
     return style == PlotSeries::Style::points || style == PlotSeries::Style::line_and_points;
@@ -78,7 +91,8 @@ void Drawing::make_scales()
     std::vector<double> all_x, all_y;
     for (const PlotSeries& s : plot_.series)
         for (std::size_t i = 0; i < s.x.size(); ++i) {
-            if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i]) || (plot_.x.logarithmic && !(s.x[i] > 0)))
+            if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i]) ||
+                (plot_.x.logarithmic && !(s.x[i] > 0)))
                 continue;
             all_x.push_back(s.x[i]);
             all_y.push_back(s.y[i]);
@@ -130,10 +144,14 @@ void Drawing::write_legend()
         }
         const double middle = baseline - 0.36 * label_size;
         if (s.band)
-            canvas_.fill_polygon({{left, middle - 5.5}, {left + sample, middle - 5.5}, {left + sample, middle + 5.5},
-                                  {left, middle + 5.5}}, ink_of(i), 0.2);
+            canvas_.fill_polygon({{left, middle - 5.5},
+                                  {left + sample, middle - 5.5},
+                                  {left + sample, middle + 5.5},
+                                  {left, middle + 5.5}},
+                                 ink_of(i), 0.2);
         if (has_line(s.style))
-            canvas_.stroke({{left, middle}, {left + sample, middle}}, ink_of(i), 2, s.style == Style::dashed);
+            canvas_.stroke({{left, middle}, {left + sample, middle}}, ink_of(i), 2,
+                           s.style == Style::dashed);
         if (has_marks(s.style))
             canvas_.mark(left + sample / 2, middle, mark_radius, int(i), ink_of(i));
         canvas_.write(s.label, left + sample + 6, baseline, black);
@@ -175,7 +193,8 @@ void Drawing::lay_out_area()
             last = tick_width(tick);
     area_.right = plot_.width - std::max(margin, 0.5 * last + 6);
     area_.top = top_ + 14;
-    area_.bottom = plot_.height - margin - 1.3 * tick_size - (plot_.x.label.empty() ? 0 : 1.5 * label_size);
+    area_.bottom = plot_.height - margin - 1.3 * tick_size -
+                   (plot_.x.label.empty() ? 0 : 1.5 * label_size);
     if (!(area_.right > area_.left && area_.bottom > area_.top))
         throw std::invalid_argument("the plot's legend and labels leave no room for its points");
 }
@@ -188,8 +207,10 @@ void Drawing::draw_grid()
                 continue;
             // on the middle of a pixel, for a sharp line
             const double at = std::floor(upright ? at_x(tick.value) : at_y(tick.value)) + 0.5;
-            const PlotPosition from = upright ? PlotPosition{at, area_.top} : PlotPosition{area_.left, at};
-            const PlotPosition to = upright ? PlotPosition{at, area_.bottom} : PlotPosition{area_.right, at};
+            const PlotPosition from = upright ? PlotPosition{at, area_.top}
+                                              : PlotPosition{area_.left, at};
+            const PlotPosition to = upright ? PlotPosition{at, area_.bottom}
+                                            : PlotPosition{area_.right, at};
             canvas_.stroke({from, to}, major ? major_grid : minor_grid, 1);
         }
     };
@@ -216,10 +237,12 @@ void Drawing::label_axes()
             write_tick(tick, left - 7 - tick_width(tick), y + 0.36 * tick_size);
         }
     canvas_.set_font(label_size, false);
-    canvas_.write(plot_.x.label, 0.5 * (area_.left + area_.right - canvas_.text_width(plot_.x.label)),
+    canvas_.write(plot_.x.label,
+                  0.5 * (area_.left + area_.right - canvas_.text_width(plot_.x.label)),
                   plot_.height - margin + 2, black);
     canvas_.write_upwards(plot_.y.label, margin + 0.75 * label_size,
-                          0.5 * (area_.top + area_.bottom + canvas_.text_width(plot_.y.label)), black);
+                          0.5 * (area_.top + area_.bottom + canvas_.text_width(plot_.y.label)),
+                          black);
 }
 
 void Drawing::draw_line(const PlotSeries& s, const PlotInk& ink)
@@ -280,7 +303,9 @@ void Drawing::draw_marks(const PlotSeries& s, std::size_t index)
 std::vector<PlotBox> Drawing::obstacles() const
 {
     std::vector<PlotBox> boxes;
-    const auto add = [&](double x, double y, double r) { boxes.push_back({x - r, y - r, x + r, y + r}); };
+    const auto add = [&](double x, double y, double r) {
+        boxes.push_back({x - r, y - r, x + r, y + r});
+    };
     for (const PlotSeries& s : plot_.series)
         for (std::size_t i = 0; i < s.x.size(); ++i) {
             if (!shows(s, i))
@@ -293,7 +318,8 @@ std::vector<PlotBox> Drawing::obstacles() const
             const double from_x = at_x(s.x[i - 1]), from_y = at_y(s.y[i - 1]);
             const int pieces = std::min(200, 1 + int(std::hypot(x - from_x, y - from_y) / 6));
             for (int piece = 0; piece < pieces; ++piece)
-                add(from_x + (x - from_x) * piece / pieces, from_y + (y - from_y) * piece / pieces, 1.5);
+                add(from_x + (x - from_x) * piece / pieces, from_y + (y - from_y) * piece / pieces,
+                    1.5);
         }
     return boxes;
 }
@@ -307,7 +333,12 @@ void Drawing::write_names()
         const PlotSeries& s = plot_.series[index];
         for (std::size_t i = 0; i < s.names.size(); ++i)
             if (within(s, i) && !s.names[i].empty()) {
-                names.push_back({at_x(s.x[i]), at_y(s.y[i]), canvas_.text_width(s.names[i]) + 2, name_size, {}, false});
+                names.push_back({at_x(s.x[i]),
+                                 at_y(s.y[i]),
+                                 canvas_.text_width(s.names[i]) + 2,
+                                 name_size,
+                                 {},
+                                 false});
                 texts.emplace_back(&s.names[i], ink_of(index));
             }
     }
@@ -316,10 +347,13 @@ void Drawing::write_names()
     place_names(names, area_, obstacles());
     for (std::size_t i = 0; i < names.size(); ++i)
         if (const PlotName& name = names[i]; name.far)
-            canvas_.stroke({{name.x, name.y}, {std::clamp(name.x, name.box.left, name.box.right),
-                                               std::clamp(name.y, name.box.top, name.box.bottom)}}, grey, 0.7);
+            canvas_.stroke({{name.x, name.y},
+                            {std::clamp(name.x, name.box.left, name.box.right),
+                             std::clamp(name.y, name.box.top, name.box.bottom)}},
+                           grey, 0.7);
     for (std::size_t i = 0; i < names.size(); ++i)
-        canvas_.write_with_halo(*texts[i].first, names[i].box.left + 1, names[i].box.bottom - 0.16 * name_size,
+        canvas_.write_with_halo(*texts[i].first, names[i].box.left + 1,
+                                names[i].box.bottom - 0.16 * name_size,
                                 texts[i].second.darker(0.75));
 }
 
@@ -359,10 +393,12 @@ void check(const Plot& plot)
         demand(side >= 200 && side <= 10000, "a plot is 200 to 10000 pixels wide and high");
     for (const PlotSeries& s : plot.series) {
         const std::size_t n = s.x.size();
-        demand(s.y.size() == n && s.low.size() == s.high.size() && (s.low.empty() || s.low.size() == n) &&
-               (s.names.empty() || s.names.size() == n), "the plot's series " + s.label + " has lists of unequal length");
+        demand(s.y.size() == n && s.low.size() == s.high.size() &&
+                   (s.low.empty() || s.low.size() == n) && (s.names.empty() || s.names.size() == n),
+               "the plot's series " + s.label + " has lists of unequal length");
         demand(s.colour.value_or(0) >= 0, "the plot's series " + s.label + " has no such colour");
-        demand(!s.band || s.low.size() == n, "the plot's series " + s.label + " has a band without ends");
+        demand(!s.band || s.low.size() == n,
+               "the plot's series " + s.label + " has a band without ends");
     }
 }
 
@@ -370,7 +406,8 @@ void check(const Plot& plot)
 
 PlotFormat plot_format(const std::string& file)
 {
-    for (const auto& [ending, format] : {std::pair{".svg", PlotFormat::svg}, std::pair{".png", PlotFormat::png}})
+    for (const auto& [ending, format] :
+         {std::pair{".svg", PlotFormat::svg}, std::pair{".png", PlotFormat::png}})
         if (file.size() > 4 && file.compare(file.size() - 4, 4, ending) == 0)
             return format;
     throw std::invalid_argument(file + ": a plot is written to FILE.svg or FILE.png");

@@ -13,7 +13,10 @@ constexpr double largest_shown = 1e300; // beyond, widths of ranges overflow
 constexpr double rounding = 1e-9;       // of a step: what counts as on the tick
 const double mantissas[] = {1, 2, 5};
 
-double step_of(int exponent, int mantissa) { return mantissas[mantissa] * std::pow(10.0, exponent); }
+double step_of(int exponent, int mantissa)
+{
+    return mantissas[mantissa] * std::pow(10.0, exponent);
+}
 
 std::string number(double value, int decimals)
 {
@@ -38,7 +41,8 @@ PlotTick linear_tick(double value, double largest, int exponent)
     else {
         // 12.5·10^7, all ticks with the power of the largest
         const int power = static_cast<int>(std::floor(std::log10(largest) + 1e-12));
-        tick.label = number(value / std::pow(10.0, power), std::max(0, power - exponent)) + "\u00b710";
+        tick.label = number(value / std::pow(10.0, power), std::max(0, power - exponent)) +
+                     "\u00b710";
         tick.exponent = exponent_text(power);
     }
     return tick;
@@ -62,15 +66,20 @@ void scale_linear(PlotScale& scale, bool low_given, bool high_given, int most_la
     open_linear(scale.low, scale.high, low_given, high_given);
     const double span = scale.high - scale.low;
     int exponent = static_cast<int>(std::floor(std::log10(span / most_labels))) - 1, mantissa = 0;
-    const auto first = [&] { return std::floor(scale.low / step_of(exponent, mantissa) + rounding); };
-    const auto last = [&] { return std::ceil(scale.high / step_of(exponent, mantissa) - rounding); };
+    const auto first = [&] {
+        return std::floor(scale.low / step_of(exponent, mantissa) + rounding);
+    };
+    const auto last = [&] {
+        return std::ceil(scale.high / step_of(exponent, mantissa) - rounding);
+    };
     while (last() - first() + 1 > most_labels) {
         mantissa = (mantissa + 1) % 3;
         exponent += mantissa == 0;
     }
     const double step = step_of(exponent, mantissa);
     const auto tick_value = [&](double index) { // as exact as a decimal number gets
-        return exponent < 0 ? index * mantissas[mantissa] / std::pow(10.0, -exponent) : index * step;
+        return exponent < 0 ? index * mantissas[mantissa] / std::pow(10.0, -exponent)
+                            : index * step;
     };
     const double begin = first(), end = last();
     if (!low_given)
@@ -166,7 +175,8 @@ PlotScale make_scale(const PlotAxis& axis, const std::vector<double>& values, in
     scale.logarithmic = axis.logarithmic;
     for (const auto& end : {axis.low, axis.high})
         if (end && !scale.showable(*end))
-            throw std::invalid_argument("an end of the plot's axis " + axis.label + " has no place on it");
+            throw std::invalid_argument("an end of the plot's axis " + axis.label +
+                                        " has no place on it");
     if (axis.low && axis.high && !(*axis.low < *axis.high))
         throw std::invalid_argument("the range of the plot's axis " + axis.label + " is empty");
     std::optional<double> low = axis.low, high = axis.high;

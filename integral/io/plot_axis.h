@@ -10,8 +10,8 @@ namespace integral {
 /// A mark on an axis; one without a label is a minor one, between the others.
 struct PlotTick {
     double value = 0;
-    std::string label;       ///< "250", "0.2", or with an exponent "10" or "2·10"
-    std::string exponent;    ///< raised after the label; mostly empty
+    std::string label;    ///< "250", "0.2", or with an exponent "10" or "2·10"
+    std::string exponent; ///< raised after the label; mostly empty
 };
 
 struct PlotScale {
@@ -27,8 +27,8 @@ struct PlotScale {
     bool contains(double value) const;
 };
 
-/// The scale that shows those of `values` that are showable, with marks at 1-2-5 steps, `most_labels` (>= 2) of them
-/// at most, and at decades and their parts on a logarithmic axis.
+/// The scale that shows those of `values` that are showable, with marks at 1-2-5 steps,
+/// `most_labels` (>= 2) of them at most, and at decades and their parts on a logarithmic axis.
 /// Throws std::invalid_argument where the axis's own range is upside down, empty or not showable.
 PlotScale make_scale(const PlotAxis& axis, const std::vector<double>& values, int most_labels);
 

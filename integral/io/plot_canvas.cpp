@@ -11,14 +11,14 @@
 #include <stdexcept>
 
 #ifdef __SANITIZE_ADDRESS__
-// fontconfig, which finds cairo its fonts, keeps them until the program ends where LeakSanitizer does not look.
+// fontconfig, which finds cairo its fonts, keeps them until the program ends where LeakSanitizer
+// does not look.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
 
 namespace integral {
 namespace {
-
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned length)
 {
@@ -35,10 +35,12 @@ void demand_success(cairo_status_t status)
     if (status == CAIRO_STATUS_INVALID_STRING)
         throw std::invalid_argument("a text of the plot is not UTF-8");
     if (status != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error(std::string("the plot cannot be drawn: ") + cairo_status_to_string(status));
+        throw std::runtime_error(std::string("the plot cannot be drawn: ") +
+                                 cairo_status_to_string(status));
 }
 
-/// Gives an SVG its name, and takes away the number by which cairo counts its surfaces: the same plot is the same bytes.
+/// Gives an SVG its name, and takes away the number by which cairo counts its surfaces: the same
+/// plot is the same bytes.
 std::string named(std::string svg, const std::string& title)
 {
     if (const auto begin = svg.find(" id=\"surface"); begin != std::string::npos)
@@ -61,7 +63,10 @@ struct PlotCanvas::Cairo {
         cairo_destroy(context);
         cairo_surface_destroy(surface);
     }
-    void set_ink(PlotInk ink, double opacity = 1) { cairo_set_source_rgba(context, ink.red, ink.green, ink.blue, opacity); }
+    void set_ink(PlotInk ink, double opacity = 1)
+    {
+        cairo_set_source_rgba(context, ink.red, ink.green, ink.blue, opacity);
+    }
     void trace(const std::vector<PlotPosition>& line)
     {
         cairo_new_path(context);
@@ -74,7 +79,8 @@ PlotCanvas::PlotCanvas(int width, int height, PlotFormat format) : cairo_(std::m
 {
     cairo_->format = format;
     if (format == PlotFormat::svg) {
-        cairo_->surface = cairo_svg_surface_create_for_stream(append, &cairo_->bytes, width, height);
+        cairo_->surface = cairo_svg_surface_create_for_stream(append, &cairo_->bytes, width,
+                                                              height);
         cairo_svg_surface_set_document_unit(cairo_->surface, CAIRO_SVG_UNIT_PX);
     } else
         cairo_->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
@@ -95,7 +101,8 @@ PlotCanvas::PlotCanvas(int width, int height, PlotFormat format) : cairo_(std::m
 
 PlotCanvas::~PlotCanvas() = default;
 
-void PlotCanvas::stroke(const std::vector<PlotPosition>& line, PlotInk ink, double width, bool dashed)
+void PlotCanvas::stroke(const std::vector<PlotPosition>& line, PlotInk ink, double width,
+                        bool dashed)
 {
     if (line.size() < 2)
         return;
@@ -119,15 +126,20 @@ void PlotCanvas::fill_polygon(const std::vector<PlotPosition>& corners, PlotInk 
 void PlotCanvas::mark(double x, double y, double radius, int kind, PlotInk ink)
 {
     cairo_t* c = cairo_->context;
-    struct Shape { int corners; double size, turn; }; // turn in parts of a circle, from the right clockwise
-    static const Shape shapes[] = {{0, 1, 0}, {4, 1.25, 0.125}, {3, 1.4, 0.75}, {4, 1.3, 0}, {3, 1.4, 0.25}, {5, 1.2, 0.75}};
+    struct Shape {
+        int corners;
+        double size, turn;
+    }; // turn in parts of a circle, from the right clockwise
+    static const Shape shapes[] = {{0, 1, 0},   {4, 1.25, 0.125}, {3, 1.4, 0.75},
+                                   {4, 1.3, 0}, {3, 1.4, 0.25},   {5, 1.2, 0.75}};
     const Shape& shape = shapes[kind % int(std::size(shapes))];
     cairo_new_path(c);
     if (shape.corners == 0)
         cairo_arc(c, x, y, radius, 0, 2 * pi);
     for (int i = 0; i < shape.corners; ++i) {
         const double angle = 2 * pi * (shape.turn + double(i) / shape.corners);
-        cairo_line_to(c, x + shape.size * radius * std::cos(angle), y + shape.size * radius * std::sin(angle));
+        cairo_line_to(c, x + shape.size * radius * std::cos(angle),
+                      y + shape.size * radius * std::sin(angle));
     }
     cairo_close_path(c);
     cairo_set_dash(c, nullptr, 0, 0);
@@ -189,14 +201,12 @@ void PlotCanvas::write_upwards(const std::string& text, double baseline, double 
 void PlotCanvas::clip(const PlotBox& box)
 {
     cairo_save(cairo_->context);
-    cairo_rectangle(cairo_->context, box.left, box.top - 1, box.right - box.left + 1, box.bottom - box.top + 2);
+    cairo_rectangle(cairo_->context, box.left, box.top - 1, box.right - box.left + 1,
+                    box.bottom - box.top + 2);
     cairo_clip(cairo_->context);
 }
 
-void PlotCanvas::unclip()
-{
-    cairo_restore(cairo_->context);
-}
+void PlotCanvas::unclip() { cairo_restore(cairo_->context); }
 
 std::string PlotCanvas::finish(const std::string& title)
 {

@@ -19,13 +19,15 @@ struct PlotPosition {
     double x, y; ///< pixels, y downwards
 };
 
-/// Everything throws std::invalid_argument where a text is not UTF-8, std::runtime_error where memory is short.
+/// Everything throws std::invalid_argument where a text is not UTF-8, std::runtime_error where
+/// memory is short.
 class PlotCanvas {
 public:
     PlotCanvas(int width, int height, PlotFormat format);
     ~PlotCanvas();
 
-    void stroke(const std::vector<PlotPosition>& line, PlotInk ink, double width, bool dashed = false);
+    void stroke(const std::vector<PlotPosition>& line, PlotInk ink, double width,
+                bool dashed = false);
     void fill_polygon(const std::vector<PlotPosition>& corners, PlotInk ink, double opacity);
     /// One of six marks (circle, square, triangle, ...), of about the same area, edged in white.
     void mark(double x, double y, double radius, int kind, PlotInk ink);
@@ -42,7 +44,8 @@ public:
     void clip(const PlotBox& box);
     void unclip();
 
-    /// The file's bytes; nothing may be drawn after this. An SVG has `title` as its accessible name.
+    /// The file's bytes; nothing may be drawn after this. An SVG has `title` as its accessible
+    /// name.
     std::string finish(const std::string& title);
 
 private:

@@ -8,11 +8,14 @@
 namespace integral {
 namespace {
 
-struct Direction { double x, y; };
+struct Direction {
+    double x, y;
+};
 // The first are the ones that readers expect.
-const Direction directions[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
+const Direction directions[] = {{1, 0},  {0, -1},  {-1, 0}, {0, 1},
+                                {1, -1}, {-1, -1}, {1, 1},  {-1, 1}};
 const double gaps[] = {7, 16, 28, 42}; // pixels from the point
-constexpr int passes = 5;              // over all names, each moved to its best place among the others
+constexpr int passes = 5; // over all names, each moved to its best place among the others
 
 double area_of(const PlotBox& box) { return (box.right - box.left) * (box.bottom - box.top); }
 
@@ -21,12 +24,14 @@ PlotBox placed(const PlotName& name, Direction direction, double gap)
     const double slant = direction.x != 0 && direction.y != 0 ? 0.7 : 1;
     const double x = name.x + direction.x * (gap * slant + 0.5 * name.width);
     const double y = name.y + direction.y * (gap * slant + 0.5 * name.height);
-    return {x - 0.5 * name.width, y - 0.5 * name.height, x + 0.5 * name.width, y + 0.5 * name.height};
+    return {x - 0.5 * name.width, y - 0.5 * name.height, x + 0.5 * name.width,
+            y + 0.5 * name.height};
 }
 
 /// How bad a place is, in pixels of covered area: a hidden name or mark counts most, then distance.
-double badness(const PlotBox& box, double preference, std::size_t own, const std::vector<PlotName>& names,
-               const PlotBox& area, const std::vector<PlotBox>& obstacles)
+double badness(const PlotBox& box, double preference, std::size_t own,
+               const std::vector<PlotName>& names, const PlotBox& area,
+               const std::vector<PlotBox>& obstacles)
 {
     double sum = preference + 20 * (area_of(box) - shared_area(box, area));
     for (std::size_t other = 0; other < names.size(); ++other)
@@ -46,7 +51,8 @@ double shared_area(const PlotBox& a, const PlotBox& b)
     return width > 0 && height > 0 ? width * height : 0;
 }
 
-void place_names(std::vector<PlotName>& names, const PlotBox& area, const std::vector<PlotBox>& obstacles)
+void place_names(std::vector<PlotName>& names, const PlotBox& area,
+                 const std::vector<PlotBox>& obstacles)
 {
     for (PlotName& name : names)
         name.box = placed(name, directions[0], gaps[0]);
@@ -56,7 +62,8 @@ void place_names(std::vector<PlotName>& names, const PlotBox& area, const std::v
             for (std::size_t ring = 0; ring < std::size(gaps); ++ring)
                 for (std::size_t turn = 0; turn < std::size(directions); ++turn) {
                     const PlotBox box = placed(names[i], directions[turn], gaps[ring]);
-                    const double bad = badness(box, 60.0 * ring + 2.0 * turn, i, names, area, obstacles);
+                    const double bad = badness(box, 60.0 * ring + 2.0 * turn, i, names, area,
+                                               obstacles);
                     if (bad < least) {
                         least = bad;
                         names[i].box = box;

@@ -23,9 +23,11 @@ struct PlotName {
     bool far = false;             ///< result: not right beside its point, which a line should show
 };
 
-/// Chooses each name's box: beside its point, inside `area`, off the others' boxes and off `obstacles` (marks and
-/// pieces of lines) as far as there is room. Always the same for the same input.
-void place_names(std::vector<PlotName>& names, const PlotBox& area, const std::vector<PlotBox>& obstacles);
+/// Chooses each name's box: beside its point, inside `area`, off the others' boxes and off
+/// `obstacles` (marks and pieces of lines) as far as there is room. Always the same for the same
+/// input.
+void place_names(std::vector<PlotName>& names, const PlotBox& area,
+                 const std::vector<PlotBox>& obstacles);
 
 } // namespace integral
 

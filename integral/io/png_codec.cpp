@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// PNG: the document in an iTXt chunk `integral`, the resolution in pHYs, the encoding in sRGB or gAMA.
+// PNG: the document in an iTXt chunk `integral`, the resolution in pHYs, the encoding in sRGB or
+// gAMA.
 #include "integral/io/codecs.h"
 
 #include <png.h>
@@ -119,16 +120,16 @@ bool is_text(const char* type)
 std::vector<Span> spans_of(const InputFile& file, bool whole)
 {
     constexpr std::uint64_t signature = 8;
-    constexpr std::uint64_t around =
-        12; // a chunk's length and type before its data, a checksum behind
+    constexpr std::uint64_t around = 12; // a chunk's length and type before its data, a checksum
+                                         // behind
     std::uint64_t first_pixels = 0;
     std::vector<Span> behind; // text behind the pixels
     for (std::uint64_t at = signature; at + around <= file.size();) {
         unsigned char head[8];
         file.read(at, head, sizeof head);
         const char* type = reinterpret_cast<const char*>(head + 4);
-        const std::uint64_t length =
-            std::uint64_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3];
+        const std::uint64_t length = std::uint64_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 |
+                                     head[3];
         if (length > file.size() - at - around) {
             if (!whole)
                 break;
@@ -170,7 +171,7 @@ bool read_header(Session& s)
     png_set_user_limits(s.png, 1000000, 1000000);
     png_read_info(s.png, s.info);
     s.row_bytes = png_get_rowbytes(s.png, s.info);
-    png_set_expand(s.png);      // palettes, few bits, tRNS
+    png_set_expand(s.png); // palettes, few bits, tRNS
     png_set_gray_to_rgb(s.png);
     if (little_endian())
         png_set_swap(s.png);
@@ -219,8 +220,7 @@ bool write_header(Session& s, const DecodedImage& picture)
         png_set_gAMA(s.png, s.info,
                      image.encoding.kind == Encoding::Kind::linear ? 1 : 1 / image.encoding.gamma);
     if (picture.pixel_pitch)
-        png_set_pHYs(s.png, s.info,
-                     png_uint_32(std::lround(mm_per_metre / picture.pixel_pitch->x)),
+        png_set_pHYs(s.png, s.info, png_uint_32(std::lround(mm_per_metre / picture.pixel_pitch->x)),
                      png_uint_32(std::lround(mm_per_metre / picture.pixel_pitch->y)),
                      PNG_RESOLUTION_METER);
     if (!picture.document.empty()) {
@@ -330,9 +330,9 @@ public:
         const int bits = png_get_bit_depth(s_.png, s_.info);
         if ((channels != 3 && channels != 4) || (bits != 8 && bits != 16))
             throw std::runtime_error("it is a kind of PNG that cannot be read");
-        head_.image =
-            form_of(bits, int(png_get_image_width(s_.png, s_.info)),
-                    int(png_get_image_height(s_.png, s_.info)), channels, encoding_of(s_));
+        head_.image = form_of(bits, int(png_get_image_width(s_.png, s_.info)),
+                              int(png_get_image_height(s_.png, s_.info)), channels,
+                              encoding_of(s_));
         head_.document = document_of(s_);
         head_.pixel_pitch = pixel_pitch_of(s_);
         interlaced_ = png_get_interlace_type(s_.png, s_.info) != PNG_INTERLACE_NONE;

@@ -30,7 +30,8 @@ void on_error(const char*, const char* format, va_list arguments)
         std::vsnprintf(last_error, sizeof last_error, format, arguments);
 }
 
-/// libtiff drops a tag that it cannot read with a warning; if it is the document's, the file is broken.
+/// libtiff drops a tag that it cannot read with a warning; if it is the document's, the file is
+/// broken.
 void on_warning(const char*, const char* format, va_list arguments)
 {
     char text[sizeof last_error];
@@ -119,7 +120,7 @@ struct Layout {
     std::uint32_t width = 0, height = 0;
     std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, planar = PLANARCONFIG_CONTIG,
                   photometric = PHOTOMETRIC_MINISBLACK;
-    int colours = 3;     ///< 1 for greys
+    int colours = 3; ///< 1 for greys
     bool alpha = false, premultiplied = false;
 };
 
@@ -291,8 +292,8 @@ public:
                      bits == 32 ? PREDICTOR_FLOATINGPOINT : PREDICTOR_HORIZONTAL);
         TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
         if (image.channels == 4) {
-            const std::uint16_t kind =
-                image.premultiplied ? EXTRASAMPLE_ASSOCALPHA : EXTRASAMPLE_UNASSALPHA;
+            const std::uint16_t kind = image.premultiplied ? EXTRASAMPLE_ASSOCALPHA
+                                                           : EXTRASAMPLE_UNASSALPHA;
             TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &kind);
         }
         if (head.pixel_pitch) {
@@ -309,8 +310,8 @@ public:
 
     void write(const Image& band) override
     {
-        const std::size_t length =
-            std::size_t(band.width) * band.channels * (sample_bits(band) / 8);
+        const std::size_t length = std::size_t(band.width) * band.channels *
+                                   (sample_bits(band) / 8);
         row_.resize(length); // libtiff's predictor works in place
         for (int y = 0; y < band.height; ++y, ++next_) {
             std::memcpy(row_.data(), row_bytes(band, y), length);

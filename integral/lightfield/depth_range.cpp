@@ -31,7 +31,10 @@ DepthRange depth_range(const DepthFrame& frame, std::optional<double> budget)
     range.high = part(0.99);
     range.farthest = part(1);
     if (budget) {
-        const auto share = [&](auto beyond) { return double(std::count_if(depths.begin(), depths.end(), beyond)) / double(depths.size()); };
+        const auto share = [&](auto beyond) {
+            return double(std::count_if(depths.begin(), depths.end(), beyond)) /
+                   double(depths.size());
+        };
         range.before = share([&](float depth) { return depth < -*budget; });
         range.behind = share([&](float depth) { return depth > *budget; });
     }

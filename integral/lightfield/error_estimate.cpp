@@ -26,7 +26,8 @@ double squared_difference(const OutputCurve& curve, const Light& a, const Light&
 
 } // namespace
 
-double audited_error(const OutputCurve& curve, const Light& pixel, const std::vector<Light>& samples)
+double audited_error(const OutputCurve& curve, const Light& pixel,
+                     const std::vector<Light>& samples)
 {
     const double n = samples.size();
     Light total{};
@@ -51,7 +52,8 @@ double halves_error(const OutputCurve& curve, const Light& a, const Light& b, in
     Light mean;
     for (std::size_t channel = 0; channel < mean.size(); ++channel)
         mean[channel] = part * a[channel] + (1 - part) * b[channel];
-    return part * squared_difference(curve, a, mean) + (1 - part) * squared_difference(curve, b, mean);
+    return part * squared_difference(curve, a, mean) +
+           (1 - part) * squared_difference(curve, b, mean);
 }
 
 void ErrorSums::add(double squared_error)
@@ -73,13 +75,16 @@ void ErrorSums::add(const ErrorSums& other)
 namespace {
 
 /// A mean and how far the interval reaches from it.
-struct Mean { double value, reach; };
+struct Mean {
+    double value, reach;
+};
 
 Mean mean_of(const ErrorSums& sums, ErrorMethod method)
 {
     constexpr double two_sided_95 = 1.959963984540054, bias = 0.1; // bias: part of the mean
     const double n = sums.pixels, mean = sums.sum / n;
-    double variance = std::max(0.0, (sums.sum_of_squares - n * mean * mean) / (n - 1)) / n; // of the mean
+    double variance = std::max(0.0, (sums.sum_of_squares - n * mean * mean) / (n - 1)) /
+                      n; // of the mean
     if (method == ErrorMethod::split_halves)
         variance *= 2;
     return {mean, std::hypot(two_sided_95 * std::sqrt(variance), bias * mean)};

@@ -11,12 +11,14 @@
 namespace integral {
 
 struct EyePlace {
-    Vec2 eye;   ///< in the eyes' rectangle: 0 at its left and lower sides, 1 at the others; a side of no length: the middle
+    Vec2 eye; ///< in the eyes' rectangle: 0 at its left and lower sides, 1 at the others; a side of
+              ///< no length: the middle
     Vec2 place; ///< where the light leaves the sheet, mm in the sheet frame
 };
 
 /// Nothing where the film point images nothing. The eye may be past the rectangle's sides.
-inline std::optional<EyePlace> eye_place(const SheetOptics& optics, const EyeGrid& eyes, Vec2 film_point)
+inline std::optional<EyePlace> eye_place(const SheetOptics& optics, const EyeGrid& eyes,
+                                         Vec2 film_point)
 {
     const auto ray = optics.map(film_point, LensMapping::automatic).ray;
     if (!ray)

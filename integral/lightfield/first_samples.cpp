@@ -31,7 +31,8 @@ int rows_looked_at(const LensSheet& sheet, const Film& film)
     const Vec2 pole = lattice.pole({0, 0});
     double furthest = 0;
     lattice.for_each_within(pole, 1.001 * sheet.pitch, [&](LensIndex lens) {
-        if (lattice.arrangement() == Arrangement::lenticular || length(lattice.pole(lens) - pole) < 1.001 * sheet.pitch)
+        if (lattice.arrangement() == Arrangement::lenticular ||
+            length(lattice.pole(lens) - pole) < 1.001 * sheet.pitch)
             furthest = std::max(furthest, std::fabs(lattice.pole(lens).y - pole.y));
     });
     return std::max(1, int(std::lround(furthest / film.pixel_pitch.y)));
@@ -58,7 +59,8 @@ FirstSamples::FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> m
         // back from an even row undoes the way forth from an odd one, if it leads into another row
         const bool turns = forth_even.j != 0;
         const int even = int(forth_even.i), odd = int(forth_odd.i), row = int(forth_even.j);
-        axes_.push_back({Step{{even, odd}, row, x, y}, Step{{turns ? -odd : -even, turns ? -even : -odd}, -row, -x, -y}});
+        axes_.push_back({Step{{even, odd}, row, x, y},
+                         Step{{turns ? -odd : -even, turns ? -even : -odd}, -row, -x, -y}});
     };
     add({1, 0}, {1, 0});
     if (lattice.arrangement() == Arrangement::square)
@@ -73,7 +75,8 @@ void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex len
 {
     Entry& entry = entries_[std::size_t(y) * width_ + x];
     for (std::size_t k = 0; k < colour.size(); ++k)
-        entry.colour[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * levels, 65535)); // NaN: 0
+        entry.colour[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * levels, 65535)); // NaN:
+                                                                                             // 0
     entry.i = std::uint16_t(lens.i);
     entry.j = std::uint16_t(lens.j);
     entry.depth = std::isnan(depth) ? std::numeric_limits<float>::infinity() : float(depth);
@@ -89,7 +92,8 @@ bool FirstSamples::empty(const Entry& entry)
 double FirstSamples::depth(int x, int y) const
 {
     const Entry& entry = entries_[std::size_t(y) * width_ + x];
-    return empty(entry) ? std::numeric_limits<double>::quiet_NaN() : entry.depth + 0.0; // -0 + 0 is 0
+    return empty(entry) ? std::numeric_limits<double>::quiet_NaN()
+                        : entry.depth + 0.0; // -0 + 0 is 0
 }
 
 const FirstSamples::Entry* FirstSamples::at(int x, int y) const

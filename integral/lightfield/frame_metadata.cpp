@@ -23,8 +23,7 @@ Placement placement_from(const JsonObject& object)
     placement.x = vec3_at(object, "x");
     placement.y = vec3_at(object, "y");
     placement.z = vec3_at(object, "z");
-    placement.units_per_mm =
-        number_at(object, "units_per_mm", 1 / largest_figure, largest_figure);
+    placement.units_per_mm = number_at(object, "units_per_mm", 1 / largest_figure, largest_figure);
     return placement;
 }
 
@@ -88,12 +87,14 @@ QuiltRecord quilt_from(const JsonObject& object)
 {
     constexpr int most_a_side = 4096;
     QuiltRecord quilt;
-    quilt.grid = {whole_at(object, "columns", 1, most_a_side), whole_at(object, "rows", 1, most_a_side)};
+    quilt.grid = {whole_at(object, "columns", 1, most_a_side),
+                  whole_at(object, "rows", 1, most_a_side)};
     if (object.has("view"))
         quilt.view = whole_at(object, "view", 0, quilt.grid.count() - 1);
     if (object.has("eyes")) {
         const JsonObject eyes = object_at(object, "eyes");
-        quilt.eyes = EyeGrid{{number_at(eyes, "width_mm", 0, largest_extent), number_at(eyes, "height_mm", 0, largest_extent)},
+        quilt.eyes = EyeGrid{{number_at(eyes, "width_mm", 0, largest_extent),
+                              number_at(eyes, "height_mm", 0, largest_extent)},
                              number_at(eyes, "distance_mm", least_distance, largest_distance)};
     }
     return quilt;
@@ -155,7 +156,9 @@ Json json_of(const QuiltRecord& quilt)
     if (quilt.view)
         json["view"] = *quilt.view;
     if (quilt.eyes)
-        json["eyes"] = {{"distance_mm", quilt.eyes->distance}, {"width_mm", quilt.eyes->zone.x}, {"height_mm", quilt.eyes->zone.y}};
+        json["eyes"] = {{"distance_mm", quilt.eyes->distance},
+                        {"width_mm", quilt.eyes->zone.x},
+                        {"height_mm", quilt.eyes->zone.y}};
     return json;
 }
 
@@ -163,7 +166,9 @@ Json json_of(const QuiltRecord& quilt)
 
 std::string to_json(const FrameMetadata& metadata)
 {
-    Json document = {{"sheet", json_of(metadata.sheet)}, {"film", json_of(metadata.film)}, {"aperture", json_of(metadata.aperture)}};
+    Json document = {{"sheet", json_of(metadata.sheet)},
+                     {"film", json_of(metadata.film)},
+                     {"aperture", json_of(metadata.aperture)}};
     if (metadata.placement)
         document["camera"] = json_of(*metadata.placement);
     document["encoding"] = json_of(metadata.encoding);

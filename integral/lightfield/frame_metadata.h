@@ -15,8 +15,8 @@ namespace integral {
 
 /// The part of the document that says how the frame came about; absent for other programs' frames.
 struct RenderRecord {
-    std::string program;              ///< name and version
-    std::string scene;                ///< the scene file's name, without folders
+    std::string program; ///< name and version
+    std::string scene;   ///< the scene file's name, without folders
     LensModel model = LensModel::extended_pinhole;
     LensMapping mapping = LensMapping::automatic;
     int pixel_samples = 1, beam_samples = 1;
@@ -36,8 +36,8 @@ struct FrameMetadata {
     std::optional<QuiltRecord> quilt; ///< the picture is not the frame, but views of it
 };
 
-/// The JSON document, of objects `sheet`, `film`, `aperture`, `camera`, `render` (interfaces.md), `quilt`.
-/// Numbers are written so that they read back to the same double.
+/// The JSON document, of objects `sheet`, `film`, `aperture`, `camera`, `render` (interfaces.md),
+/// `quilt`. Numbers are written so that they read back to the same double.
 std::string to_json(const FrameMetadata& metadata);
 
 /// Inverse. Throws std::invalid_argument naming the field that is missing, of the wrong type or

@@ -9,7 +9,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-int side_at(const JsonObject& object, const char* field) { return whole_at(object, field, 1, largest_side); }
+int side_at(const JsonObject& object, const char* field)
+{
+    return whole_at(object, field, 1, largest_side);
+}
 
 /// A list of red's, green's and blue's places in a pixel.
 PixelCell cell_from(const Json& json, const std::string& path)
@@ -18,7 +21,8 @@ PixelCell cell_from(const Json& json, const std::string& path)
         refuse(path, "must be a list of three places: red's, green's and blue's");
     PixelCell cell;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const auto place = numbers_in(json[channel], path + "[" + std::to_string(channel) + "]", 2, -1, 1);
+        const auto place = numbers_in(json[channel], path + "[" + std::to_string(channel) + "]", 2,
+                                      -1, 1);
         cell[channel] = {place[0], place[1]};
     }
     return cell;
@@ -62,7 +66,8 @@ Subpixels subpixels_from(const JsonObject& film)
     if (!film.at("subpixels").is_object()) {
         const auto order = kind_at<Subpixels::Order>(film, "subpixels");
         if (order == Subpixels::cells)
-            refuse(film.path_of("subpixels"), "must be an object of pattern and cells, where it is no stripes");
+            refuse(film.path_of("subpixels"),
+                   "must be an object of pattern and cells, where it is no stripes");
         return order;
     }
     const JsonObject object = object_at(film, "subpixels");
@@ -71,9 +76,11 @@ Subpixels subpixels_from(const JsonObject& film)
     subpixels.pattern = kind_at<CellPattern>(object, "pattern");
     const Json& cells = object.at("cells");
     if (!cells.is_array() || cells.empty() || cells.size() > Subpixels::most_cells)
-        refuse(object.path_of("cells"), "must be a list of 1 to " + std::to_string(Subpixels::most_cells) + " cells");
+        refuse(object.path_of("cells"),
+               "must be a list of 1 to " + std::to_string(Subpixels::most_cells) + " cells");
     for (const Json& cell : cells) {
-        subpixels.cell[subpixels.number] = cell_from(cell, object.path_of("cells") + "[" + std::to_string(subpixels.number) + "]");
+        subpixels.cell[subpixels.number] = cell_from(
+            cell, object.path_of("cells") + "[" + std::to_string(subpixels.number) + "]");
         ++subpixels.number;
     }
     return subpixels;
@@ -110,9 +117,12 @@ Aperture aperture_from(const JsonObject& object, const LensSheet& sheet)
 
 Json json_of(const LensSheet& sheet)
 {
-    return {{"arrangement", name_of(sheet.arrangement)}, {"pitch_mm", sheet.pitch},
-            {"thickness_mm", sheet.thickness},           {"ior", sheet.ior},
-            {"slant_degrees", sheet.slant},              {"offset_mm", list(sheet.offset)}};
+    return {{"arrangement", name_of(sheet.arrangement)},
+            {"pitch_mm", sheet.pitch},
+            {"thickness_mm", sheet.thickness},
+            {"ior", sheet.ior},
+            {"slant_degrees", sheet.slant},
+            {"offset_mm", list(sheet.offset)}};
 }
 
 Json json_of(const Subpixels& subpixels)

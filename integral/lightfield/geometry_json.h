@@ -21,8 +21,8 @@ Film film_from(const JsonObject& object);
 /// The field subpixels: a word for stripes, or an object of pattern and cells.
 Subpixels subpixels_from(const JsonObject& film);
 
-/// distance_mm, and if they are there width_mm, height_mm (null: no limit) and shape. Extents that are absent are those that
-/// fill the lens on the axis, or none where nothing does.
+/// distance_mm, and if they are there width_mm, height_mm (null: no limit) and shape. Extents that
+/// are absent are those that fill the lens on the axis, or none where nothing does.
 Aperture aperture_from(const JsonObject& object, const LensSheet& sheet);
 
 /// The ranges of sheet and film are the scene language's: one list of them, in find_value_errors.

@@ -60,14 +60,18 @@ Image tiled(const std::vector<Image>& pictures, int columns, int border)
         if (!same_form(first, picture))
             throw std::invalid_argument("the pictures differ in size or form");
     const int rows = (int(pictures.size()) + columns - 1) / columns;
-    Image sheet = blank_like(first, columns * (first.width + border) - border, rows * (first.height + border) - border);
+    Image sheet = blank_like(first, columns * (first.width + border) - border,
+                             rows * (first.height + border) - border);
     for (int y = 0; y < sheet.height; ++y)
         for (int x = 0; x < sheet.width; ++x) {
             const int i = x / (first.width + border), j = y / (first.height + border);
-            const int inner_x = x - i * (first.width + border), inner_y = y - j * (first.height + border);
+            const int inner_x = x - i * (first.width + border),
+                      inner_y = y - j * (first.height + border);
             const std::size_t k = std::size_t(j) * columns + i;
-            const bool inside = k < pictures.size() && inner_x < first.width && inner_y < first.height;
-            store_pixel(sheet, x, y, inside ? stored_pixel(pictures[k], inner_x, inner_y) : Color{0, 0, 0, 1});
+            const bool inside = k < pictures.size() && inner_x < first.width &&
+                                inner_y < first.height;
+            store_pixel(sheet, x, y,
+                        inside ? stored_pixel(pictures[k], inner_x, inner_y) : Color{0, 0, 0, 1});
         }
     return sheet;
 }
@@ -190,8 +194,8 @@ Image form_of(int bits, int width, int height, int channels, Encoding encoding)
 
 Image form_of(const Image& image)
 {
-    Image form =
-        form_of(sample_bits(image), image.width, image.height, image.channels, image.encoding);
+    Image form = form_of(sample_bits(image), image.width, image.height, image.channels,
+                         image.encoding);
     form.premultiplied = image.premultiplied;
     return form;
 }
@@ -227,15 +231,18 @@ unsigned char* row_bytes(Image& image, int y)
 
 bool same_form(const Image& a, const Image& b)
 {
-    return a.width == b.width && a.height == b.height && a.channels == b.channels && a.samples.index() == b.samples.index()
-        && a.premultiplied == b.premultiplied;
+    return a.width == b.width && a.height == b.height && a.channels == b.channels &&
+           a.samples.index() == b.samples.index() && a.premultiplied == b.premultiplied;
 }
 
 Image blank_like(const Image& like, int width, int height)
 {
-    Image image = std::visit([&](const auto& samples) {
-        return make_image<typename std::decay_t<decltype(samples)>::value_type>(width, height, like.channels, like.encoding);
-    }, like.samples);
+    Image image = std::visit(
+        [&](const auto& samples) {
+            return make_image<typename std::decay_t<decltype(samples)>::value_type>(
+                width, height, like.channels, like.encoding);
+        },
+        like.samples);
     image.premultiplied = like.premultiplied;
     return image;
 }
@@ -256,10 +263,12 @@ Image part_of(const Image& picture, int x, int y, int width, int height)
 
 Image converted(const Image& image, int bits, Encoding encoding, bool premultiplied)
 {
-    Image result =
-        bits == 8    ? make_image<std::uint8_t>(image.width, image.height, image.channels, encoding)
-        : bits == 16 ? make_image<std::uint16_t>(image.width, image.height, image.channels, encoding)
-                     : make_image<float>(image.width, image.height, image.channels, encoding);
+    Image result = bits == 8 ? make_image<std::uint8_t>(image.width, image.height, image.channels,
+                                                        encoding)
+                   : bits == 16
+                       ? make_image<std::uint16_t>(image.width, image.height, image.channels,
+                                                   encoding)
+                       : make_image<float>(image.width, image.height, image.channels, encoding);
     result.premultiplied = premultiplied;
     const bool same_form = same_encoding(image.encoding, encoding) &&
                            (image.channels == 3 || image.premultiplied == premultiplied);

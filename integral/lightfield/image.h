@@ -72,8 +72,9 @@ Image part_of(const Image& picture, int x, int y, int width, int height);
 /// Rows [first, first + rows) of a picture.
 Image rows_of(const Image& picture, int first, int rows);
 
-/// The pictures, all of one size and form, row by row from the top left, `columns` in a row, with `border` pixels of black
-/// (opaque) between them. Throws std::invalid_argument where they differ, or are none.
+/// The pictures, all of one size and form, row by row from the top left, `columns` in a row, with
+/// `border` pixels of black (opaque) between them. Throws std::invalid_argument where they differ,
+/// or are none.
 Image tiled(const std::vector<Image>& pictures, int columns, int border);
 
 /// Bits per sample: 8, 16, or 32 for floats.

@@ -7,9 +7,8 @@
 namespace integral {
 namespace {
 
-
-/// One lens on the axis. All light stays near the plane y = 0, in which a lenticular lens's slit is: how far
-/// `slit_distance` is makes no difference, but it must not be where the scene is.
+/// One lens on the axis. All light stays near the plane y = 0, in which a lenticular lens's slit
+/// is: how far `slit_distance` is makes no difference, but it must not be where the scene is.
 SheetOptics upright_lens(LensSheet sheet, double slit_distance)
 {
     sheet.slant = 0;
@@ -28,8 +27,8 @@ std::vector<LensPoint> cell_points(const Lattice& lattice, int points)
     return all;
 }
 
-/// Where a number of lit intervals, given by their ends, overlap: the width of the part between the first and the last
-/// film point where `share` of the most that overlap do.
+/// Where a number of lit intervals, given by their ends, overlap: the width of the part between the
+/// first and the last film point where `share` of the most that overlap do.
 double width_at(const std::vector<std::pair<double, int>>& ends, double share)
 {
     int lit = 0, most = 0;
@@ -56,13 +55,15 @@ double angle(Vec3 direction) { return std::atan2(-direction.x, -direction.z) * d
 
 } // namespace
 
-std::optional<ImageWidth> full_image_width(const LensSheet& sheet, double distance, double width, int points)
+std::optional<ImageWidth> full_image_width(const LensSheet& sheet, double distance, double width,
+                                           int points)
 {
     if (!has_surface(sheet))
         return std::nullopt;
     const SheetOptics optics = upright_lens(sheet, 2 * distance);
     // Each point of the lens lights the film between its own images of the two edges.
-    std::vector<std::pair<double, int>> ends; // film x, and how many more points light the film from there on
+    std::vector<std::pair<double, int>> ends; // film x, and how many more points light the film
+                                              // from there on
     for (const LensPoint& point : cell_points(optics.lattice(), points)) {
         const auto left = film_point_imaging(optics, {0.5 * width, 0, -distance}, {}, point);
         const auto right = film_point_imaging(optics, {-0.5 * width, 0, -distance}, {}, point);
@@ -112,8 +113,11 @@ std::optional<BeamDirection> full_beam_direction(const LensSheet& sheet, double 
 std::vector<LensSheet> thesis_sheets()
 {
     std::vector<LensSheet> sheets(5);
-    const double figures[5][3] = {
-        {1.27, 3.08, 1.6}, {0.6, 2.65, 1.52}, {1.124, 3.23, 1.675}, {0.845, 2.37, 1.6}, {0.625, 1.24, 1.6}};
+    const double figures[5][3] = {{1.27, 3.08, 1.6},
+                                  {0.6, 2.65, 1.52},
+                                  {1.124, 3.23, 1.675},
+                                  {0.845, 2.37, 1.6},
+                                  {0.625, 1.24, 1.6}};
     for (int i = 0; i < 5; ++i) {
         sheets[i].arrangement = i == 0 ? Arrangement::lenticular : Arrangement::square;
         sheets[i].pitch = figures[i][0];

@@ -31,17 +31,20 @@ template <> struct Names<LensModel> {
                                                 {LensModel::full, "full"}};
 };
 template <> struct Names<Subpixels::Order> {
-    static constexpr Name<Subpixels::Order> table[] = {{Subpixels::rgb, "rgb"},     {Subpixels::bgr, "bgr"},
-                                                       {Subpixels::vrgb, "vrgb"},   {Subpixels::vbgr, "vbgr"},
-                                                       {Subpixels::cells, "cells"}, {Subpixels::none, "none"}};
+    static constexpr Name<Subpixels::Order> table[] = {
+        {Subpixels::rgb, "rgb"},   {Subpixels::bgr, "bgr"},     {Subpixels::vrgb, "vrgb"},
+        {Subpixels::vbgr, "vbgr"}, {Subpixels::cells, "cells"}, {Subpixels::none, "none"}};
 };
 template <> struct Names<CellPattern> {
-    static constexpr Name<CellPattern> table[] = {{CellPattern::same, "same"},       {CellPattern::checkerboard, "checkerboard"},
-                                                  {CellPattern::columns, "columns"}, {CellPattern::rows, "rows"},
+    static constexpr Name<CellPattern> table[] = {{CellPattern::same, "same"},
+                                                  {CellPattern::checkerboard, "checkerboard"},
+                                                  {CellPattern::columns, "columns"},
+                                                  {CellPattern::rows, "rows"},
                                                   {CellPattern::staggered, "staggered"}};
 };
 template <> struct Names<ErrorMethod> {
-    static constexpr Name<ErrorMethod> table[] = {{ErrorMethod::audit, "audit"}, {ErrorMethod::split_halves, "split halves"}};
+    static constexpr Name<ErrorMethod> table[] = {{ErrorMethod::audit, "audit"},
+                                                  {ErrorMethod::split_halves, "split halves"}};
 };
 template <> struct Names<ApertureShape> {
     static constexpr Name<ApertureShape> table[] = {{ApertureShape::rectangle, "rectangle"},

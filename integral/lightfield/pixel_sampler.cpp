@@ -8,7 +8,8 @@ namespace integral {
 
 namespace {
 
-constexpr int search_limit = 64; // random points tried until one is the lens's own; the last is the centre
+constexpr int search_limit = 64; // random points tried until one is the lens's own; the last is the
+                                 // centre
 
 } // namespace
 
@@ -21,18 +22,20 @@ PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
     const bool hybrid = optics.model() == LensModel::hybrid;
     if (hybrid)
         hybrid_ = hybrid_points(optics.lattice());
-    const bool cell_is_flat = optics.sheet().arrangement == Arrangement::lenticular && !(camera.slit_height({0, 0}) > 0);
+    const bool cell_is_flat = optics.sheet().arrangement == Arrangement::lenticular &&
+                              !(camera.slit_height({0, 0}) > 0);
     film_dimensions_ = camera.pixel_samples > 1 ? 2 : 0;
     lens_dimensions_ = hybrid || camera.beam_samples == 1 ? 0 : cell_is_flat ? 1 : 2;
     cell_dimensions_ = cell_is_flat ? 1 : 2;
-    one_ray_ = film_dimensions_ + lens_dimensions_ == 0 && !hybrid && !camera.pseudoscopic
-            && camera.film.subpixels == Subpixels::none && optics.model() != LensModel::full;
+    one_ray_ = film_dimensions_ + lens_dimensions_ == 0 && !hybrid && !camera.pseudoscopic &&
+               camera.film.subpixels == Subpixels::none && optics.model() != LensModel::full;
 }
 
 bool PixelSampler::halves_tell_error() const
 {
     constexpr int enough = 16; // of fewer, the curve of the encoding hides a part of the error
-    return film_dimensions_ > 0 && lens_dimensions_ > 0 && camera_.pixel_samples * camera_.beam_samples >= enough;
+    return film_dimensions_ > 0 && lens_dimensions_ > 0 &&
+           camera_.pixel_samples * camera_.beam_samples >= enough;
 }
 
 std::uint64_t PixelSampler::pixel_key(Vec2 centre) const
@@ -58,7 +61,8 @@ Vec2 PixelSampler::channel_centre(Vec2 centre, int channel) const
     return film_from_pixel(camera_.film, centre);
 }
 
-/// The film point at unit-square coordinates of the pixel's area (its subpixel's, if it has such) about `film_point`.
+/// The film point at unit-square coordinates of the pixel's area (its subpixel's, if it has such)
+/// about `film_point`.
 Vec2 PixelSampler::moved(Vec2 film_point, Vec2 unit) const
 {
     if (camera_.display_prefilter)
@@ -82,8 +86,8 @@ LensPoint PixelSampler::lens_point(Vec2 unit, const LensRay& pole_ray) const
                                      : cell_point(camera_.optics.lattice(), unit, slit_height);
 }
 
-/// Sample `index` of a channel: of two sets of points, each spread evenly, and independently of the other, over the
-/// dimensions that are sampled.
+/// Sample `index` of a channel: of two sets of points, each spread evenly, and independently of the
+/// other, over the dimensions that are sampled.
 PixelSampler::UnitPoint PixelSampler::even_point(std::uint64_t key, int index, int& half) const
 {
     UnitPoint point;
@@ -105,13 +109,14 @@ PixelSampler::UnitPoint PixelSampler::even_point(std::uint64_t key, int index, i
     return point;
 }
 
-void PixelSampler::append_ray(Vec2 film_point, const LensRay& pole_ray, const LensPoint& point, PixelRay ray,
-                              std::vector<PixelRay>& rays) const
+void PixelSampler::append_ray(Vec2 film_point, const LensRay& pole_ray, const LensPoint& point,
+                              PixelRay ray, std::vector<PixelRay>& rays) const
 {
     const SheetOptics& optics = camera_.optics;
     std::optional<BeamRay> beam;
     if (camera_.pseudoscopic)
-        beam = beam_ray(optics, mirrored_in_lens(optics, film_point, pole_ray.lens), pole_ray.lens, point);
+        beam = beam_ray(optics, mirrored_in_lens(optics, film_point, pole_ray.lens), pole_ray.lens,
+                        point);
     else if (refracts_at_surface(optics.model()) || point.slit != 0)
         beam = beam_ray(optics, film_point, pole_ray.lens, point);
     else {
@@ -125,8 +130,8 @@ void PixelSampler::append_ray(Vec2 film_point, const LensRay& pole_ray, const Le
     rays.push_back(ray);
 }
 
-void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
-                                  PixelOutcome& outcome) const
+void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key,
+                                  std::vector<PixelRay>& rays, PixelOutcome& outcome) const
 {
     const SheetOptics& optics = camera_.optics;
     const Vec2 film_centre = channel_centre(centre, channel);
@@ -172,7 +177,8 @@ void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key, s
 
 std::optional<BeamRay> PixelSampler::one_ray(Vec2 centre, PixelOutcome& outcome) const
 {
-    const MappedPoint mapped = camera_.optics.map(film_from_pixel(camera_.film, centre), camera_.mapping);
+    const MappedPoint mapped = camera_.optics.map(film_from_pixel(camera_.film, centre),
+                                                  camera_.mapping);
     outcome.film_points = 1;
     outcome.outside_aperture = mapped.empty == Empty::outside_aperture;
     outcome.total_reflection = mapped.empty == Empty::total_reflection;
@@ -211,20 +217,25 @@ std::optional<BeamRay> PixelSampler::pole_ray(Vec2 centre) const
     return rays.empty() ? std::nullopt : std::optional(rays[0].ray);
 }
 
-bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const
+bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index,
+                                     std::vector<PixelRay>& rays) const
 {
     const SheetOptics& optics = camera_.optics;
     const std::size_t before = rays.size();
     const bool divided = camera_.film.subpixels != Subpixels::none;
-    for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0); ++channel) {
+    for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0);
+         ++channel) {
         const Vec2 film_centre = channel_centre(centre, channel);
         const MappedPoint mapped = optics.map(film_centre, camera_.mapping);
         if (!mapped.ray)
             continue;
-        const std::uint64_t key = random_bits(random_bits(pixel_key(centre), std::uint64_t(channel + 1)), ~index);
+        const std::uint64_t key = random_bits(
+            random_bits(pixel_key(centre), std::uint64_t(channel + 1)), ~index);
         const std::size_t own = rays.size();
         for (int attempt = 0; attempt < search_limit && rays.size() == own; ++attempt) {
-            const auto random = [&](int dimension) { return random_shift(key, attempt, dimension); };
+            const auto random = [&](int dimension) {
+                return random_shift(key, attempt, dimension);
+            };
             const bool last = attempt + 1 == search_limit;
             const Vec2 film_point = last ? film_centre : moved(film_centre, {random(0), random(1)});
             const auto at = sample_ray(film_point, mapped.ray->lens);
@@ -238,28 +249,34 @@ bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index, std::vect
     return rays.size() > before;
 }
 
-/// At a depth, what is seen moves with the place on the pixel and with the place on the cell. `pole_ray`: of the pixel's centre.
+/// At a depth, what is seen moves with the place on the pixel and with the place on the cell.
+/// `pole_ray`: of the pixel's centre.
 void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const
 {
     const Lattice& lattice = camera_.optics.lattice();
     const bool lenticular = lattice.arrangement() == Arrangement::lenticular;
-    const double far = 1e6 * lattice.pitch(), z = std::fmax(-far, std::fmin(depth, far)); // NaN: far
+    const double far = 1e6 * lattice.pitch(),
+                 z = std::fmax(-far, std::fmin(depth, far)); // NaN: far
     const auto seen = [&](const LensRay& ray) {
         return ray.pole + (z / ray.direction.z) * Vec2{ray.direction.x, ray.direction.y};
     };
-    const auto right = camera_.optics.ray_through(own.film_centre + Vec2{0.5 * area_.x, 0}, own.lens);
+    const auto right = camera_.optics.ray_through(own.film_centre + Vec2{0.5 * area_.x, 0},
+                                                  own.lens);
     const auto up = camera_.optics.ray_through(own.film_centre + Vec2{0, 0.5 * area_.y}, own.lens);
     if (!right || !up)
         return;
-    const Vec2 by_width = 2 * (seen(*right) - seen(pole_ray)), by_height = 2 * (seen(*up) - seen(pole_ray));
+    const Vec2 by_width = 2 * (seen(*right) - seen(pole_ray)),
+               by_height = 2 * (seen(*up) - seen(pole_ray));
     const Vec2 across{dot(by_width, lattice.across()), dot(by_height, lattice.across())};
     const Vec2 along{dot(by_width, lattice.along()), dot(by_height, lattice.along())};
     own.turned = std::fabs(across.y) > std::fabs(across.x);
     const double mirrored = camera_.pseudoscopic ? -1 : 1;
     own.across = SumSplit(mirrored * (own.turned ? across.y : across.x) / lattice.pitch());
     const double by_pixel = own.turned ? along.x : along.y;
-    const double by_slit = -z / camera_.optics.aperture().distance * camera_.slit_height(pole_ray.aperture_point);
-    own.along = SumSplit(lenticular ? by_pixel / by_slit : mirrored * by_pixel / lattice.row_spacing());
+    const double by_slit = -z / camera_.optics.aperture().distance *
+                           camera_.slit_height(pole_ray.aperture_point);
+    own.along = SumSplit(lenticular ? by_pixel / by_slit
+                                    : mirrored * by_pixel / lattice.row_spacing());
 }
 
 PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
@@ -267,7 +284,8 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
     PixelBeam beam;
     const std::uint64_t key = alike ? seed_ : pixel_key(centre);
     const bool divided = camera_.film.subpixels != Subpixels::none;
-    for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0); ++channel) {
+    for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0);
+         ++channel) {
         const Vec2 film_centre = channel_centre(centre, channel);
         const auto lens_at = [&](double x, double y) {
             return camera_.optics.map(moved(film_centre, {x, y}), camera_.mapping).ray;
@@ -290,15 +308,19 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
     return beam;
 }
 
-void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index, std::vector<PixelRay>& rays) const
+void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index,
+                                 std::vector<PixelRay>& rays) const
 {
     for (int k = 0; k < beam.number; ++k) {
         const PixelBeam::Channel& own = beam.channels[k];
         const auto unit = scrambled_point(own.seeds, index);
-        const SumSplit::Parts across = own.across(unit[0], unit[2]), along = own.along(unit[1], unit[3]);
-        const Vec2 pixel = own.turned ? Vec2{along.second, across.second} : Vec2{across.second, along.second};
+        const SumSplit::Parts across = own.across(unit[0], unit[2]),
+                              along = own.along(unit[1], unit[3]);
+        const Vec2 pixel = own.turned ? Vec2{along.second, across.second}
+                                      : Vec2{across.second, along.second};
         const Vec2 film_point = moved(own.film_centre, pixel);
-        const auto ray = own.whole ? camera_.optics.ray_through(film_point, own.lens) : sample_ray(film_point, own.lens);
+        const auto ray = own.whole ? camera_.optics.ray_through(film_point, own.lens)
+                                   : sample_ray(film_point, own.lens);
         if (!ray)
             continue;
         PixelRay sample;

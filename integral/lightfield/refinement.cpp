@@ -10,12 +10,13 @@ namespace {
 
 constexpr int first_step = 4;
 
-// An edge across the pixel's beam: what the contrast tells of the scatter of samples before there are any, and how many
-// samples that counts for. White and black in parts p and 1 - p scatter by sqrt(p(1 - p)), 0.4 of their distance
-// for the average p.
+// An edge across the pixel's beam: what the contrast tells of the scatter of samples before there
+// are any, and how many samples that counts for. White and black in parts p and 1 - p scatter by
+// sqrt(p(1 - p)), 0.4 of their distance for the average p.
 constexpr double scatter_of_contrast = 0.4, weight_of_contrast = 4;
 
-// The squared error of n evenly spread samples of an edge falls with n^-1.4 over four dimensions, its slope with n^-2.4.
+// The squared error of n evenly spread samples of an edge falls with n^-1.4 over four dimensions,
+// its slope with n^-2.4.
 constexpr double order = 1.2;
 
 // So that a threshold of 0.3 gives some 10 samples where black and white meet.
@@ -28,7 +29,8 @@ double samples_at_edges(const RefinementRule& rule)
     if (rule.method == 1)
         return double(rule.depth) * rule.depth;
     const double contrast = 3, worth = rule.threshold / threshold_of_worth;
-    return std::min(std::ldexp(1.0, 2 * rule.depth), std::pow(scatter_of_contrast * contrast / worth, 1 / order));
+    return std::min(std::ldexp(1.0, 2 * rule.depth),
+                    std::pow(scatter_of_contrast * contrast / worth, 1 / order));
 }
 
 Refinement::Refinement(const RefinementRule& rule, double contrast)
@@ -71,7 +73,8 @@ double Refinement::worth() const
     if (taken_ == 0)
         return std::numeric_limits<double>::infinity();
     const double seen = scatter(), before = scatter_of_contrast * contrast_;
-    const double variance = (taken_ * seen * seen + weight_of_contrast * before * before) / (taken_ + weight_of_contrast);
+    const double variance = (taken_ * seen * seen + weight_of_contrast * before * before) /
+                            (taken_ + weight_of_contrast);
     return std::sqrt(variance) / std::pow(double(taken_), order);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How many samples anti-aliasing gives to a pixel: POV-Ray's threshold, depth and methods, taken to the light field.
+// How many samples anti-aliasing gives to a pixel: POV-Ray's threshold, depth and methods, taken to
+// the light field.
 #ifndef INTEGRAL_LIGHTFIELD_REFINEMENT_H
 #define INTEGRAL_LIGHTFIELD_REFINEMENT_H
 
@@ -9,8 +10,10 @@ namespace integral {
 
 /// What +AM, +A and +R say.
 struct RefinementRule {
-    int method = 1;         ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... and up to 4^depth, while they are worth it
-    double threshold = 0.3; ///< contrast from which on a pixel is refined; method 2: also 3 times the least worth
+    int method = 1; ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... and up to 4^depth, while they
+                    ///< are worth it
+    double threshold = 0.3; ///< contrast from which on a pixel is refined; method 2: also 3 times
+                            ///< the least worth
     int depth = 3;          ///< 1 to 9
 };
 
@@ -35,9 +38,10 @@ public:
     /// The standard deviation of the samples, as a colour distance.
     double scatter() const;
 
-    /// What one more sample is worth, a colour distance: the root of that by which the mean's squared error falls (but for a
-    /// constant factor). A frame's error is least, for a number of samples, where the last sample of every pixel is worth
-    /// the same. Infinite if there are no samples.
+    /// What one more sample is worth, a colour distance: the root of that by which the mean's
+    /// squared error falls (but for a constant factor). A frame's error is least, for a number of
+    /// samples, where the last sample of every pixel is worth the same. Infinite if there are no
+    /// samples.
     double worth() const;
 
 private:

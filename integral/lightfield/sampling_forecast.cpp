@@ -9,7 +9,8 @@ namespace integral {
 namespace {
 
 constexpr int looked_at = 8;      // pixels, spread over one lens
-constexpr int whole_samples = 24; // of the beam, and of the pixel: their product stands for the integral
+constexpr int whole_samples = 24; // of the beam, and of the pixel: their product stands for the
+                                  // integral
 
 using Rays = std::vector<PixelRay>;
 
@@ -19,7 +20,8 @@ int renders(const SamplingForecast& setting)
     return setting.rays() == 1 ? 1 : std::clamp(256 / setting.rays(), 6, 64);
 }
 
-Rays rays_of(IntegralCamera camera, int beam_samples, int pixel_samples, Vec2 centre, std::uint64_t seed)
+Rays rays_of(IntegralCamera camera, int beam_samples, int pixel_samples, Vec2 centre,
+             std::uint64_t seed)
 {
     camera.beam_samples = beam_samples;
     camera.pixel_samples = pixel_samples;
@@ -33,7 +35,8 @@ std::vector<Vec2> points_at(const Rays& rays, double depth)
     std::vector<Vec2> points;
     for (const PixelRay& r : rays) {
         const double way = (depth - r.ray.point.z) / r.ray.direction.z;
-        points.push_back({r.ray.point.x + way * r.ray.direction.x, r.ray.point.y + way * r.ray.direction.y});
+        points.push_back(
+            {r.ray.point.x + way * r.ray.direction.x, r.ray.point.y + way * r.ray.direction.y});
     }
     return points;
 }
@@ -58,7 +61,8 @@ double own_covariance(const std::vector<Vec2>& a, double detail)
     return 0.25 * (a.size() + 2 * sum) / (double(a.size()) * a.size());
 }
 
-/// Pixels behind the lens in the middle of the film, across it: no two at the same place of a pixel's width.
+/// Pixels behind the lens in the middle of the film, across it: no two at the same place of a
+/// pixel's width.
 std::vector<Vec2> pixels_behind_a_lens(const IntegralCamera& camera)
 {
     const LensSheet& sheet = camera.optics.sheet();
@@ -87,7 +91,10 @@ std::vector<SamplingForecast> sampling_ladder()
 bool forecast_errors(const IntegralCamera& camera, const std::vector<double>& depths, double detail,
                      std::vector<SamplingForecast>& settings)
 {
-    struct Sums { double square = 0; int count = 0; };
+    struct Sums {
+        double square = 0;
+        int count = 0;
+    };
     std::vector<std::vector<Sums>> sums(settings.size(), std::vector<Sums>(depths.size()));
     for (const Vec2 centre : pixels_behind_a_lens(camera)) {
         const Rays all = rays_of(camera, whole_samples, whole_samples, centre, 0);
@@ -101,12 +108,15 @@ bool forecast_errors(const IntegralCamera& camera, const std::vector<double>& de
         }
         for (std::size_t i = 0; i < settings.size(); ++i)
             for (int seed = 1; seed <= renders(settings[i]); ++seed) {
-                const Rays rays = rays_of(camera, settings[i].beam_samples, settings[i].pixel_samples, centre, seed);
+                const Rays rays = rays_of(camera, settings[i].beam_samples,
+                                          settings[i].pixel_samples, centre, seed);
                 if (rays.empty())
-                    continue; // the samples of a pixel on the border of two lenses may all be another lens's
+                    continue; // the samples of a pixel on the border of two lenses may all be
+                              // another lens's
                 for (std::size_t k = 0; k < depths.size(); ++k) {
                     const auto points = points_at(rays, depths[k]);
-                    sums[i][k].square += own_covariance(points, detail) - 2 * covariance(points, whole[k], detail) + of_whole[k];
+                    sums[i][k].square += own_covariance(points, detail) -
+                                         2 * covariance(points, whole[k], detail) + of_whole[k];
                     ++sums[i][k].count;
                 }
             }
@@ -115,7 +125,8 @@ bool forecast_errors(const IntegralCamera& camera, const std::vector<double>& de
     for (std::size_t i = 0; i < settings.size(); ++i)
         for (const Sums& sum : sums[i]) {
             complete = complete && sum.count > 0;
-            settings[i].rms.push_back(std::sqrt(std::max(0.0, sum.square / std::max(1, sum.count))));
+            settings[i].rms.push_back(
+                std::sqrt(std::max(0.0, sum.square / std::max(1, sum.count))));
         }
     if (!complete)
         for (SamplingForecast& setting : settings)

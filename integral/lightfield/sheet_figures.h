@@ -18,11 +18,12 @@ std::optional<double> greatest_angle(const LensSheet& sheet);
 /// (3-8): micro-image width by the simple pinhole, t w / d.
 double pinhole_spread(const LensSheet& sheet, double distance, double width);
 
-/// (3-5), paraxially: the distance in mm at which an aperture of the given width fills a lens's cell,
-/// W t/(n cell); all in mm.
+/// (3-5), paraxially: the distance in mm at which an aperture of the given width fills a lens's
+/// cell, W t/(n cell); all in mm.
 double filling_distance(const LensSheet& sheet, double width, double cell);
 
-/// (4-1): pixels of each lens that an eye's pupil sees at a distance, in a film of pixels `pixel` wide.
+/// (4-1): pixels of each lens that an eye's pupil sees at a distance, in a film of pixels `pixel`
+/// wide.
 double pixels_seen(const LensSheet& sheet, double pixel, double pupil, double distance);
 
 /// (4-4): the angle that a pixel covers, arcsin(n sin(atan(pixel/t))). Nothing: totally reflected.

@@ -17,7 +17,7 @@ namespace {
 /// One line of the report.
 struct Figure {
     const char* group;
-    const char* key;   ///< in JSON
+    const char* key; ///< in JSON
     const char* label;
     std::optional<double> value;
     const char* unit;
@@ -46,21 +46,26 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
     const char *sheet = "Sheet", *film = "Film", *view = "Viewer and aperture", *depth = "Depth";
     return {
         {sheet, "lenses_per_inch", "lenses per inch", mm_per_inch / s.pitch, "", ""},
-        {sheet, "surface_radius_mm", "radius of the lens surface", surface_radius(s), "mm", "t(n-1)/n"},
-        {sheet, "greatest_angle_degrees", "greatest angle to the axis", greatest_angle(s), "deg", "(2-1)"},
-        {sheet, "viewing_angle_degrees", "viewing angle", times(2, greatest_angle(s)), "deg", "2 x (2-1)"},
+        {sheet, "surface_radius_mm", "radius of the lens surface", surface_radius(s), "mm",
+         "t(n-1)/n"},
+        {sheet, "greatest_angle_degrees", "greatest angle to the axis", greatest_angle(s), "deg",
+         "(2-1)"},
+        {sheet, "viewing_angle_degrees", "viewing angle", times(2, greatest_angle(s)), "deg",
+         "2 x (2-1)"},
         {film, "pixel_pitch_mm", "pixel pitch", c.pixel, "mm", "(4-3)"},
         {film, "pixels_per_lens", "pixels per lens", c.period / c.pixel, "", ""},
         {film, "film_width_mm", "width of the film", width, "mm", ""},
         {film, "lenses_across", "lenses across it", times(1 / c.period, width), "", ""},
         {film, "pixel_angle_degrees", "angle of a pixel", angle, "deg", "(4-4)"},
         {view, "distance_mm", "viewing distance", d, "mm", ""},
-        {view, "aperture_width_mm", "capture aperture", limited ? std::optional<double>(c.aperture) : none, "mm", ""},
+        {view, "aperture_width_mm", "capture aperture",
+         limited ? std::optional<double>(c.aperture) : none, "mm", ""},
         {view, "filling_aperture_mm", "aperture that fills a lens", filling, "mm", "(3-5), exact"},
         {view, "filling_sine", "  its sine outside, n sin(atan(cell/2t))",
          s.ior * half / std::hypot(half, s.thickness), "", "optics.md 5"},
         {view, "filling_distance_mm", "distance at which the aperture fills",
-         limited ? std::optional<double>(filling_distance(s, c.aperture, c.cell)) : none, "mm", "(3-5)"},
+         limited ? std::optional<double>(filling_distance(s, c.aperture, c.cell)) : none, "mm",
+         "(3-5)"},
         {view, "micro_image_width_mm", "micro-image of the aperture",
          std::isfinite(image) ? std::optional<double>(image) : none, "mm", "(3-9)"},
         {view, "pinhole_spread_mm", "  by the simple pinhole",
@@ -69,13 +74,19 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
          std::isfinite(image) ? std::optional<double>(image / c.cell) : none, "", ""},
         {view, "pixel_spread_mm", "a pixel's spread at the viewer",
          angle ? std::optional<double>(pixel_spread(*angle, d)) : none, "mm", "(4-5)"},
-        {view, "pixels_seen", "pixels of a lens that an eye sees", pixels_seen(s, c.pixel, viewer.pupil, d), "", "(4-1)"},
-        {view, "visual_pitch_mm", "pitch of the eye's images on the film", visual_pitch(c.period, s, d), "mm", ""},
-        {view, "moire_pitch_mm", "moire pitch, lenses against pixels", moire_pitch(c.period, s, c.pixel, d), "mm", "5.3"},
+        {view, "pixels_seen", "pixels of a lens that an eye sees",
+         pixels_seen(s, c.pixel, viewer.pupil, d), "", "(4-1)"},
+        {view, "visual_pitch_mm", "pitch of the eye's images on the film",
+         visual_pitch(c.period, s, d), "mm", ""},
+        {view, "moire_pitch_mm", "moire pitch, lenses against pixels",
+         moire_pitch(c.period, s, c.pixel, d), "mm", "5.3"},
         {view, "discrete_view_distance_mm", "one pixel of all lenses is seen from",
-         width ? std::optional<double>(discrete_view_distance(s, c.pixel, *width)) : none, "mm", "(5-1)"},
-        {depth, "depth_budget_mm", "depth budget, either side of the sheet", depth_budget(s, c.pixel), "mm", "(4-6) = lenses"},
-        {depth, "lens_resolution_lpi", "resolution of the lenses themselves", observer_resolution(s.pitch, d, 0), "lpi", "(4-7) at 0"},
+         width ? std::optional<double>(discrete_view_distance(s, c.pixel, *width)) : none, "mm",
+         "(5-1)"},
+        {depth, "depth_budget_mm", "depth budget, either side of the sheet",
+         depth_budget(s, c.pixel), "mm", "(4-6) = lenses"},
+        {depth, "lens_resolution_lpi", "resolution of the lenses themselves",
+         observer_resolution(s.pitch, d, 0), "lpi", "(4-7) at 0"},
     };
 }
 
@@ -106,15 +117,17 @@ std::vector<DepthFigures> depths_of(const FrameMetadata& g, const Viewer& viewer
     return rows;
 }
 
-/// The camera of a geometry, with the default lens model; where its film has no size, one of some lenses.
+/// The camera of a geometry, with the default lens model; where its film has no size, one of some
+/// lenses.
 IntegralCamera camera_of(const FrameMetadata& g, LensMapping mapping)
 {
     Film film = g.film;
     film.subpixels = Subpixels::none;
     if (film.width == 0) {
         const Vec2 cell = cell_extent(g.sheet);
-        film.width = film.height = static_cast<int>(std::min(1e6, 1 + 9 * std::max(cell.x, cell.y) /
-                                                                      std::min(film.pixel_pitch.x, film.pixel_pitch.y)));
+        film.width = film.height = static_cast<int>(
+            std::min(1e6, 1 + 9 * std::max(cell.x, cell.y) /
+                                  std::min(film.pixel_pitch.x, film.pixel_pitch.y)));
     }
     return {SheetOptics(g.sheet, g.aperture), film, {}, mapping, {}, 1, 1, false};
 }
@@ -173,20 +186,18 @@ std::string line(const char* format, ...)
     return text;
 }
 
-Json json_of(std::optional<double> value)
-{
-    return value ? Json(*value) : Json(nullptr);
-}
+Json json_of(std::optional<double> value) { return value ? Json(*value) : Json(nullptr); }
 
 std::string sampling_text(const FrameMetadata& g, const Viewer& viewer)
 {
     const Sampling sampling = sampling_of(g, viewer);
     std::string text = "\nSampling\n";
     if (sampling.imaged)
-        text += line("  film imaged: %.1f%% by lens_mapping auto, %.1f%% by closest\n", 100 * *sampling.imaged,
-                     100 * *sampling.imaged_by_closest);
-    text += line("  RMS error and PSNR (dB) to expect of black-white edges %s mm apart, linear light:\n",
-                 shown(viewer.detail).c_str());
+        text += line("  film imaged: %.1f%% by lens_mapping auto, %.1f%% by closest\n",
+                     100 * *sampling.imaged, 100 * *sampling.imaged_by_closest);
+    text += line(
+        "  RMS error and PSNR (dB) to expect of black-white edges %s mm apart, linear light:\n",
+        shown(viewer.detail).c_str());
     const auto row = [&](const char* label, auto figure) {
         text += line("  %-13s", label);
         for (const SamplingForecast& setting : sampling.settings)
@@ -200,7 +211,8 @@ std::string sampling_text(const FrameMetadata& g, const Viewer& viewer)
         row("million rays", [&](const auto& s) { return shown(times(1e-6, sampling.rays(g, s))); });
     for (std::size_t k = 0; k < viewer.depths.size(); ++k)
         row(line("%s mm deep", shown(viewer.depths[k]).c_str()).c_str(), [&](const auto& s) {
-            return s.rms.empty() || !psnr(s.rms[k]) ? "-" : line("%.3f %5.1f", s.rms[k], *psnr(s.rms[k]));
+            return s.rms.empty() || !psnr(s.rms[k]) ? "-"
+                                                    : line("%.3f %5.1f", s.rms[k], *psnr(s.rms[k]));
         });
     return text;
 }
@@ -209,13 +221,13 @@ Json sampling_json(const FrameMetadata& g, const Viewer& viewer)
 {
     const Sampling sampling = sampling_of(g, viewer);
     Json json = {{"detail_mm", viewer.detail},
-                                   {"imaged", json_of(sampling.imaged)},
-                                   {"imaged_by_closest", json_of(sampling.imaged_by_closest)}};
+                 {"imaged", json_of(sampling.imaged)},
+                 {"imaged_by_closest", json_of(sampling.imaged_by_closest)}};
     for (const SamplingForecast& setting : sampling.settings) {
         Json entry = {{"beam_samples", setting.beam_samples},
-                                        {"pixel_samples", setting.pixel_samples},
-                                        {"rays_per_pixel", setting.rays()},
-                                        {"rays", json_of(sampling.rays(g, setting))}};
+                      {"pixel_samples", setting.pixel_samples},
+                      {"rays_per_pixel", setting.rays()},
+                      {"rays", json_of(sampling.rays(g, setting))}};
         for (std::size_t k = 0; k < setting.rms.size(); ++k)
             entry["errors"].push_back({{"depth_mm", viewer.depths[k]},
                                        {"rms", setting.rms[k]},
@@ -239,7 +251,8 @@ Counted counted(const FrameMetadata& g)
 std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
 {
     std::string text = line("%s sheet, pitch %g mm, thickness %g mm, ior %g",
-                            name_of(g.sheet.arrangement), g.sheet.pitch, g.sheet.thickness, g.sheet.ior);
+                            name_of(g.sheet.arrangement), g.sheet.pitch, g.sheet.thickness,
+                            g.sheet.ior);
     if (g.sheet.slant != 0)
         text += line(", slant %g degrees", g.sheet.slant);
     text += line("; film %g x %g dpi", mm_per_inch / g.film.pixel_pitch.x,
@@ -252,8 +265,8 @@ std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
     for (const Figure& f : figures_of(g, viewer)) {
         if (std::string(group) != f.group)
             text += line("\n%s\n", group = f.group);
-        text += line("  %-40s%12s %-4s  %s", f.label, shown(f.value).c_str(),
-                     f.value ? f.unit : "", f.equation);
+        text += line("  %-40s%12s %-4s  %s", f.label, shown(f.value).c_str(), f.value ? f.unit : "",
+                     f.equation);
         text.erase(text.find_last_not_of(' ') + 1); // no trailing blanks
         text += "\n";
     }

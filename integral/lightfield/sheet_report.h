@@ -16,7 +16,7 @@ namespace integral {
 struct Viewer {
     double pupil = 5;           ///< diameter; > 0
     std::vector<double> depths; ///< at which to tabulate resolution; each > 0
-    double detail = 5;          ///< between the edges of the picture that sampling is judged by; > 0
+    double detail = 5; ///< between the edges of the picture that sampling is judged by; > 0
 };
 
 /// The direction in which the lenses are counted: across the axes of a lenticular sheet along its
@@ -33,7 +33,8 @@ Counted counted(const FrameMetadata& geometry);
 /// A readable table. Figures that the geometry does not have are shown as "-".
 std::string sheet_report_text(const FrameMetadata& geometry, const Viewer& viewer);
 
-/// The geometry document (as to_json) with `figures`, `depths` and `sampling` added; absent figures are null.
+/// The geometry document (as to_json) with `figures`, `depths` and `sampling` added; absent figures
+/// are null.
 nlohmann::ordered_json sheet_report_json(const FrameMetadata& geometry, const Viewer& viewer);
 
 } // namespace integral

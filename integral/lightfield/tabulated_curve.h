@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A curve that is asked for often, such as an encoding's: looked up where computing it would take longer.
+// A curve that is asked for often, such as an encoding's: looked up where computing it would take
+// longer.
 #ifndef INTEGRAL_LIGHTFIELD_TABULATED_CURVE_H
 #define INTEGRAL_LIGHTFIELD_TABULATED_CURVE_H
 
@@ -10,8 +11,8 @@
 
 namespace integral {
 
-/// A curve from 0 to 128, straight from each of the floats whose mantissas end in 16 zeros to the next, and from 0 to 2^-20. x^a, 0 < a <= 1: within
-/// 2e-6 of its value from 2^-20 on.
+/// A curve from 0 to 128, straight from each of the floats whose mantissas end in 16 zeros to the
+/// next, and from 0 to 2^-20. x^a, 0 < a <= 1: within 2e-6 of its value from 2^-20 on.
 class TabulatedCurve {
 public:
     /// `curve(float)` -> a number.

@@ -7,9 +7,10 @@ namespace integral {
 namespace {
 
 /// Extent along one axis of a regular hexagon whose opposite sides are `pitch` apart: twice the
-/// farthest of its corners. `across` and `along` are the parts, along that axis, of the unit vectors
-/// along the lens rows and at right angles to them; corners lie at (pitch/2, pitch/sqrt(12)) and
-/// (0, pitch/sqrt(3)) from the centre, by those vectors, and in their mirror images.
+/// farthest of its corners. `across` and `along` are the parts, along that axis, of the unit
+/// vectors along the lens rows and at right angles to them; corners lie at (pitch/2,
+/// pitch/sqrt(12)) and (0, pitch/sqrt(3)) from the centre, by those vectors, and in their mirror
+/// images.
 double hexagon_extent(double pitch, double across, double along)
 {
     const double side_corner = std::fabs(across) + std::fabs(along) / std::sqrt(3.0);
@@ -25,14 +26,12 @@ bool within_ellipse(const Aperture& aperture, Vec2 point)
     const auto part = [](double coordinate, double half) {
         return std::isinf(half) || coordinate == 0 ? 0.0 : coordinate / half;
     };
-    const double u = part(point.x, 0.5 * aperture.width * inclusive_edge), v = part(point.y, 0.5 * aperture.height * inclusive_edge);
+    const double u = part(point.x, 0.5 * aperture.width * inclusive_edge),
+                 v = part(point.y, 0.5 * aperture.height * inclusive_edge);
     return u * u + v * v <= 1;
 }
 
-bool slit_is_horizontal(const LensSheet& sheet)
-{
-    return std::fabs(sheet.slant) <= 45;
-}
+bool slit_is_horizontal(const LensSheet& sheet) { return std::fabs(sheet.slant) <= 45; }
 
 double micro_image_width(const LensSheet& sheet, double distance, double width)
 {
@@ -59,11 +58,10 @@ Vec2 cell_extent(const LensSheet& sheet)
     const double cosine = std::fabs(lattice.across().x), sine = std::fabs(lattice.across().y);
     switch (sheet.arrangement) {
     case Arrangement::lenticular:
-        return slit_is_horizontal(sheet) ? Vec2{sheet.pitch / cosine, 0} : Vec2{0, sheet.pitch / sine};
-    case Arrangement::square:
-        return {sheet.pitch * (cosine + sine), sheet.pitch * (cosine + sine)};
-    case Arrangement::hexagonal:
-        break;
+        return slit_is_horizontal(sheet) ? Vec2{sheet.pitch / cosine, 0}
+                                         : Vec2{0, sheet.pitch / sine};
+    case Arrangement::square: return {sheet.pitch * (cosine + sine), sheet.pitch * (cosine + sine)};
+    case Arrangement::hexagonal: break;
     }
     return {hexagon_extent(sheet.pitch, lattice.across().x, lattice.along().x),
             hexagon_extent(sheet.pitch, lattice.across().y, lattice.along().y)};

@@ -14,7 +14,7 @@ enum class ApertureShape { rectangle, ellipse };
 /// Centred on the axis at z = -distance. Millimetres. It does not turn with the lens slant.
 /// A lenticular sheet's aperture is a slit without height: only its extent along the slit counts.
 struct Aperture {
-    double distance = 0;        ///< d, in front of the sheet; > 0
+    double distance = 0;          ///< d, in front of the sheet; > 0
     double width = 0, height = 0; ///< full extents along x and y; >= 0, infinity = no limit
     ApertureShape shape = ApertureShape::rectangle;
 };
@@ -25,9 +25,9 @@ constexpr double inclusive_edge = 1 + 1e-9; // the edge belongs to the aperture
 /// Whether a point of the aperture plane is inside; the edge is, to 1e-9 of the extent.
 inline bool contains(const Aperture& aperture, Vec2 point)
 {
-    return std::fabs(point.x) <= 0.5 * aperture.width * inclusive_edge
-        && std::fabs(point.y) <= 0.5 * aperture.height * inclusive_edge
-        && (aperture.shape == ApertureShape::rectangle || within_ellipse(aperture, point));
+    return std::fabs(point.x) <= 0.5 * aperture.width * inclusive_edge &&
+           std::fabs(point.y) <= 0.5 * aperture.height * inclusive_edge &&
+           (aperture.shape == ApertureShape::rectangle || within_ellipse(aperture, point));
 }
 
 /// Whether a lenticular sheet's slit lies along x (|slant| <= 45 degrees) or along y.

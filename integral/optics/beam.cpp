@@ -9,12 +9,15 @@ namespace {
 
 /// A point of a lens: where it is, and how it is refracted there.
 struct Exit {
-    Vec2 across, along;  // the directions b and a of lens_surface.h
-    Vec2 beside;         // from the pole (axis) to the light's centre there: 0, but for the ideal beam
+    Vec2 across, along; // the directions b and a of lens_surface.h
+    Vec2 beside; // from the pole (axis) to the light's centre there: 0, but for the ideal beam
     TangentPlane plane;
 };
 
-bool is_lenticular(const SheetOptics& optics) { return optics.sheet().arrangement == Arrangement::lenticular; }
+bool is_lenticular(const SheetOptics& optics)
+{
+    return optics.sheet().arrangement == Arrangement::lenticular;
+}
 
 /// Nothing where the lens has no surface.
 std::optional<Exit> exit_at(const SheetOptics& optics, Vec2 offset)
@@ -48,7 +51,8 @@ BeamRay make_ray(Vec2 point, double height, Vec3 refracted, double way, Vec2 ape
 
 } // namespace
 
-std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, LensIndex lens, const LensPoint& point)
+std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, LensIndex lens,
+                                const LensPoint& point)
 {
     const auto exit = exit_at(optics, point.offset);
     if (!exit)
@@ -58,14 +62,17 @@ std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, Lens
     const double depth = medium.t - exit->plane.height;
     if (is_lenticular(optics)) {
         const Slit& slit = optics.slit();
-        const auto ray = slit_ray(slit, medium, film_point, pole, signed_height(slit, point.slit), exit->plane);
+        const auto ray = slit_ray(slit, medium, film_point, pole, signed_height(slit, point.slit),
+                                  exit->plane);
         if (!ray)
             return std::nullopt;
         return make_ray(ray->point + exit->beside, exit->plane.height, ray->refracted,
-                        std::sqrt(dot(ray->offset, ray->offset) + depth * depth), ray->aperture_point + exit->beside);
+                        std::sqrt(dot(ray->offset, ray->offset) + depth * depth),
+                        ray->aperture_point + exit->beside);
     }
     const Vec2 to_pole = pole - film_point;
-    const double reach = dot(exit->across, to_pole) + exit->plane.v, along = dot(exit->along, to_pole);
+    const double reach = dot(exit->across, to_pole) + exit->plane.v,
+                 along = dot(exit->along, to_pole);
     const Incidence way = incidence(medium, exit->plane, reach);
     const double clear = clearance(medium, way, along);
     if (!(clear > 0) || !(way.normal > 0))
@@ -77,7 +84,8 @@ std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, Lens
     const double stretch = (optics.aperture().distance + exit->plane.height) / -out.z;
     const Vec2 from = pole + point.offset;
     return make_ray(from, exit->plane.height, {lateral.x, lateral.y, out.z},
-                    std::sqrt(reach * reach + along * along + depth * depth), from + stretch * lateral);
+                    std::sqrt(reach * reach + along * along + depth * depth),
+                    from + stretch * lateral);
 }
 
 std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
@@ -90,16 +98,20 @@ std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_poi
     const double behind = scene_point.z - exit->plane.height;
     Vec2 from = optics.lattice().pole(lens) + point.offset;
     if (is_lenticular(optics)) {
-        // The one point of the line from which a straight line meets both the scene point and the slit.
+        // The one point of the line from which a straight line meets both the scene point and the
+        // slit.
         const Slit& slit = optics.slit();
         const double eta = signed_height(slit, point.slit) + dot(slit.normal, exit->beside);
-        const double before = slit.distance + exit->plane.height, way = scene_point.z + slit.distance;
+        const double before = slit.distance + exit->plane.height,
+                     way = scene_point.z + slit.distance;
         const double across_slit = (eta * behind + dot(slit.normal, scene) * before) / way;
-        from = from + ((across_slit - dot(slit.normal, from)) / dot(slit.normal, slit.axis)) * slit.axis;
+        from = from +
+               ((across_slit - dot(slit.normal, from)) / dot(slit.normal, slit.axis)) * slit.axis;
     }
 
     const Vec2 lateral = scene - from;
-    const double largest = std::max({std::fabs(lateral.x), std::fabs(lateral.y), std::fabs(behind)});
+    const double largest = std::max(
+        {std::fabs(lateral.x), std::fabs(lateral.y), std::fabs(behind)});
     const Vec3 line = ((behind > 0 ? -1 : 1) / largest) * Vec3{lateral.x, lateral.y, behind};
     const Vec3 direction = (1 / length(line)) * line; // towards the viewer
     if (!(direction.z < 0))
@@ -114,7 +126,8 @@ std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_poi
         // Of two ways from a film point to the slit, beam_ray takes none.
         const Slit& slit = optics.slit();
         const Vec2 foot = film_point + way->x * exit->across;
-        if (!reaches_slit(slit, optics.medium(), foot, way->x, signed_height(slit, point.slit), exit->plane))
+        if (!reaches_slit(slit, optics.medium(), foot, way->x, signed_height(slit, point.slit),
+                          exit->plane))
             return std::nullopt;
     }
     if (!std::isfinite(film_point.x) || !std::isfinite(film_point.y))

@@ -22,20 +22,24 @@ struct FilmParameters {
 struct CameraParameters {
     LensSheet sheet;
     FilmParameters film;
-    std::optional<double> sheet_distance;  ///< scene units from the aperture's centre
-    std::optional<Vec2> capture_aperture;  ///< mm; default: filling_aperture
+    std::optional<double> sheet_distance; ///< scene units from the aperture's centre
+    std::optional<Vec2> capture_aperture; ///< mm; default: filling_aperture
     ApertureShape aperture_shape = ApertureShape::rectangle;
     LensModel model = LensModel::extended_pinhole;
     LensMapping mapping = LensMapping::automatic;
-    std::optional<int> beam_samples;       ///< points of the lens's cell, 1 to 65536; default: default_beam_samples
-    std::optional<int> pixel_samples;      ///< points of the pixel's area, 1 to 65536; 1: its centre; default: default_pixel_samples
-    bool display_prefilter = false;        ///< points also of the neighbouring pixels and lenses, see IntegralCamera
-    std::optional<Vec2> depth_range;       ///< mm seen in front of (up to the aperture) and behind the sheet; >= 0
-    bool pseudoscopic = false;             ///< Lippmann's single-stage capture: inverted in depth
+    std::optional<int> beam_samples;  ///< points of the lens's cell, 1 to 65536; default:
+                                      ///< default_beam_samples
+    std::optional<int> pixel_samples; ///< points of the pixel's area, 1 to 65536; 1: its centre;
+                                      ///< default: default_pixel_samples
+    bool display_prefilter = false;   ///< points also of the neighbouring pixels and lenses, see
+                                      ///< IntegralCamera
+    std::optional<Vec2> depth_range;  ///< mm seen in front of (up to the aperture) and behind the
+                                      ///< sheet; >= 0
+    bool pseudoscopic = false;        ///< Lippmann's single-stage capture: inverted in depth
 };
 
-/// 16 where there is something to integrate over (the full model's lens, a slit's height), 4 for the display prefilter,
-/// else 1: the pole.
+/// 16 where there is something to integrate over (the full model's lens, a slit's height), 4 for
+/// the display prefilter, else 1: the pole.
 int default_beam_samples(const CameraParameters& parameters);
 
 /// 4 for the display prefilter, else 1: the pixel's centre.
@@ -50,8 +54,9 @@ struct ViewFrame {
 /// Sheet frame (mm) -> scene: an affine map whose columns are one mm along x, y, z.
 struct Placement {
     Vec3 origin, x, y, z;
-    double units_per_mm = 1; ///< k
-    bool right_angled = false; ///< the axes are at right angles, to rounding: all lengths change by k
+    double units_per_mm = 1;   ///< k
+    bool right_angled = false; ///< the axes are at right angles, to rounding: all lengths change by
+                               ///< k
 };
 
 inline Vec3 scene_from_sheet(const Placement& p, Vec3 v)
@@ -71,12 +76,14 @@ struct IntegralCamera {
     std::optional<Vec2> depth_range;
     int pixel_samples = 1, beam_samples = 1;
     bool pseudoscopic = false;
-    /// Samples are weighted by a tent, two pixels and two cells wide, about pixel and pole, in place of the box of one: a
-    /// low-pass at the bandwidth of the sheet, which takes what it cannot show (Zwicker et al. 2006, with a tent for their
-    /// ideal filter). All are of the pixel's own lens, as if its micro-image did not end.
+    /// Samples are weighted by a tent, two pixels and two cells wide, about pixel and pole, in
+    /// place of the box of one: a low-pass at the bandwidth of the sheet, which takes what it
+    /// cannot show (Zwicker et al. 2006, with a tent for their ideal filter). All are of the
+    /// pixel's own lens, as if its micro-image did not end.
     bool display_prefilter = false;
 
-    /// Height (mm) of a lenticular sheet's slit at a point of the aperture plane; 0 for other sheets.
+    /// Height (mm) of a lenticular sheet's slit at a point of the aperture plane; 0 for other
+    /// sheets.
     double slit_height(Vec2 aperture_point) const;
 };
 
@@ -90,8 +97,8 @@ std::vector<std::string> find_errors(const CameraParameters& parameters);
 
 /// Builds the camera for a frame of width x height pixels.
 /// Throws std::invalid_argument with a sentence for the user where the parameters cannot work.
-IntegralCamera make_camera(const CameraParameters& parameters, const ViewFrame& view,
-                           int width, int height);
+IntegralCamera make_camera(const CameraParameters& parameters, const ViewFrame& view, int width,
+                           int height);
 
 /// A line of sight, in the scene: from `origin`, where the viewer's side of it starts, into the
 /// scene; `length` is how far it is seen (0 = without end).
@@ -106,23 +113,25 @@ struct SightLine {
 SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray);
 
 /// A parallelogram in the scene: centre + a*half_x + b*half_y, a and b in [-1, 1].
-struct StartRegion { Vec3 centre, half_x, half_y; };
+struct StartRegion {
+    Vec3 centre, half_x, half_y;
+};
 
-/// Where the sight lines of all rays of the pixels' beams start. Nothing: nowhere in particular, as the rays of
-/// hybrid, full and the display prefilter may pass the aperture's plane anywhere.
+/// Where the sight lines of all rays of the pixels' beams start. Nothing: nowhere in particular, as
+/// the rays of hybrid, full and the display prefilter may pass the aperture's plane anywhere.
 std::optional<StartRegion> start_region(const IntegralCamera& camera);
 
-/// The film point that a lens images where `film_point` would have to be for the sheet to show its scene
-/// inverted in depth: mirrored at the lens's pole (lenticular: its axis). Its own inverse. A single-stage capture
-/// puts on film point F what belongs at this one.
+/// The film point that a lens images where `film_point` would have to be for the sheet to show its
+/// scene inverted in depth: mirrored at the lens's pole (lenticular: its axis). Its own inverse. A
+/// single-stage capture puts on film point F what belongs at this one.
 Vec2 mirrored_in_lens(const SheetOptics& optics, Vec2 film_point, LensIndex lens);
 
 /// What a camera makes of its film, from an even sample of at most `samples` pixels.
 struct Coverage {
-    double imaged = 0;           ///< fractions of the film's pixels; these three add up to 1
+    double imaged = 0; ///< fractions of the film's pixels; these three add up to 1
     double outside_aperture = 0;
     double total_reflection = 0;
-    double searched = 0;         ///< imaged, but only by the accurate search
+    double searched = 0; ///< imaged, but only by the accurate search
 };
 Coverage coverage(const IntegralCamera& camera, int samples);
 

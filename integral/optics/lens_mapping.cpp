@@ -10,8 +10,10 @@ namespace integral {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double farthest_film = 1e9;  // pitches: beyond, places within a lens are lost in rounding, and counts of lenses overflow
-constexpr double widest_search = 100; // pitches: a search through an aperture without limit would not end
+constexpr double farthest_film = 1e9; // pitches: beyond, places within a lens are lost in rounding,
+                                      // and counts of lenses overflow
+constexpr double widest_search = 100; // pitches: a search through an aperture without limit would
+                                      // not end
 
 Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
 {
@@ -29,8 +31,8 @@ Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
 
 struct SheetOptics::Candidate {
     LensIndex lens;
-    Vec2 pole, offset;   // offset: q = pole - film point
-    double root;         // sqrt(t^2 - m |q|^2)
+    Vec2 pole, offset; // offset: q = pole - film point
+    double root;       // sqrt(t^2 - m |q|^2)
     Vec2 aperture_point;
 };
 
@@ -84,7 +86,8 @@ inline LensRay SheetOptics::complete(const Candidate& c) const
 {
     const double inverse_length = 1 / std::sqrt(dot(c.offset, c.offset) + medium_.t * medium_.t);
     const double lateral = medium_.n * inverse_length;
-    return {c.lens, c.pole,
+    return {c.lens,
+            c.pole,
             {lateral * c.offset.x, lateral * c.offset.y, -c.root * inverse_length},
             c.aperture_point};
 }
@@ -111,7 +114,8 @@ std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens)
 
 MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
 {
-    if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <= farthest_film * lattice_.pitch())) // not a number, too
+    if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <=
+          farthest_film * lattice_.pitch())) // not a number, too
         return {std::nullopt, Empty::outside_aperture, mapping != LensMapping::closest};
     if (mapping == LensMapping::accurate)
         return map_accurate(film_point);
@@ -143,11 +147,12 @@ double SheetOptics::distance_to_centre(Vec2 aperture_point) const
                        : length(aperture_point);
 }
 
-/// The point of the sheet plane through which the film point sees the aperture's centre, to within `error` (mm).
+/// The point of the sheet plane through which the film point sees the aperture's centre, to within
+/// `error` (mm).
 ///
-/// The image of the centre through a pole at distance P from the axis lies P t/sqrt(n^2 d^2 + m P^2) beyond the
-/// pole, so that |film point| = P + that. The right side's slope in P is at least 1: what is missing bounds the
-/// error. It is concave: Newton's method from below stays below.
+/// The image of the centre through a pole at distance P from the axis lies P t/sqrt(n^2 d^2 + m
+/// P^2) beyond the pole, so that |film point| = P + that. The right side's slope in P is at least
+/// 1: what is missing bounds the error. It is concave: Newton's method from below stays below.
 Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
 {
     const double radius = length(film_point);
@@ -167,17 +172,21 @@ Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
     return (p / radius) * film_point;
 }
 
-/// Why no lens shows the film point to the aperture: if the nearest one reflects its light totally, all others do.
+/// Why no lens shows the film point to the aperture: if the nearest one reflects its light totally,
+/// all others do.
 Empty SheetOptics::why_empty(Vec2 film_point) const
 {
-    return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture : Empty::total_reflection;
+    return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture
+                                                               : Empty::total_reflection;
 }
 
-/// Of the lenses within `radius` of `centre` whose rays pass the aperture, the one whose ray passes nearest to the
-/// aperture's centre; of the tied, by the lattice's rule.
-std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre, double radius) const
+/// Of the lenses within `radius` of `centre` whose rays pass the aperture, the one whose ray passes
+/// nearest to the aperture's centre; of the tied, by the lattice's rule.
+std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre,
+                                                               double radius) const
 {
-    // All that pass are looked at twice: for the least distance, and for the tied. The first few are kept meanwhile.
+    // All that pass are looked at twice: for the least distance, and for the tied. The first few
+    // are kept meanwhile.
     std::array<Candidate, 8> kept;
     std::size_t passing = 0;
     const auto each = [&](auto use) {
@@ -196,7 +205,8 @@ std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, 
     });
     std::optional<Candidate> best;
     const auto choose = [&](const Candidate& c, double distance) {
-        if (distance <= least + lattice_.tie_tolerance() && (!best || lattice_.preferred(c.lens, best->lens)))
+        if (distance <= least + lattice_.tie_tolerance() &&
+            (!best || lattice_.preferred(c.lens, best->lens)))
             best = c;
     };
     if (passing > kept.size())
@@ -208,9 +218,10 @@ std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, 
 }
 
 /// The map q -> A from lens offsets to aperture points, A = film point + q g(|q|) with
-/// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by at least the smallest g. A lens whose A is within
-/// `reach` of the aperture's centre therefore has its pole within reach/g of the point that sees the centre.
-/// Nothing beyond that is looked at (nor beyond widest_search), and nothing within is left out.
+/// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by at least the smallest g. A lens
+/// whose A is within `reach` of the aperture's centre therefore has its pole within reach/g of the
+/// point that sees the centre. Nothing beyond that is looked at (nor beyond widest_search), and
+/// nothing within is left out.
 MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
 {
     MappedPoint mapped;
@@ -247,7 +258,8 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
         radius = std::min(radius, length(ideal - film_point) + medium_.t / medium_.root_m);
     radius = std::min(radius, widest_search * lattice_.pitch());
     bool alone = guessed;
-    lattice_.for_each_within(ideal, radius, [&](LensIndex lens) { alone = alone && lens == guess->lens; });
+    lattice_.for_each_within(ideal, radius,
+                             [&](LensIndex lens) { alone = alone && lens == guess->lens; });
     if (alone) {
         mapped.ray = complete(*guess);
         return mapped;

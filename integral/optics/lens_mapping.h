@@ -16,20 +16,22 @@ namespace integral {
 
 /// How a film point finds its lens (optics.md section 4).
 ///
-/// Every search has an end: accurate's 100 pitches from the lens that sees the aperture's centre, exhaustive's
-/// 1000 pitches from the film point. No aperture that a lens could fill reaches so far; one that does is hundreds
-/// of lenses wide, or without limit one way and narrow the other.
+/// Every search has an end: accurate's 100 pitches from the lens that sees the aperture's centre,
+/// exhaustive's 1000 pitches from the film point. No aperture that a lens could fill reaches so
+/// far; one that does is hundreds of lenses wide, or without limit one way and narrow the other.
 enum class LensMapping {
     automatic, ///< closest, and accurate only where closest's check fails
     closest,   ///< the lens of the nearest pole, if its ray passes the aperture (3-11)
-    accurate,  ///< of the lenses whose rays pass the aperture, the one that passes nearest to its centre
+    accurate,  ///< of the lenses whose rays pass the aperture, the one that passes nearest to its
+               ///< centre
     exhaustive ///< accurate by trying every lens: the oracle
 };
 
 /// The pole ray of a film point: its light beyond the lens's pole. Sheet frame, mm.
 struct LensRay {
     LensIndex lens;
-    Vec2 pole;           ///< where it leaves, on z = 0; on a lenticular lens, the point of its axis that it leaves from
+    Vec2 pole; ///< where it leaves, on z = 0; on a lenticular lens, the point of its axis that it
+               ///< leaves from
     Vec3 direction;      ///< unit, towards the viewer (z < 0)
     Vec2 aperture_point; ///< where it meets the aperture plane z = -distance
 };
@@ -41,17 +43,21 @@ enum class Empty { none, outside_aperture, total_reflection };
 struct MappedPoint {
     std::optional<LensRay> ray; ///< nothing: no ray is to be traced
     Empty empty = Empty::none;  ///< the reason, if so
-    bool searched = false;      ///< the lens was searched for, by accurate and exhaustive or as closest failed
+    bool searched = false; ///< the lens was searched for, by accurate and exhaustive or as closest
+                           ///< failed
 };
 
 /// The optics of a sheet, a film behind it and an aperture before it: immutable, and shared by
 /// every thread of a render.
 class SheetOptics {
 public:
-    /// `sheet` and `aperture` must be within the ranges of their comments; find_errors in camera.h checks them.
-    SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensModel model = LensModel::extended_pinhole);
+    /// `sheet` and `aperture` must be within the ranges of their comments; find_errors in camera.h
+    /// checks them.
+    SheetOptics(const LensSheet& sheet, const Aperture& aperture,
+                LensModel model = LensModel::extended_pinhole);
 
-    /// Lens and ray of a film point. One farther than 10^9 pitches from the sheet's centre images nothing.
+    /// Lens and ray of a film point. One farther than 10^9 pitches from the sheet's centre images
+    /// nothing.
     MappedPoint map(Vec2 film_point, LensMapping mapping) const;
 
     /// The ray from a film point through one given lens, whether or not it passes the aperture.
@@ -59,8 +65,9 @@ public:
     std::optional<LensRay> ray_through(Vec2 film_point, LensIndex lens) const;
 
     /// Inverse for an eye: the film point whose light leaves the sheet at `point` (z = 0) in
-    /// `direction` (of any length, towards the viewer, z < 0), through the lens that `point` belongs to.
-    /// The beam of a film point fills its lens's cell, so any point of the cell will do.
+    /// `direction` (of any length, towards the viewer, z < 0), through the lens that `point`
+    /// belongs to. The beam of a film point fills its lens's cell, so any point of the cell will
+    /// do.
     Vec2 film_point_seen(Vec2 point, Vec3 direction, LensIndex* lens = nullptr) const
     {
         const LensIndex index = lattice_.nearest(point);
@@ -76,8 +83,11 @@ public:
     LensModel model() const { return model_; }
     const Aperture& aperture() const { return aperture_; }
     const Lattice& lattice() const { return lattice_; }
-    const Medium& medium() const { return medium_; } ///< between film and poles, as the model has it
-    const Slit& slit() const { return slit_; }       ///< meaningful for a lenticular sheet
+    const Medium& medium() const
+    {
+        return medium_;
+    }                                          ///< between film and poles, as the model has it
+    const Slit& slit() const { return slit_; } ///< meaningful for a lenticular sheet
 
 private:
     struct Candidate; // a lens's pole ray, before its direction is worked out

@@ -13,12 +13,9 @@ LensSheet modelled_sheet(LensSheet sheet, LensModel model)
 double cell_circumradius(const LensSheet& sheet)
 {
     switch (sheet.arrangement) {
-    case Arrangement::square:
-        return sheet.pitch * std::sqrt(0.5);
-    case Arrangement::hexagonal:
-        return sheet.pitch / std::sqrt(3.0);
-    case Arrangement::lenticular:
-        break;
+    case Arrangement::square: return sheet.pitch * std::sqrt(0.5);
+    case Arrangement::hexagonal: return sheet.pitch / std::sqrt(3.0);
+    case Arrangement::lenticular: break;
     }
     return 0.5 * sheet.pitch;
 }
@@ -36,8 +33,9 @@ LensPoint cell_point(const Lattice& lattice, Vec2 unit, double slit_height)
     if (lattice.arrangement() == Arrangement::square)
         return {(u * p) * lattice.across() + (v * p) * lattice.along()};
 
-    // The lattice's own parallelogram, each of its points moved by the lattice vector that brings it nearest to
-    // the pole: whatever is spread evenly over the one is spread evenly over the other.
+    // The lattice's own parallelogram, each of its points moved by the lattice vector that brings
+    // it nearest to the pole: whatever is spread evenly over the one is spread evenly over the
+    // other.
     const double row = std::sqrt(0.75);
     const Vec2 point{u + 0.5 * v, row * v}; // in pitches, along the rows and across them
     const Vec2 vectors[] = {{1, 0}, {-1, 0}, {0.5, row}, {-0.5, -row}};
@@ -48,14 +46,17 @@ LensPoint cell_point(const Lattice& lattice, Vec2 unit, double slit_height)
     return {(nearest.x * p) * lattice.across() + (nearest.y * p) * lattice.along()};
 }
 
-double tent_coordinate(double u) { return u < 0.5 ? std::sqrt(2 * u) - 0.5 : 1.5 - std::sqrt(2 * (1 - u)); }
+double tent_coordinate(double u)
+{
+    return u < 0.5 ? std::sqrt(2 * u) - 0.5 : 1.5 - std::sqrt(2 * (1 - u));
+}
 
 LensPoint tent_point(const Lattice& lattice, Vec2 unit, double slit_height)
 {
     if (lattice.arrangement() == Arrangement::lenticular)
         return cell_point(lattice, {tent_coordinate(unit.x), unit.y}, slit_height);
-    return {((tent_coordinate(unit.x) - 0.5) * lattice.pitch()) * lattice.across()
-            + ((tent_coordinate(unit.y) - 0.5) * lattice.row_spacing()) * lattice.along()};
+    return {((tent_coordinate(unit.x) - 0.5) * lattice.pitch()) * lattice.across() +
+            ((tent_coordinate(unit.y) - 0.5) * lattice.row_spacing()) * lattice.along()};
 }
 
 std::vector<WeightedLensPoint> hybrid_points(const Lattice& lattice)

@@ -9,7 +9,10 @@ namespace {
 
 constexpr double hexagonal_row_spacing = 0.86602540378443864676; // sqrt(3)/2 pitches
 
-std::int64_t round_to_index(double value) { return static_cast<std::int64_t>(nearest_integer(value)); }
+std::int64_t round_to_index(double value)
+{
+    return static_cast<std::int64_t>(nearest_integer(value));
+}
 
 } // namespace
 
@@ -23,7 +26,8 @@ Lattice::Lattice(const LensSheet& sheet)
       pitch_(sheet.pitch),
       row_spacing_(sheet.arrangement == Arrangement::hexagonal ? hexagonal_row_spacing * sheet.pitch
                                                                : sheet.pitch),
-      across_{std::cos(sheet.slant * radians_per_degree), std::sin(sheet.slant * radians_per_degree)},
+      across_{std::cos(sheet.slant * radians_per_degree),
+              std::sin(sheet.slant * radians_per_degree)},
       along_{-across_.y, across_.x},
       offset_(sheet.offset)
 {
@@ -32,7 +36,8 @@ Lattice::Lattice(const LensSheet& sheet)
 double Lattice::distance(Vec2 point, LensIndex lens) const
 {
     const Vec2 to_pole = pole(lens) - point;
-    return arrangement_ == Arrangement::lenticular ? std::fabs(dot(across_, to_pole)) : length(to_pole);
+    return arrangement_ == Arrangement::lenticular ? std::fabs(dot(across_, to_pole))
+                                                   : length(to_pole);
 }
 
 bool Lattice::preferred(LensIndex a, LensIndex b) const
@@ -50,9 +55,8 @@ LensIndex Lattice::settle_tie(Vec2 point, LensIndex guess) const
 {
     double least = distance(point, guess);
     const double reach = least + tie_tolerance();
-    for_each_within(point, reach, [&](LensIndex lens) {
-        least = std::fmin(least, distance(point, lens));
-    });
+    for_each_within(point, reach,
+                    [&](LensIndex lens) { least = std::fmin(least, distance(point, lens)); });
     LensIndex best = guess;
     bool found = distance(point, guess) <= least + tie_tolerance();
     for_each_within(point, reach, [&](LensIndex lens) {
@@ -84,7 +88,9 @@ LensIndex Lattice::nearest_of_shifted_rows(Vec2 point) const
     }
     const double difference = distance_squared[0] - distance_squared[1];
     const LensIndex nearer = guess[difference <= 0 ? 0 : 1];
-    return tie || std::fabs(difference) < border_margin * pitch_ * pitch_ ? settle_tie(point, nearer) : nearer;
+    return tie || std::fabs(difference) < border_margin * pitch_ * pitch_
+               ? settle_tie(point, nearer)
+               : nearer;
 }
 
 } // namespace integral

@@ -54,7 +54,8 @@ public:
     /// rule, thesis (3-11).
     LensIndex nearest(Vec2 point) const
     {
-        return arrangement_ == Arrangement::hexagonal ? nearest_of_shifted_rows(point) : nearest_of_even_rows(point);
+        return arrangement_ == Arrangement::hexagonal ? nearest_of_shifted_rows(point)
+                                                      : nearest_of_even_rows(point);
     }
 
     /// Distance from a point to a lens's pole (axis).
@@ -68,7 +69,10 @@ public:
     bool preferred(LensIndex a, LensIndex b) const;
 
     double pitch() const { return pitch_; }
-    double row_spacing() const { return row_spacing_; } ///< mm between rows of lenses; hexagonal: p sqrt(3)/2
+    double row_spacing() const
+    {
+        return row_spacing_;
+    } ///< mm between rows of lenses; hexagonal: p sqrt(3)/2
     double tie_tolerance() const { return 1e-9 * pitch_; }
     Arrangement arrangement() const { return arrangement_; }
 
@@ -82,7 +86,8 @@ private:
     LensIndex nearest_of_shifted_rows(Vec2 point) const;
     LensIndex settle_tie(Vec2 point, LensIndex guess) const;
 
-    static constexpr double border_margin = 1e-8; ///< pitches from a border within which a tie is looked for
+    static constexpr double border_margin = 1e-8; ///< pitches from a border within which a tie is
+                                                  ///< looked for
 
     Arrangement arrangement_;
     double pitch_, row_spacing_;
@@ -104,8 +109,8 @@ inline Vec2 Lattice::pole(LensIndex lens) const
         return offset_ + (columns * pitch_) * across_;
     if (arrangement_ == Arrangement::hexagonal && (lens.j & 1))
         columns += 0.5;
-    return offset_ + (columns * pitch_) * across_
-                   + (static_cast<double>(lens.j) * row_spacing_) * along_;
+    return offset_ + (columns * pitch_) * across_ +
+           (static_cast<double>(lens.j) * row_spacing_) * along_;
 }
 
 inline LensIndex Lattice::nearest_of_even_rows(Vec2 point) const
@@ -115,17 +120,19 @@ inline LensIndex Lattice::nearest_of_even_rows(Vec2 point) const
     const double u = p.x / pitch_, v = rows ? p.y / pitch_ : 0;
     const double column = nearest_integer(u), row = nearest_integer(v);
     const LensIndex guess{static_cast<std::int64_t>(column), static_cast<std::int64_t>(row)};
-    const bool near_border = std::fabs(u - column) > 0.5 - border_margin || std::fabs(v - row) > 0.5 - border_margin;
+    const bool near_border = std::fabs(u - column) > 0.5 - border_margin ||
+                             std::fabs(v - row) > 0.5 - border_margin;
     return near_border ? settle_tie(point, guess) : guess;
 }
 
-template <class Visit>
-void Lattice::for_each_within(Vec2 centre, double radius, Visit visit) const
+template <class Visit> void Lattice::for_each_within(Vec2 centre, double radius, Visit visit) const
 {
     const Vec2 c = lattice_from_sheet(centre);
     const auto span_i = [&](double shift, std::int64_t j) {
-        const auto first = static_cast<std::int64_t>(std::ceil((c.x - radius) / pitch_ - shift - 1e-6));
-        const auto last = static_cast<std::int64_t>(std::floor((c.x + radius) / pitch_ - shift + 1e-6));
+        const auto first = static_cast<std::int64_t>(
+            std::ceil((c.x - radius) / pitch_ - shift - 1e-6));
+        const auto last = static_cast<std::int64_t>(
+            std::floor((c.x + radius) / pitch_ - shift + 1e-6));
         for (std::int64_t i = first; i <= last; ++i)
             visit(LensIndex{i, j});
     };

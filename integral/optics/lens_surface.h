@@ -3,8 +3,8 @@
 //
 // The surface is z = R - sqrt(R^2 - v^2), v being the distance from the pole (or from a cylinder's
 // axis): its pole is the foremost point, at z = 0, and its edges lie deeper, towards the film.
-// Everything is worked out in three perpendicular directions: b, lateral, in which v is counted; a, lateral;
-// and z. The surface does not bend along a. On a cylinder a is its axis.
+// Everything is worked out in three perpendicular directions: b, lateral, in which v is counted; a,
+// lateral; and z. The surface does not bend along a. On a cylinder a is its axis.
 #ifndef INTEGRAL_OPTICS_LENS_SURFACE_H
 #define INTEGRAL_OPTICS_LENS_SURFACE_H
 
@@ -32,8 +32,8 @@ inline std::optional<TangentPlane> tangent_plane(double radius, double v)
     return TangentPlane{v, v * (v / (radius + rise)), v / radius, rise / radius};
 }
 
-/// The way from a film point to the point of the surface, in directions that lie along and across the
-/// tangent plane. Both in mm.
+/// The way from a film point to the point of the surface, in directions that lie along and across
+/// the tangent plane. Both in mm.
 struct Incidence {
     double tangential; ///< along (cosine, sine) in the directions (b, z)
     double normal;     ///< along the normal; > 0 where the film point is on the inner side
@@ -56,17 +56,21 @@ inline double clearance(const Medium& medium, Incidence way, double along)
 }
 
 /// The refracted ray, L times its unit direction, in the directions (b, a, z), for a clearance > 0
-/// whose square root is `root`. The components along the plane, n times the way's, are what Snell's law conserves.
-inline Vec3 refracted(const Medium& medium, const TangentPlane& plane, Incidence way, double along, double root)
+/// whose square root is `root`. The components along the plane, n times the way's, are what Snell's
+/// law conserves.
+inline Vec3 refracted(const Medium& medium, const TangentPlane& plane, Incidence way, double along,
+                      double root)
 {
     const double tangential = medium.n * way.tangential;
     return {tangential * plane.cosine + root * plane.sine, medium.n * along,
             tangential * plane.sine - root * plane.cosine};
 }
 
-/// Inverse: the way (mm, in the directions b and a) from the film to the point whose light leaves it in
-/// `direction` (unit, in the directions (b, a, z)). Nothing if that direction is not on the outer side.
-inline std::optional<Vec2> way_refracted_into(const Medium& medium, const TangentPlane& plane, Vec3 direction)
+/// Inverse: the way (mm, in the directions b and a) from the film to the point whose light leaves
+/// it in `direction` (unit, in the directions (b, a, z)). Nothing if that direction is not on the
+/// outer side.
+inline std::optional<Vec2> way_refracted_into(const Medium& medium, const TangentPlane& plane,
+                                              Vec3 direction)
 {
     const double normal = direction.x * plane.sine - direction.z * plane.cosine;
     if (!(normal > 0))

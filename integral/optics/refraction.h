@@ -16,9 +16,11 @@ namespace integral {
 /// what follows from them.
 struct Medium {
     Medium(double thickness, double ior)
-        : t(thickness), n(ior), m((ior - 1) * (ior + 1)), root_m(std::sqrt(m)) {}
+        : t(thickness), n(ior), m((ior - 1) * (ior + 1)), root_m(std::sqrt(m))
+    {
+    }
     double t, n;
-    double m;      ///< n^2 - 1, without cancellation
+    double m; ///< n^2 - 1, without cancellation
     double root_m;
 };
 
@@ -47,7 +49,8 @@ inline std::optional<Vec3> direction_from_offset(const Medium& medium, Vec2 q)
 /// Inverse: the q (pole - film point, mm) whose light leaves in `direction` (of any length, z < 0).
 inline Vec2 offset_from_direction(const Medium& medium, Vec3 direction)
 {
-    const double scale = medium.t / std::sqrt(medium.m * dot(direction, direction) + direction.z * direction.z);
+    const double scale = medium.t / std::sqrt(medium.m * dot(direction, direction) +
+                                              direction.z * direction.z);
     return {scale * direction.x, scale * direction.y};
 }
 

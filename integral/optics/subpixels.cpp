@@ -11,7 +11,8 @@ bool same_layout(const Subpixels& a, const Subpixels& b)
         return false;
     for (int cell = 0; cell < a.number; ++cell)
         for (int channel = 0; channel < 3; ++channel)
-            if (a.cell[cell][channel].x != b.cell[cell][channel].x || a.cell[cell][channel].y != b.cell[cell][channel].y)
+            if (a.cell[cell][channel].x != b.cell[cell][channel].x ||
+                a.cell[cell][channel].y != b.cell[cell][channel].y)
                 return false;
     return true;
 }
@@ -43,11 +44,13 @@ Subpixels mirrored(const Subpixels& subpixels, int columns, int rows, bool x, bo
     case Subpixels::vrgb: result.order = y ? Subpixels::vbgr : Subpixels::vrgb; break;
     case Subpixels::vbgr: result.order = y ? Subpixels::vrgb : Subpixels::vbgr; break;
     case Subpixels::cells:
-        // Each pattern is its own mirror image, with its cells in another order: some pixel of each tells which.
+        // Each pattern is its own mirror image, with its cells in another order: some pixel of each
+        // tells which.
         result.number = period(subpixels.pattern);
         for (int row = 0; row < 4; ++row)
             for (int column = 0; column < 2; ++column) {
-                PixelCell cell = subpixels.cell[cell_of(subpixels, x ? columns - 1 - column : column, y ? rows - 1 - row : row)];
+                PixelCell cell = subpixels.cell[cell_of(
+                    subpixels, x ? columns - 1 - column : column, y ? rows - 1 - row : row)];
                 for (Vec2& place : cell)
                     place = {x ? 0 - place.x : place.x, y ? 0 - place.y : place.y};
                 result.cell[cell_of(result, column, row)] = cell;

@@ -7,8 +7,12 @@
 
 namespace integral {
 
-struct Vec2 { double x = 0, y = 0; };
-struct Vec3 { double x = 0, y = 0, z = 0; };
+struct Vec2 {
+    double x = 0, y = 0;
+};
+struct Vec3 {
+    double x = 0, y = 0, z = 0;
+};
 
 inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }

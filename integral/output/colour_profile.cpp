@@ -28,7 +28,8 @@ std::string srgb_profile()
     std::string bytes(size, '\0');
     if (!cmsSaveProfileToMem(profile.get(), bytes.data(), &size))
         throw std::runtime_error("Little CMS makes no sRGB profile");
-    constexpr std::size_t date = 24, date_size = 12; // of the header: when the profile was made, which is now
+    constexpr std::size_t date = 24,
+                          date_size = 12; // of the header: when the profile was made, which is now
     static const unsigned char fixed_date[date_size] = {0x07, 0xd0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0};
     std::memcpy(bytes.data() + date, fixed_date, date_size);
     return bytes;

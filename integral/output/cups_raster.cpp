@@ -24,7 +24,8 @@ ssize_t append(void* stream, unsigned char* bytes, std::size_t count)
 
 } // namespace
 
-std::string cups_raster(const std::vector<Image>& pages, int copies, const cups_page_header2_t& like)
+std::string cups_raster(const std::vector<Image>& pages, int copies,
+                        const cups_page_header2_t& like)
 {
     std::string stream;
     using Raster = std::unique_ptr<cups_raster_t, void (*)(cups_raster_t*)>;
@@ -43,10 +44,12 @@ std::string cups_raster(const std::vector<Image>& pages, int copies, const cups_
             header.cupsNumColors = 3;
             if (!cupsRasterWriteHeader2(raster.get(), &header))
                 fail();
-            std::vector<std::uint8_t> samples = std::get<std::vector<std::uint8_t>>(page.samples); // libcups takes no const
+            std::vector<std::uint8_t> samples = std::get<std::vector<std::uint8_t>>(
+                page.samples); // libcups takes no const
             const unsigned row_bytes = header.cupsBytesPerLine;
             for (int y = 0; y < page.height; ++y)
-                if (cupsRasterWritePixels(raster.get(), samples.data() + std::size_t(y) * row_bytes, row_bytes) != row_bytes)
+                if (cupsRasterWritePixels(raster.get(), samples.data() + std::size_t(y) * row_bytes,
+                                          row_bytes) != row_bytes)
                     fail();
         }
     return stream;

@@ -19,7 +19,8 @@ void demand_success(cairo_status_t status)
     if (status == CAIRO_STATUS_INVALID_STRING)
         throw std::invalid_argument("a text of the page is not UTF-8");
     if (status != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error(std::string("the page's text cannot be drawn: ") + cairo_status_to_string(status));
+        throw std::runtime_error(std::string("the page's text cannot be drawn: ") +
+                                 cairo_status_to_string(status));
 }
 
 /// A drawing of coverage alone.
@@ -27,7 +28,11 @@ struct InkMask {
     cairo_surface_t* surface;
     cairo_t* context;
 
-    InkMask(int width, int height) : surface(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height)), context(cairo_create(surface)) {}
+    InkMask(int width, int height)
+        : surface(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height)),
+          context(cairo_create(surface))
+    {
+    }
     InkMask(const InkMask&) = delete;
     ~InkMask()
     {
@@ -43,7 +48,8 @@ struct InkMask {
         cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
         cairo_set_font_options(context, options);
         cairo_font_options_destroy(options);
-        cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, font.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                               font.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
         cairo_set_font_size(context, font.size);
     }
 };
@@ -62,14 +68,18 @@ double text_width(const std::string& text, DeviceFont font)
     return extents.x_advance / scale;
 }
 
-void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at, DeviceFont font, bool upwards)
+void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at, DeviceFont font,
+                bool upwards)
 {
     // The box: a line's ascent and descent are within 1.2 and 0.5 em.
-    const double length = text_width(text, font) + font.size, ascent = 1.2 * font.size, descent = 0.5 * font.size;
+    const double length = text_width(text, font) + font.size, ascent = 1.2 * font.size,
+                 descent = 0.5 * font.size;
     const double left = at.x - (upwards ? ascent : 0), right = at.x + (upwards ? descent : length);
     const double top = at.y - (upwards ? length : ascent), bottom = at.y + (upwards ? 0 : descent);
-    const int x0 = std::max(0, int(std::floor(left / pixel_pitch.x))), x1 = std::min(image.width, int(std::ceil(right / pixel_pitch.x)));
-    const int y0 = std::max(0, int(std::floor(top / pixel_pitch.y))), y1 = std::min(image.height, int(std::ceil(bottom / pixel_pitch.y)));
+    const int x0 = std::max(0, int(std::floor(left / pixel_pitch.x))),
+              x1 = std::min(image.width, int(std::ceil(right / pixel_pitch.x)));
+    const int y0 = std::max(0, int(std::floor(top / pixel_pitch.y))),
+              y1 = std::min(image.height, int(std::ceil(bottom / pixel_pitch.y)));
     if (x0 >= x1 || y0 >= y1)
         return;
 
@@ -97,7 +107,9 @@ void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at
                 continue;
             const Color under = light(x, y);
             const float rest = 1 - covered;
-            store_linear(image, x, y, {rest * under.r, rest * under.g, rest * under.b, covered + rest * under.a});
+            store_linear(
+                image, x, y,
+                {rest * under.r, rest * under.g, rest * under.b, covered + rest * under.a});
         }
 }
 

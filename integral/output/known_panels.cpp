@@ -5,7 +5,8 @@ namespace integral {
 namespace {
 
 /// What the maker's software takes for a display that has not told its calibration.
-LookingGlassCalibration nominal(double pitch, double slope, double center, double view_cone, double dpi, int width, int height)
+LookingGlassCalibration nominal(double pitch, double slope, double center, double view_cone,
+                                double dpi, int width, int height)
 {
     LookingGlassCalibration calibration;
     calibration.pitch = pitch;
@@ -19,7 +20,8 @@ LookingGlassCalibration nominal(double pitch, double slope, double center, doubl
 }
 
 /// With two cells, which take turns by column or by row, counted from the top left.
-LookingGlassCalibration with_cells(LookingGlassCalibration calibration, CellPattern pattern, const PixelCell& first, const PixelCell& second)
+LookingGlassCalibration with_cells(LookingGlassCalibration calibration, CellPattern pattern,
+                                   const PixelCell& first, const PixelCell& second)
 {
     calibration.cells.order = Subpixels::cells;
     calibration.cells.pattern = pattern;
@@ -35,10 +37,14 @@ Panel named(const char* name, Panel panel)
     return panel;
 }
 
-Panel looking_glass(const char* name, const LookingGlassCalibration& calibration) { return named(name, panel_from(calibration)); }
+Panel looking_glass(const char* name, const LookingGlassCalibration& calibration)
+{
+    return named(name, panel_from(calibration));
+}
 
-/// The thesis's display, an NEC LCD of 10 inches with pixels of 0.207 mm (1024 by 768 are 10.4 inches), stripes, behind its
-/// 1.27 mm sheet: about six pixels a lens, and 300 mm from its viewer as in its other figures.
+/// The thesis's display, an NEC LCD of 10 inches with pixels of 0.207 mm (1024 by 768 are 10.4
+/// inches), stripes, behind its 1.27 mm sheet: about six pixels a lens, and 300 mm from its viewer
+/// as in its other figures.
 Panel thesis()
 {
     Panel panel;
@@ -52,23 +58,34 @@ Panel thesis()
 std::vector<Panel> make_panels()
 {
     // Three colours of a pixel in a triangle, and the same upside down.
-    const PixelCell blue_below{{{-0.31, 0.25}, {0.28, 0.25}, {0, -0.25}}}, blue_above{{{-0.31, -0.25}, {0.28, -0.25}, {0, 0.25}}};
-    const PixelCell blue_right{{{-0.25, -0.31}, {-0.25, 0.28}, {0.25, 0}}}, blue_left{{{0.25, -0.31}, {0.25, 0.28}, {-0.25, 0}}};
+    const PixelCell blue_below{{{-0.31, 0.25}, {0.28, 0.25}, {0, -0.25}}},
+        blue_above{{{-0.31, -0.25}, {0.28, -0.25}, {0, 0.25}}};
+    const PixelCell blue_right{{{-0.25, -0.31}, {-0.25, 0.28}, {0.25, 0}}},
+        blue_left{{{0.25, -0.31}, {0.25, 0.28}, {-0.25, 0}}};
     const CellPattern columns = CellPattern::columns, rows = CellPattern::rows;
-    // The maker's list of device templates. It counts rows from the bottom: of an even number, the second cell is the top row's.
+    // The maker's list of device templates. It counts rows from the bottom: of an even number, the
+    // second cell is the top row's.
     return {
         thesis(),
         looking_glass("looking-glass-portrait", nominal(52, -7, 0.5, 40, 324, 1536, 2048)),
         looking_glass("looking-glass-go", nominal(80.7, -6.3, -0.3, 54, 491, 1440, 2560)),
-        looking_glass("looking-glass-16-landscape", with_cells(nominal(44.72, -6.9, 0.5, 50, 283, 3840, 2160), columns, blue_below, blue_above)),
-        looking_glass("looking-glass-16-portrait", with_cells(nominal(44.72, -7.45, 0, 50, 283, 2160, 3840), rows, blue_left, blue_right)),
+        looking_glass("looking-glass-16-landscape",
+                      with_cells(nominal(44.72, -6.9, 0.5, 50, 283, 3840, 2160), columns,
+                                 blue_below, blue_above)),
+        looking_glass(
+            "looking-glass-16-portrait",
+            with_cells(nominal(44.72, -7.45, 0, 50, 283, 2160, 3840), rows, blue_left, blue_right)),
         looking_glass("looking-glass-32-landscape", nominal(75, -7.2, -0.2, 50, 280, 7680, 4320)),
-        looking_glass("looking-glass-32-portrait", with_cells(nominal(80.7, -6.3, -0.3, 54, 280, 4320, 7680), columns, blue_below, blue_above)),
+        looking_glass("looking-glass-32-portrait",
+                      with_cells(nominal(80.7, -6.3, -0.3, 54, 280, 4320, 7680), columns,
+                                 blue_below, blue_above)),
         looking_glass("looking-glass-65", nominal(42, -6, 0.3, 40, 136, 7680, 4320)),
         looking_glass("looking-glass-16-gen2", nominal(50, -7, 0.5, 40, 283, 3840, 2160)),
         looking_glass("looking-glass-32-gen2", nominal(42, -6, 0.3, 40, 280, 7680, 4320)),
-        looking_glass("looking-glass-8-9", nominal(49.79978561401367, 5.48, 0, 40, 338, 2560, 1600)),
-        looking_glass("looking-glass-15-6", nominal(50.07143783569336, -7.7, 0, 40, 283, 3840, 2160)),
+        looking_glass("looking-glass-8-9",
+                      nominal(49.79978561401367, 5.48, 0, 40, 338, 2560, 1600)),
+        looking_glass("looking-glass-15-6",
+                      nominal(50.07143783569336, -7.7, 0, 40, 283, 3840, 2160)),
         looking_glass("looking-glass-8k", nominal(38.0545883178711, -7.7, 0, 40, 280, 7680, 4320)),
     };
 }

@@ -11,7 +11,7 @@
 namespace integral {
 namespace {
 
-constexpr int deepest = 12; // wrappings of a calibration
+constexpr int deepest = 12;               // wrappings of a calibration
 constexpr std::size_t most_displays = 16; // that are told apart
 
 /// What a text holds if it is a JSON document.
@@ -44,7 +44,8 @@ void collect(const Json& json, int depth, std::vector<Json>& found)
 }
 
 /// A number, plain or as {"value": x}; nothing where it is absent or null.
-std::optional<double> optional_number(const JsonObject& object, const char* field, double least, double greatest)
+std::optional<double> optional_number(const JsonObject& object, const char* field, double least,
+                                      double greatest)
 {
     if (!object.has(field) || object.at(field).is_null())
         return std::nullopt;
@@ -76,37 +77,48 @@ bool flag(const JsonObject& object, const char* field, bool otherwise)
     return optional_number(object, field, 0, 1).value_or(otherwise ? 1 : 0) >= 0.5;
 }
 
-constexpr CellPattern cell_patterns[] = {CellPattern::same, CellPattern::checkerboard, CellPattern::columns, CellPattern::staggered,
+constexpr CellPattern cell_patterns[] = {CellPattern::same, CellPattern::checkerboard,
+                                         CellPattern::columns, CellPattern::staggered,
                                          CellPattern::rows}; // by CellPatternMode
-constexpr const char* offsets[3][2] = {{"ROffsetX", "ROffsetY"}, {"GOffsetX", "GOffsetY"}, {"BOffsetX", "BOffsetY"}};
+constexpr const char* offsets[3][2] = {
+    {"ROffsetX", "ROffsetY"}, {"GOffsetX", "GOffsetY"}, {"BOffsetX", "BOffsetY"}};
 
 /// The file counts rows from the bottom: it describes an upside-down panel whose +y points down.
-Subpixels cells_from(const JsonObject& calibration, int width, int height, std::vector<std::string>& assumed)
+Subpixels cells_from(const JsonObject& calibration, int width, int height,
+                     std::vector<std::string>& assumed)
 {
-    const bool listed = calibration.has("subpixelCells") && !calibration.at("subpixelCells").is_null();
+    const bool listed = calibration.has("subpixelCells") &&
+                        !calibration.at("subpixelCells").is_null();
     const Json cells = listed ? calibration.at("subpixelCells") : Json::array();
     if (!cells.is_array())
         refuse(calibration.path_of("subpixelCells"), "must be a list of cells");
-    const auto mode = optional_number(calibration, "CellPatternMode", -largest_figure, largest_figure);
+    const auto mode = optional_number(calibration, "CellPatternMode", -largest_figure,
+                                      largest_figure);
     if (cells.empty()) {
         if (mode.value_or(0) != 0)
-            assumed.push_back("CellPatternMode is " + with_digits(*mode, 6) + ", but there are no subpixelCells: stripes of red, green and blue are taken");
+            assumed.push_back(
+                "CellPatternMode is " + with_digits(*mode, 6) +
+                ", but there are no subpixelCells: stripes of red, green and blue are taken");
         return Subpixels::none;
     }
     Subpixels upside_down;
     upside_down.order = Subpixels::cells;
     if (mode)
-        upside_down.pattern = cell_patterns[whole(calibration, "CellPatternMode", 0, int(std::size(cell_patterns)) - 1)];
+        upside_down.pattern = cell_patterns[whole(calibration, "CellPatternMode", 0,
+                                                  int(std::size(cell_patterns)) - 1)];
     else if (cells.size() > 1)
-        assumed.push_back("CellPatternMode is missing: every pixel is taken to be as the first of subpixelCells");
+        assumed.push_back(
+            "CellPatternMode is missing: every pixel is taken to be as the first of subpixelCells");
     // More than the patterns tell apart are never used.
     upside_down.number = int(std::min<std::size_t>(cells.size(), Subpixels::most_cells));
     for (int k = 0; k < upside_down.number; ++k) {
-        const JsonObject cell{cells[k], calibration.path_of("subpixelCells") + "[" + std::to_string(k) + "]"};
+        const JsonObject cell{cells[k],
+                              calibration.path_of("subpixelCells") + "[" + std::to_string(k) + "]"};
         if (!cell.json.is_object())
             refuse(cell.path, "must be an object");
         for (int channel = 0; channel < 3; ++channel)
-            upside_down.cell[k][channel] = {number(cell, offsets[channel][0], -1, 1), 0 - number(cell, offsets[channel][1], -1, 1)};
+            upside_down.cell[k][channel] = {number(cell, offsets[channel][0], -1, 1),
+                                            0 - number(cell, offsets[channel][1], -1, 1)};
     }
     return mirrored(upside_down, width, height, false, true);
 }
@@ -115,7 +127,9 @@ LookingGlassCalibration calibration_from(const JsonObject& file)
 {
     LookingGlassCalibration calibration;
     if (file.has("configVersion"))
-        calibration.version = file.at("configVersion").is_string() ? string_at(file, "configVersion") : file.at("configVersion").dump();
+        calibration.version = file.at("configVersion").is_string()
+                                  ? string_at(file, "configVersion")
+                                  : file.at("configVersion").dump();
     if (file.has("serial"))
         calibration.serial = string_at(file, "serial");
     calibration.pitch = number(file, "pitch", 1e-3, 1e4);
@@ -125,7 +139,9 @@ LookingGlassCalibration calibration_from(const JsonObject& file)
     calibration.center = number(file, "center", -1e6, 1e6);
     const auto view_cone = optional_number(file, "viewCone", 0.1, 175);
     if (!view_cone)
-        calibration.assumed.push_back("viewCone is missing: " + with_digits(calibration.view_cone, 6) + " degrees are taken, and the viewing zone follows from them");
+        calibration.assumed.push_back(
+            "viewCone is missing: " + with_digits(calibration.view_cone, 6) +
+            " degrees are taken, and the viewing zone follows from them");
     calibration.view_cone = view_cone.value_or(calibration.view_cone);
     calibration.vertical_angle = optional_number(file, "verticalAngle", -180, 180).value_or(0);
     calibration.fringe = optional_number(file, "fringe", -1e6, 1e6).value_or(0);
@@ -134,15 +150,20 @@ LookingGlassCalibration calibration_from(const JsonObject& file)
     calibration.height = whole(file, "screenH", 1, largest_side);
     calibration.inverted_views = flag(file, "invView", true);
     if (!calibration.inverted_views)
-        calibration.assumed.push_back("invView is 0: the makers' shaders do not read it, and views are taken as if it were 1");
+        calibration.assumed.push_back("invView is 0: the makers' shaders do not read it, and views "
+                                      "are taken as if it were 1");
     calibration.flip_x = flag(file, "flipImageX", false);
     calibration.flip_y = flag(file, "flipImageY", false);
     calibration.flip_subpixels = flag(file, "flipSubp", false);
-    for (const auto& [field, set] : {std::pair{"flipImageX", calibration.flip_x}, std::pair{"flipSubp", calibration.flip_subpixels}})
+    for (const auto& [field, set] : {std::pair{"flipImageX", calibration.flip_x},
+                                     std::pair{"flipSubp", calibration.flip_subpixels}})
         if (set)
-            calibration.assumed.push_back(std::string(field) + " is 1, as in no published calibration: the picture follows the makers' "
-                                          "shaders and has not been seen on a display; check it by integral lcd --card");
-    calibration.cells = cells_from(file, calibration.width, calibration.height, calibration.assumed);
+            calibration.assumed.push_back(
+                std::string(field) +
+                " is 1, as in no published calibration: the picture follows the makers' "
+                "shaders and has not been seen on a display; check it by integral lcd --card");
+    calibration.cells = cells_from(file, calibration.width, calibration.height,
+                                   calibration.assumed);
     return calibration;
 }
 
@@ -165,17 +186,27 @@ LookingGlassCalibration looking_glass_from_json(const std::string& text)
 
 std::string to_json(const LookingGlassCalibration& calibration)
 {
-    Json file = {{"configVersion", calibration.version},      {"serial", calibration.serial},
-                 {"pitch", calibration.pitch},                {"slope", calibration.slope},
-                 {"center", calibration.center},              {"fringe", calibration.fringe},
-                 {"viewCone", calibration.view_cone},         {"invView", int(calibration.inverted_views)},
-                 {"verticalAngle", calibration.vertical_angle}, {"DPI", calibration.dpi},
-                 {"screenW", calibration.width},              {"screenH", calibration.height},
-                 {"flipImageX", int(calibration.flip_x)},     {"flipImageY", int(calibration.flip_y)},
+    Json file = {{"configVersion", calibration.version},
+                 {"serial", calibration.serial},
+                 {"pitch", calibration.pitch},
+                 {"slope", calibration.slope},
+                 {"center", calibration.center},
+                 {"fringe", calibration.fringe},
+                 {"viewCone", calibration.view_cone},
+                 {"invView", int(calibration.inverted_views)},
+                 {"verticalAngle", calibration.vertical_angle},
+                 {"DPI", calibration.dpi},
+                 {"screenW", calibration.width},
+                 {"screenH", calibration.height},
+                 {"flipImageX", int(calibration.flip_x)},
+                 {"flipImageY", int(calibration.flip_y)},
                  {"flipSubp", int(calibration.flip_subpixels)}};
     if (calibration.cells == Subpixels::cells) {
-        const Subpixels upside_down = mirrored(calibration.cells, calibration.width, calibration.height, false, true);
-        file["CellPatternMode"] = std::find(std::begin(cell_patterns), std::end(cell_patterns), upside_down.pattern) - cell_patterns;
+        const Subpixels upside_down = mirrored(calibration.cells, calibration.width,
+                                               calibration.height, false, true);
+        file["CellPatternMode"] = std::find(std::begin(cell_patterns), std::end(cell_patterns),
+                                            upside_down.pattern) -
+                                  cell_patterns;
         for (int k = 0; k < upside_down.number; ++k) {
             Json cell;
             for (int channel = 0; channel < 3; ++channel) {
@@ -188,7 +219,8 @@ std::string to_json(const LookingGlassCalibration& calibration)
     return text_of(file);
 }
 
-double view_of_subpixel(const LookingGlassCalibration& calibration, int column, int row, int channel)
+double view_of_subpixel(const LookingGlassCalibration& calibration, int column, int row,
+                        int channel)
 {
     // Both from the bottom left of the image, in its widths and heights.
     double u = (column + 0.5) / calibration.width;
@@ -200,9 +232,11 @@ double view_of_subpixel(const LookingGlassCalibration& calibration, int column, 
     } else {
         u += (calibration.flip_subpixels ? -channel : channel) / (3.0 * calibration.width);
     }
-    const double pitch = calibration.pitch * calibration.width / calibration.dpi * std::cos(std::atan(1 / calibration.slope));
+    const double pitch = calibration.pitch * calibration.width / calibration.dpi *
+                         std::cos(std::atan(1 / calibration.slope));
     const double tilt = calibration.height / (calibration.width * calibration.slope);
-    // At 1 - u, with tilt the other way: what is to the right of it in the image is seen to its left.
+    // At 1 - u, with tilt the other way: what is to the right of it in the image is seen to its
+    // left.
     const double across = calibration.flip_x ? 1 - u - v * tilt : u + v * tilt;
     const double phase = across * pitch - calibration.center;
     const double fraction = phase - std::floor(phase);

@@ -9,12 +9,15 @@ namespace integral {
 namespace {
 
 constexpr double clear_of_picture = 1.5, margin = 8; // mm
-constexpr double crop_mark = 5.5, axis_mark = 2, long_axis_mark = 3.5, registration_radius = 1.5; // mm
-constexpr double apart = 1; // mm, of a registration mark and the middle axis's
-constexpr int marked_lens = 5; // every so many
+constexpr double crop_mark = 5.5, axis_mark = 2, long_axis_mark = 3.5,
+                 registration_radius = 1.5; // mm
+constexpr double apart = 1;                 // mm, of a registration mark and the middle axis's
+constexpr int marked_lens = 5;              // every so many
 
 /// The picture on the page, mm from the page's top left corner.
-struct Box { double left, top, right, bottom; };
+struct Box {
+    double left, top, right, bottom;
+};
 
 Box box_of(const PixelRectangle& r, Vec2 pitch)
 {
@@ -24,12 +27,16 @@ Box box_of(const PixelRectangle& r, Vec2 pitch)
 void add_crop_marks(std::vector<PageLine>& lines, const Box& picture, const Box& trimmed)
 {
     for (const double x : {trimmed.left, trimmed.right}) {
-        lines.push_back({{x, picture.top - clear_of_picture}, {x, picture.top - clear_of_picture - crop_mark}});
-        lines.push_back({{x, picture.bottom + clear_of_picture}, {x, picture.bottom + clear_of_picture + crop_mark}});
+        lines.push_back(
+            {{x, picture.top - clear_of_picture}, {x, picture.top - clear_of_picture - crop_mark}});
+        lines.push_back({{x, picture.bottom + clear_of_picture},
+                         {x, picture.bottom + clear_of_picture + crop_mark}});
     }
     for (const double y : {trimmed.top, trimmed.bottom}) {
-        lines.push_back({{picture.left - clear_of_picture, y}, {picture.left - clear_of_picture - crop_mark, y}});
-        lines.push_back({{picture.right + clear_of_picture, y}, {picture.right + clear_of_picture + crop_mark, y}});
+        lines.push_back({{picture.left - clear_of_picture, y},
+                         {picture.left - clear_of_picture - crop_mark, y}});
+        lines.push_back({{picture.right + clear_of_picture, y},
+                         {picture.right + clear_of_picture + crop_mark, y}});
     }
 }
 
@@ -40,7 +47,8 @@ void add_registration_mark(std::vector<PageLine>& lines, Vec2 centre)
     lines.push_back({{centre.x - arm, centre.y}, {centre.x + arm, centre.y}});
     lines.push_back({{centre.x, centre.y - arm}, {centre.x, centre.y + arm}});
     const auto at = [&](int k) {
-        return Vec2{centre.x + registration_radius * std::cos(turn * k / sides), centre.y + registration_radius * std::sin(turn * k / sides)};
+        return Vec2{centre.x + registration_radius * std::cos(turn * k / sides),
+                    centre.y + registration_radius * std::sin(turn * k / sides)};
     };
     for (int k = 0; k < sides; ++k)
         lines.push_back({at(k), at(k + 1)});
@@ -48,30 +56,45 @@ void add_registration_mark(std::vector<PageLine>& lines, Vec2 centre)
 
 constexpr int most_marks = 10000; // on either side of the middle
 
-/// Marks along one pair of the picture's edges. `axis`: a point of the sheet on the middle lens's axis, `step` from each marked axis to the
-/// next and `along` the direction in which the axes run, all in mm of the sheet (y upwards). `on_page` maps such points.
+/// Marks along one pair of the picture's edges. `axis`: a point of the sheet on the middle lens's
+/// axis, `step` from each marked axis to the next and `along` the direction in which the axes run,
+/// all in mm of the sheet (y upwards). `on_page` maps such points.
 template <class OnPage>
-void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis, Vec2 step, Vec2 along, bool upright, OnPage on_page)
+void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis, Vec2 step,
+                    Vec2 along, bool upright, OnPage on_page)
 {
     for (const int side : {0, 1}) {
-        const double edge = upright ? (side ? picture.bottom + clear_of_picture : picture.top - clear_of_picture)
-                                    : (side ? picture.right + clear_of_picture : picture.left - clear_of_picture);
+        const double edge = upright ? (side ? picture.bottom + clear_of_picture
+                                            : picture.top - clear_of_picture)
+                                    : (side ? picture.right + clear_of_picture
+                                            : picture.left - clear_of_picture);
         const double outwards = side ? 1 : -1;
         for (const int direction : {-1, 1})
             for (int k = direction < 0 ? -1 : 0;; k += direction) {
                 if (std::abs(k) > most_marks)
-                    throw std::invalid_argument("its lenses are too many for marks of their axes: they are much narrower than the picture");
-                const Vec2 p = on_page(axis + double(k) * step), q = on_page(axis + double(k) * step + along);
+                    throw std::invalid_argument("its lenses are too many for marks of their axes: "
+                                                "they are much narrower than the picture");
+                const Vec2 p = on_page(axis + double(k) * step),
+                           q = on_page(axis + double(k) * step + along);
                 const Vec2 way = q - p;
-                const auto at = [&](double level) { // the axis's point at that height (or place across) of the page
-                    return upright ? Vec2{p.x + way.x * (level - p.y) / way.y, level} : Vec2{level, p.y + way.y * (level - p.x) / way.x};
+                const auto at = [&](double level) { // the axis's point at that height (or place
+                                                    // across) of the page
+                    return upright ? Vec2{p.x + way.x * (level - p.y) / way.y, level}
+                                   : Vec2{level, p.y + way.y * (level - p.x) / way.x};
                 };
-                const Vec2 from = at(edge), to = at(edge + outwards * (k == 0 ? long_axis_mark : axis_mark));
+                const Vec2 from = at(edge),
+                           to = at(edge + outwards * (k == 0 ? long_axis_mark : axis_mark));
                 const double place = upright ? from.x : from.y;
-                if (place < (upright ? picture.left : picture.top) - 1e-9 || place > (upright ? picture.right : picture.bottom) + 1e-9) {
-                    // Of a slanted axis the first marks may lie beyond either edge; farther out in this direction there are none.
-                    const double next = upright ? on_page(axis + double(k + direction) * step).x - p.x : on_page(axis + double(k + direction) * step).y - p.y;
-                    const bool leaving = next > 0 ? place > (upright ? picture.right : picture.bottom) : place < (upright ? picture.left : picture.top);
+                if (place < (upright ? picture.left : picture.top) - 1e-9 ||
+                    place > (upright ? picture.right : picture.bottom) + 1e-9) {
+                    // Of a slanted axis the first marks may lie beyond either edge; farther out in
+                    // this direction there are none.
+                    const double next = upright
+                                            ? on_page(axis + double(k + direction) * step).x - p.x
+                                            : on_page(axis + double(k + direction) * step).y - p.y;
+                    const bool leaving = next > 0
+                                             ? place > (upright ? picture.right : picture.bottom)
+                                             : place < (upright ? picture.left : picture.top);
                     if (leaving)
                         break;
                     continue;
@@ -90,7 +113,8 @@ double marks_margin(const PageRequest& request)
     return request.crop_marks || request.registration_marks || request.axis_marks ? margin : 0;
 }
 
-std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m, const PageRequest& request)
+std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m,
+                                 const PageRequest& request)
 {
     std::vector<PageLine> lines;
     const Vec2 pitch = page.pixel_pitch;
@@ -98,8 +122,12 @@ std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m, const
     if (request.crop_marks)
         add_crop_marks(lines, picture, box_of(page.trimmed, pitch));
     if (request.registration_marks) {
-        const double x = 0.5 * (picture.left + picture.right), y = 0.5 * (picture.top + picture.bottom), away = clear_of_picture + 1.6 * registration_radius + (request.axis_marks ? long_axis_mark + apart : 0);
-        for (const Vec2 centre : {Vec2{x, picture.top - away}, Vec2{x, picture.bottom + away}, Vec2{picture.left - away, y}, Vec2{picture.right + away, y}})
+        const double x = 0.5 * (picture.left + picture.right),
+                     y = 0.5 * (picture.top + picture.bottom),
+                     away = clear_of_picture + 1.6 * registration_radius +
+                            (request.axis_marks ? long_axis_mark + apart : 0);
+        for (const Vec2 centre : {Vec2{x, picture.top - away}, Vec2{x, picture.bottom + away},
+                                  Vec2{picture.left - away, y}, Vec2{picture.right + away, y}})
             add_registration_mark(lines, centre);
     }
     if (request.axis_marks) {
@@ -108,16 +136,21 @@ std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m, const
         // Film mm -> pixels of the frame -> pixels of the page -> mm as the printer counts.
         const auto on_page = [&](Vec2 point) {
             const Vec2 pixel = pixel_from_film(film, point);
-            return Vec2{(pixel.x - page.part.x + page.x) * pitch.x, (pixel.y - page.part.y + page.y) * pitch.y};
+            return Vec2{(pixel.x - page.part.x + page.x) * pitch.x,
+                        (pixel.y - page.part.y + page.y) * pitch.y};
         };
         const Vec2 pole = lattice.pole(lattice.nearest({0, 0}));
         const double p = m.sheet.pitch;
         const bool upright = std::fabs(lattice.along().y) >= std::fabs(lattice.along().x);
-        add_axis_marks(lines, picture, pole, (marked_lens * p) * lattice.across(), lattice.along(), upright, on_page);
+        add_axis_marks(lines, picture, pole, (marked_lens * p) * lattice.across(), lattice.along(),
+                       upright, on_page);
         if (m.sheet.arrangement != Arrangement::lenticular) {
-            // Of hexagonal lenses the rows alternate: those whose poles stand in columns are two rows apart.
-            const double rows = m.sheet.arrangement == Arrangement::hexagonal ? 2 * marked_lens : marked_lens;
-            add_axis_marks(lines, picture, pole, (rows * lattice.row_spacing()) * lattice.along(), lattice.across(), !upright, on_page);
+            // Of hexagonal lenses the rows alternate: those whose poles stand in columns are two
+            // rows apart.
+            const double rows = m.sheet.arrangement == Arrangement::hexagonal ? 2 * marked_lens
+                                                                              : marked_lens;
+            add_axis_marks(lines, picture, pole, (rows * lattice.row_spacing()) * lattice.along(),
+                           lattice.across(), !upright, on_page);
         }
     }
     return lines;

@@ -26,12 +26,16 @@ std::string number(double value) { return with_decimals(value, 6); }
 struct Points {
     const Page& page;
     double x(double pixel) const { return pixel * page.pixel_pitch.x * points_per_mm; }
-    double y(double pixel) const { return (page.height - pixel) * page.pixel_pitch.y * points_per_mm; }
+    double y(double pixel) const
+    {
+        return (page.height - pixel) * page.pixel_pitch.y * points_per_mm;
+    }
     /// A box, turned over with a mirrored page.
     std::string box(const PixelRectangle& r) const
     {
         const int left = page.mirrored ? page.width - r.x - r.width : r.x;
-        return "[" + number(x(left)) + " " + number(y(r.y + r.height)) + " " + number(x(left + r.width)) + " " + number(y(r.y)) + "]";
+        return "[" + number(x(left)) + " " + number(y(r.y + r.height)) + " " +
+               number(x(left + r.width)) + " " + number(y(r.y)) + "]";
     }
 };
 
@@ -39,14 +43,16 @@ struct Points {
 std::vector<unsigned char> samples_of(const Image& image)
 {
     std::vector<unsigned char> bytes;
-    std::visit([&](const auto& samples) {
-        bytes.reserve(samples.size() * (sample_bits(image) / 8));
-        for (const auto sample : samples) {
-            if constexpr (sizeof sample == 2)
-                bytes.push_back(static_cast<unsigned char>(sample >> 8));
-            bytes.push_back(static_cast<unsigned char>(static_cast<unsigned>(sample) & 0xff));
-        }
-    }, image.samples);
+    std::visit(
+        [&](const auto& samples) {
+            bytes.reserve(samples.size() * (sample_bits(image) / 8));
+            for (const auto sample : samples) {
+                if constexpr (sizeof sample == 2)
+                    bytes.push_back(static_cast<unsigned char>(sample >> 8));
+                bytes.push_back(static_cast<unsigned char>(static_cast<unsigned>(sample) & 0xff));
+            }
+        },
+        image.samples);
     return bytes;
 }
 
@@ -92,7 +98,8 @@ private:
     std::exception_ptr failure_;
 };
 
-/// UTF-8 as a PDF string in WinAnsiEncoding, which has Latin letters; every other letter becomes a question mark.
+/// UTF-8 as a PDF string in WinAnsiEncoding, which has Latin letters; every other letter becomes a
+/// question mark.
 std::string quoted(const std::string& text)
 {
     std::string string = "(";
@@ -107,7 +114,8 @@ std::string quoted(const std::string& text)
             string += char((c & 3) << 6 | (next & 0x3f));
         else
             string += '?';
-        while (c >= 0xc0 && k + 1 < text.size() && (text[k + 1] & 0xc0) == 0x80) // the rest of the letter
+        while (c >= 0xc0 && k + 1 < text.size() && (text[k + 1] & 0xc0) == 0x80) // the rest of the
+                                                                                 // letter
             ++k;
     }
     return string + ")";
@@ -117,23 +125,26 @@ std::string content_of(const Page& page)
 {
     const Points points{page};
     std::string text;
-    // The picture: a unit square, stretched to its pixels' size but for a thousandth of a pixel at each edge. Rasterizers that paint
-    // every pixel that an image touches (poppler's Splash, which CUPS uses) would make it a pixel wider, and resample it, if its edges lay
-    // on the pixels' own.
+    // The picture: a unit square, stretched to its pixels' size but for a thousandth of a pixel at
+    // each edge. Rasterizers that paint every pixel that an image touches (poppler's Splash, which
+    // CUPS uses) would make it a pixel wider, and resample it, if its edges lay on the pixels' own.
     constexpr double inset = 1.0 / 1024;
     const int left = page.mirrored ? page.width - page.x - page.part.width : page.x;
-    text += "q " + number(points.x(page.part.width - 2 * inset)) + " 0 0 "
-          + number((page.part.height - 2 * inset) * page.pixel_pitch.y * points_per_mm) + " " + number(points.x(left + inset)) + " "
-          + number(points.y(page.y + page.part.height - inset)) + " cm /Picture Do Q\n";
+    text += "q " + number(points.x(page.part.width - 2 * inset)) + " 0 0 " +
+            number((page.part.height - 2 * inset) * page.pixel_pitch.y * points_per_mm) + " " +
+            number(points.x(left + inset)) + " " +
+            number(points.y(page.y + page.part.height - inset)) + " cm /Picture Do Q\n";
     if (page.mirrored)
         text += "-1 0 0 1 " + number(points.x(page.width)) + " 0 cm\n";
     text += number(points.x(1)) + " w 0 G 0 g\n";
-    const auto place = [&](Vec2 mm) { return number(mm.x * points_per_mm) + " " + number(points.y(mm.y / page.pixel_pitch.y)); };
+    const auto place = [&](Vec2 mm) {
+        return number(mm.x * points_per_mm) + " " + number(points.y(mm.y / page.pixel_pitch.y));
+    };
     for (const PageLine& line : page.lines)
         text += place(line.from) + " m " + place(line.to) + " l S\n";
     if (!page.strip.empty())
-        text += "BT /Plain " + number(page.strip_size * points_per_mm) + " Tf " + place(page.strip_place) + " Td "
-              + quoted(page.strip) + " Tj ET\n";
+        text += "BT /Plain " + number(page.strip_size * points_per_mm) + " Tf " +
+                place(page.strip_place) + " Td " + quoted(page.strip) + " Tj ET\n";
     return text;
 }
 
@@ -150,14 +161,15 @@ void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form
     auto space = QPDFObjectHandle::newArray();
     space.appendItem(QPDFObjectHandle::newName("/ICCBased"));
     space.appendItem(pdf.makeIndirectObject(icc));
-    const auto font = pdf.makeIndirectObject(
-        QPDFObjectHandle::parse("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>"));
+    const auto font = pdf.makeIndirectObject(QPDFObjectHandle::parse(
+        "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>"));
 
     std::exception_ptr failure; // of reading the picture
     QPDFPageDocumentHelper document(pdf);
     for (const Page& page : pages) {
         auto image = QPDFObjectHandle::newStream(&pdf);
-        const auto provide = [&, of = &page](Pipeline* pipeline) { // called when the page is written
+        const auto provide = [&, of = &page](Pipeline* pipeline) { // called when the page is
+                                                                   // written
             try {
                 draw_part(*of, form, picture, [&](const Image& rows) {
                     std::vector<unsigned char> bytes = samples_of(rows);
@@ -184,15 +196,19 @@ void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form
         resources.getKey("/Font").replaceKey("/Plain", font);
         const Points points{page};
         auto sheet = QPDFObjectHandle::parse("<< /Type /Page >>");
-        sheet.replaceKey("/MediaBox", QPDFObjectHandle::parse(points.box({0, 0, page.width, page.height})));
+        sheet.replaceKey("/MediaBox",
+                         QPDFObjectHandle::parse(points.box({0, 0, page.width, page.height})));
         sheet.replaceKey("/CropBox", sheet.getKey("/MediaBox"));
-        sheet.replaceKey("/BleedBox", QPDFObjectHandle::parse(points.box({page.x, page.y, page.part.width, page.part.height})));
+        sheet.replaceKey("/BleedBox", QPDFObjectHandle::parse(points.box(
+                                          {page.x, page.y, page.part.width, page.part.height})));
         sheet.replaceKey("/TrimBox", QPDFObjectHandle::parse(points.box(page.trimmed)));
         sheet.replaceKey("/Resources", resources);
-        sheet.replaceKey("/Contents", pdf.makeIndirectObject(QPDFObjectHandle::newStream(&pdf, content_of(page))));
+        sheet.replaceKey("/Contents", pdf.makeIndirectObject(
+                                          QPDFObjectHandle::newStream(&pdf, content_of(page))));
         document.addPage(QPDFPageObjectHelper(pdf.makeIndirectObject(sheet)), false);
     }
-    pdf.getRoot().replaceKey("/ViewerPreferences", QPDFObjectHandle::parse("<< /PrintScaling /None >>"));
+    pdf.getRoot().replaceKey("/ViewerPreferences",
+                             QPDFObjectHandle::parse("<< /PrintScaling /None >>"));
     auto about = QPDFObjectHandle::parse("<< >>");
     about.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(title));
     about.replaceKey("/Producer", QPDFObjectHandle::newString("povray-integral"));

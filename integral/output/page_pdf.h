@@ -17,7 +17,8 @@ namespace integral {
 /// corner (to a thousandth of one); marks and strip are lines and text. MediaBox: the paper, in
 /// whole printer pixels; BleedBox: the picture; TrimBox: what is left after cutting. Viewers are
 /// asked not to scale. The same bytes for the same pages. QPDF keeps one page's packed image in
-/// memory at a time, twice. Throws std::exception with the reason, and what `picture` and `sink` throw.
+/// memory at a time, twice. Throws std::exception with the reason, and what `picture` and `sink`
+/// throw.
 void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
                const PictureRows& picture, const std::string& profile, const std::string& title);
 

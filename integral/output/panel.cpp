@@ -10,14 +10,16 @@
 namespace integral {
 namespace {
 
-
-Vec2 size_of(const Film& film) { return {film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y}; }
+Vec2 size_of(const Film& film)
+{
+    return {film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
+}
 
 bool fills_lenses(const Panel& panel)
 {
     const auto filling = filling_aperture(panel.sheet, panel.aperture.distance);
-    return filling && panel.aperture.width == filling->width && panel.aperture.height == filling->height &&
-           panel.aperture.shape == filling->shape;
+    return filling && panel.aperture.width == filling->width &&
+           panel.aperture.height == filling->height && panel.aperture.shape == filling->shape;
 }
 
 /// The zone that the lenses fill at a distance, or no limit where nothing does.
@@ -56,11 +58,13 @@ void read_pixels(const JsonObject& object, Panel& panel)
 /// The sheet, by its own pitch or by that of its micro-images seen from a distance.
 LensSheet read_sheet(const JsonObject& object, double distance)
 {
-    refuse_others(object, {"arrangement", "pitch_mm", "micro_image_pitch_mm", "thickness_mm", "ior", "slant_degrees", "offset_mm"});
+    refuse_others(object, {"arrangement", "pitch_mm", "micro_image_pitch_mm", "thickness_mm", "ior",
+                           "slant_degrees", "offset_mm"});
     if (!object.has("micro_image_pitch_mm"))
         return sheet_from(object);
     if (object.has("pitch_mm"))
-        refuse(object.path_of("micro_image_pitch_mm"), "cannot stand beside pitch_mm: one follows from the other");
+        refuse(object.path_of("micro_image_pitch_mm"),
+               "cannot stand beside pitch_mm: one follows from the other");
     Json json = object.json;
     json["pitch_mm"] = number_at(object, "micro_image_pitch_mm", 0, largest_figure);
     LensSheet sheet = sheet_from({json, object.path});
@@ -80,29 +84,35 @@ LookingGlassCalibration read_calibration(const JsonObject& document)
 
 Panel read_document(const JsonObject& document)
 {
-    refuse_others(document, {"panel", "sheet", "aperture", "viewing_distance_mm", "calibration", "ior"});
+    refuse_others(document,
+                  {"panel", "sheet", "aperture", "viewing_distance_mm", "calibration", "ior"});
     if (document.has("aperture") && document.has("viewing_distance_mm"))
         refuse("viewing_distance_mm", "cannot stand beside aperture, which has it as distance_mm");
     std::optional<double> distance;
     if (document.has("viewing_distance_mm"))
         distance = number_at(document, "viewing_distance_mm", least_distance, largest_distance);
     else if (document.has("aperture"))
-        distance = number_at(object_at(document, "aperture"), "distance_mm", least_distance, largest_distance);
+        distance = number_at(object_at(document, "aperture"), "distance_mm", least_distance,
+                             largest_distance);
 
     Panel panel;
     if (document.has("calibration"))
         panel.calibration = read_calibration(document);
     if (panel.calibration && !document.has("panel") && !document.has("sheet")) {
-        panel = panel_from(*panel.calibration, distance, document.has("ior") ? number_at(document, "ior", 1.01, 4) : nominal_ior);
+        panel = panel_from(*panel.calibration, distance,
+                           document.has("ior") ? number_at(document, "ior", 1.01, 4) : nominal_ior);
     } else {
         if (document.has("ior"))
             refuse("ior", "belongs into sheet");
         read_pixels(object_at(document, "panel"), panel);
-        panel.sheet = read_sheet(object_at(document, "sheet"), distance.value_or(nominal_viewing_distance(size_of(panel.film))));
+        panel.sheet = read_sheet(object_at(document, "sheet"),
+                                 distance.value_or(nominal_viewing_distance(size_of(panel.film))));
         check_ranges(panel.sheet, panel.film);
-        panel.aperture = zone_at(distance.value_or(nominal_viewing_distance(size_of(panel.film))), panel.sheet);
+        panel.aperture = zone_at(distance.value_or(nominal_viewing_distance(size_of(panel.film))),
+                                 panel.sheet);
     }
-    if (panel.calibration && (panel.film.width != panel.calibration->width || panel.film.height != panel.calibration->height))
+    if (panel.calibration && (panel.film.width != panel.calibration->width ||
+                              panel.film.height != panel.calibration->height))
         refuse("calibration", "is of a display of another size than panel");
     if (document.has("aperture")) {
         const JsonObject aperture = object_at(document, "aperture");
@@ -130,7 +140,8 @@ std::string words_of(const Subpixels& subpixels)
 
 double nominal_viewing_distance(Vec2 size) { return 2.5 * std::sqrt(dot(size, size)); }
 
-Panel panel_from(const LookingGlassCalibration& calibration, std::optional<double> viewing_distance, double ior)
+Panel panel_from(const LookingGlassCalibration& calibration, std::optional<double> viewing_distance,
+                 double ior)
 {
     Panel panel;
     panel.name = calibration.serial.empty() ? "Looking Glass" : calibration.serial;
@@ -141,25 +152,36 @@ Panel panel_from(const LookingGlassCalibration& calibration, std::optional<doubl
     Subpixels layout = calibration.cells;
     if (layout != Subpixels::cells)
         layout = calibration.flip_subpixels ? Subpixels::bgr : Subpixels::rgb;
-    panel.film = {calibration.width, calibration.height, {pixel, pixel},
-                  mirrored(layout, calibration.width, calibration.height, calibration.flip_x, calibration.flip_y)};
-    const double distance = viewing_distance.value_or(nominal_viewing_distance(size_of(panel.film)));
+    panel.film = {calibration.width,
+                  calibration.height,
+                  {pixel, pixel},
+                  mirrored(layout, calibration.width, calibration.height, calibration.flip_x,
+                           calibration.flip_y)};
+    const double distance = viewing_distance.value_or(
+        nominal_viewing_distance(size_of(panel.film)));
 
-    const double slant = std::atan((calibration.flip_x != calibration.flip_y ? -1 : 1) / calibration.slope);
+    const double slant = std::atan((calibration.flip_x != calibration.flip_y ? -1 : 1) /
+                                   calibration.slope);
     const double cosine = std::cos(slant);
-    // A lens's cell as wide as p/cos(slant) fills the cone: sin(cone/2) = n c/sqrt(c^2 + t^2), of which t = p quotient.
+    // A lens's cell as wide as p/cos(slant) fills the cone: sin(cone/2) = n c/sqrt(c^2 + t^2), of
+    // which t = p quotient.
     const double sine = std::sin(0.5 * calibration.view_cone * radians_per_degree);
     const double quotient = std::sqrt((ior - sine) * (ior + sine)) / (2 * sine * cosine);
     const double micro_image = mm_per_inch / calibration.pitch;
     // M = p (1 + p quotient/(n d))
-    panel.sheet.pitch = 2 * micro_image / (1 + std::sqrt(1 + 4 * micro_image * quotient / (ior * distance)));
+    panel.sheet.pitch = 2 * micro_image /
+                        (1 + std::sqrt(1 + 4 * micro_image * quotient / (ior * distance)));
     panel.sheet.thickness = panel.sheet.pitch * quotient;
     panel.sheet.ior = ior;
     panel.sheet.slant = slant / radians_per_degree;
 
-    // The phase at the sheet's centre, and from there across the lenses to the nearest point where it is a half.
-    const double per_pixel = calibration.pitch / calibration.dpi * cosine; // phase from a pixel to the next
-    double phase = 0.5 * per_pixel * (calibration.width + calibration.height / calibration.slope * (calibration.flip_x ? -1 : 1)) -
+    // The phase at the sheet's centre, and from there across the lenses to the nearest point where
+    // it is a half.
+    const double per_pixel = calibration.pitch / calibration.dpi *
+                             cosine; // phase from a pixel to the next
+    double phase = 0.5 * per_pixel *
+                       (calibration.width +
+                        calibration.height / calibration.slope * (calibration.flip_x ? -1 : 1)) -
                    calibration.center;
     if (layout != Subpixels::cells)
         phase += per_pixel * (panel.film.subpixels == Subpixels::bgr ? -1 : 1) / 3;
@@ -179,8 +201,10 @@ Panel panel_from_json(const std::string& text)
     try {
         return panel_from(looking_glass_from_json(text));
     } catch (const NoCalibration&) {
-        throw std::invalid_argument(std::string("holds neither a panel's description: an object with panel, sheet and viewing_distance_mm, "
-                                                "nor a Looking Glass calibration: ") + NoCalibration::wanted);
+        throw std::invalid_argument(std::string("holds neither a panel's description: an object "
+                                                "with panel, sheet and viewing_distance_mm, "
+                                                "nor a Looking Glass calibration: ") +
+                                    NoCalibration::wanted);
     }
 }
 
@@ -189,8 +213,10 @@ std::string to_json(const Panel& panel)
     Json pixels = {{"name", panel.name}};
     pixels.update(json_of(panel.film));
     if (panel.mirrored_x || panel.mirrored_y)
-        pixels["mirrored"] = std::string(panel.mirrored_x ? "x" : "") + (panel.mirrored_y ? "y" : "");
-    Json document = {{"panel", pixels}, {"sheet", json_of(panel.sheet)}, {"aperture", json_of(panel.aperture)}};
+        pixels["mirrored"] = std::string(panel.mirrored_x ? "x" : "") +
+                             (panel.mirrored_y ? "y" : "");
+    Json document = {
+        {"panel", pixels}, {"sheet", json_of(panel.sheet)}, {"aperture", json_of(panel.aperture)}};
     if (panel.calibration)
         document["calibration"] = parse_json(to_json(*panel.calibration));
     return text_of(document);
@@ -208,8 +234,9 @@ FrameMetadata frame_geometry(const Panel& panel)
 std::string camera_words(const Panel& panel)
 {
     const LensSheet& sheet = panel.sheet;
-    std::string words = std::string("lens_sheet { ") + name_of(sheet.arrangement) + " pitch " + number_word(sheet.pitch) + " thickness " +
-                        number_word(sheet.thickness) + " ior " + number_word(sheet.ior);
+    std::string words = std::string("lens_sheet { ") + name_of(sheet.arrangement) + " pitch " +
+                        number_word(sheet.pitch) + " thickness " + number_word(sheet.thickness) +
+                        " ior " + number_word(sheet.ior);
     if (sheet.slant != 0)
         words += " slant " + number_word(sheet.slant);
     if (sheet.offset.x != 0 || sheet.offset.y != 0)
@@ -218,7 +245,8 @@ std::string camera_words(const Panel& panel)
     if (panel.film.subpixels != Subpixels::none)
         words += " subpixels " + words_of(panel.film.subpixels);
     words += " }";
-    if (!fills_lenses(panel) && std::isfinite(panel.aperture.width) && std::isfinite(panel.aperture.height)) {
+    if (!fills_lenses(panel) && std::isfinite(panel.aperture.width) &&
+        std::isfinite(panel.aperture.height)) {
         words += " capture_aperture " + vector_word({panel.aperture.width, panel.aperture.height});
         if (panel.aperture.shape != ApertureShape::rectangle)
             words += std::string(" aperture_shape ") + name_of(panel.aperture.shape);

@@ -30,7 +30,9 @@ Color view_number_colour(int view, int count)
 {
     // Round the circle of hues, never dark: black figures stand on it.
     constexpr double turn = 6.283185307179586;
-    const auto channel = [&](int which) { return float(0.7 + 0.3 * std::cos(turn * (double(view) / count - which / 3.0))); };
+    const auto channel = [&](int which) {
+        return float(0.7 + 0.3 * std::cos(turn * (double(view) / count - which / 3.0)));
+    };
     return {channel(0), channel(1), channel(2), 1};
 }
 
@@ -45,7 +47,10 @@ std::vector<Image> view_number_card(int count, double aspect)
         DeviceFont font{0.8 * std::min(width, height), true}; // pixels here
         font.size *= std::min(1.0, 0.8 * width / text_width(number, font));
         constexpr double half_a_figure = 0.36; // of the em
-        write_text(picture, {1, 1}, number, {0.5 * (width - text_width(number, font)), 0.5 * height + half_a_figure * font.size}, font);
+        write_text(
+            picture, {1, 1}, number,
+            {0.5 * (width - text_width(number, font)), 0.5 * height + half_a_figure * font.size},
+            font);
         views.push_back(std::move(picture));
     }
     return views;
@@ -83,10 +88,12 @@ Image pitch_card(const Panel& panel)
     chart.distances = {panel.aperture.distance};
     chart.panel = panel.name.empty() ? "unnamed panel" : panel.name;
     const double pitch = visual_pitch(panel.sheet.pitch, panel.sheet, panel.aperture.distance);
-    const double length = std::min(panel.film.width * panel.film.pixel_pitch.x, panel.film.height * panel.film.pixel_pitch.y);
+    const double length = std::min(panel.film.width * panel.film.pixel_pitch.x,
+                                   panel.film.height * panel.film.pixel_pitch.y);
     constexpr double bands = 0.25;
     const double step = bands * pitch * pitch / length;
-    constexpr int most_bars = 11, least_bars = 3; // as many as there is room for, the calibrated pitch in the middle
+    constexpr int most_bars = 11, least_bars = 3; // as many as there is room for, the calibrated
+                                                  // pitch in the middle
     for (int bars = most_bars;; bars -= 2) {
         chart.scale = {pitch - step * (bars - 1) / 2, step, bars};
         try {

@@ -16,11 +16,12 @@ namespace {
 // The page, mm.
 constexpr double margin = 5, line_height = 3, block_gap = 4, tick = 1.5, tick_width = 0.2;
 constexpr double label = 21, number_width = 6, label_gap = 1;
-constexpr double bar_share = 0.88;      // of the space of a bar
-constexpr double least_bar = 1.8;       // its labels can just be read
-constexpr double least_periods = 8;     // along a bar
-constexpr double least_pixels = 2;      // a period
-constexpr double least_distance = 2;    // bars' lengths: nearer, the lenses at a bar's ends show it by more than 1% another t/n
+constexpr double bar_share = 0.88;   // of the space of a bar
+constexpr double least_bar = 1.8;    // its labels can just be read
+constexpr double least_periods = 8;  // along a bar
+constexpr double least_pixels = 2;   // a period
+constexpr double least_distance = 2; // bars' lengths: nearer, the lenses at a bar's ends show it by
+                                     // more than 1% another t/n
 constexpr DeviceFont words{2.2, false}, title{2.6, true};
 
 /// A direction's bars: a rectangle in mm from the page's left and top edges.
@@ -50,7 +51,8 @@ std::vector<Block> directions_of(const LensSheet& sheet)
         return {block(0, 1)};
     if (sheet.arrangement == Arrangement::square)
         return {block(0, 1), block(pi / 2, 1)};
-    // Along the rows neighbouring rows' lenses are half a pitch apart: lines of half a pitch are alike to all of them.
+    // Along the rows neighbouring rows' lenses are half a pitch apart: lines of half a pitch are
+    // alike to all of them.
     return {block(0, 0.5), block(pi / 2, std::sqrt(0.75))};
 }
 
@@ -59,8 +61,9 @@ std::string name_of_sheet(const LensSheet& sheet)
     const char* kind = sheet.arrangement == Arrangement::lenticular ? "lenticular"
                        : sheet.arrangement == Arrangement::square   ? "square lenses"
                                                                     : "hexagonal lenses";
-    return std::string(kind) + ", nominal pitch " + with_digits(sheet.pitch, 6) + " mm (" + with_decimals(mm_per_inch / sheet.pitch, 3) +
-           " lpi), thickness " + with_digits(sheet.thickness, 6) + " mm, index " + with_digits(sheet.ior, 6) +
+    return std::string(kind) + ", nominal pitch " + with_digits(sheet.pitch, 6) + " mm (" +
+           with_decimals(mm_per_inch / sheet.pitch, 3) + " lpi), thickness " +
+           with_digits(sheet.thickness, 6) + " mm, index " + with_digits(sheet.ior, 6) +
            (sheet.slant != 0 ? ", slant " + with_digits(sheet.slant, 6) + " degrees" : "");
 }
 
@@ -72,7 +75,8 @@ std::string title_of(const PitchChart& chart)
     if (!chart.panel.empty())
         return "Pitch card: " + chart.panel;
     const auto dpi = [](double pitch) { return with_decimals(mm_per_inch / pitch, 0); };
-    return "Pitch chart: " + name_of_sheet(chart.sheet) + ". " + dpi(chart.film.pixel_pitch.x) + " x " + dpi(chart.film.pixel_pitch.y) + " dpi";
+    return "Pitch chart: " + name_of_sheet(chart.sheet) + ". " + dpi(chart.film.pixel_pitch.x) +
+           " x " + dpi(chart.film.pixel_pitch.y) + " dpi";
 }
 
 /// What viewing distance does to the reading, for distances from `nearest` on.
@@ -85,33 +89,40 @@ std::string bias_line(const PitchChart& chart, double nearest)
         const double bias = chart.sheet.thickness / (chart.sheet.ior * distance);
         const double pitch = chart.sheet.pitch * (1 + bias), bar = bar_of_pitch(chart.scale, pitch);
         const bool there = bar > 0.5 && bar < chart.scale.bars + 0.5;
-        even += (even.empty() ? "" : ", ") + ("from " + with_digits(distance, 6) + " mm ") + (there ? "bar " + with_decimals(bar, 1) : std::string("none")) +
-                " (" + with_decimals(pitch, 4) + ")";
-        less += (less.empty() ? "" : ", ") + with_decimals(100 * (1 - 1 / (1 + bias)), 2) + "% from " + with_digits(distance, 6) + " mm";
+        even += (even.empty() ? "" : ", ") + ("from " + with_digits(distance, 6) + " mm ") +
+                (there ? "bar " + with_decimals(bar, 1) : std::string("none")) + " (" +
+                with_decimals(pitch, 4) + ")";
+        less += (less.empty() ? "" : ", ") + with_decimals(100 * (1 - 1 / (1 + bias)), 2) +
+                "% from " + with_digits(distance, 6) + " mm";
     }
     const double own = bar_of_pitch(chart.scale, chart.sheet.pitch);
     const std::string end = "its own pitch is bar " + with_decimals(own, 1) + "'s.";
     if (even.empty())
         return "Of the nominal sheet: " + end;
-    return "The lenses' own pitch is less than the even bar's, by " + less + ". Even under the nominal sheet: " + even + "; " + end;
+    return "The lenses' own pitch is less than the even bar's, by " + less +
+           ". Even under the nominal sheet: " + even + "; " + end;
 }
 
 /// Throws where a page, or a panel, has no room; `what` it is for.
-void demand_room(const PitchChart& chart, double have, double need, const char* side, const std::string& what)
+void demand_room(const PitchChart& chart, double have, double need, const char* side,
+                 const std::string& what)
 {
     if (have >= need)
         return;
     const bool paper = chart.panel.empty();
     const std::string bars = what.find("bars") != std::string::npos ? " or fewer bars" : "";
-    throw std::invalid_argument("the " + std::string(paper ? "page" : "panel") + " is too " + side + " for " + what + ": " + with_decimals(need - have, 1) +
+    throw std::invalid_argument("the " + std::string(paper ? "page" : "panel") + " is too " + side +
+                                " for " + what + ": " + with_decimals(need - have, 1) +
                                 " mm more are needed; " +
                                 (paper ? "take a larger page" + bars
-                                       : "the card of views has room: from the viewing distance one number fills the panel where the pitch is right"));
+                                       : "the card of views has room: from the viewing distance "
+                                         "one number fills the panel where the pitch is right"));
 }
 
 Layout layout_of(const PitchChart& chart)
 {
-    const double width = chart.film.width * chart.film.pixel_pitch.x, height = chart.film.height * chart.film.pixel_pitch.y, inner = width - 2 * margin;
+    const double width = chart.film.width * chart.film.pixel_pitch.x,
+                 height = chart.film.height * chart.film.pixel_pitch.y, inner = width - 2 * margin;
     demand_room(chart, width, 2 * margin + 2 * label + 10, "narrow", "a chart");
     Layout layout;
     layout.blocks = directions_of(chart.sheet);
@@ -120,13 +131,16 @@ Layout layout_of(const PitchChart& chart)
     const double count = double(layout.blocks.size());
     const bool beside = width > height;
     const double longest = (beside ? (inner - block_gap * (count - 1)) / count : inner) - 2 * label;
-    layout.foot = wrapped(chart.panel.empty() ? bias_line(chart, least_distance * longest)
-                                              : "Is another bar even, its mm are micro_image_pitch_mm of the panel's description, and its lpi the pitch of a calibration.",
+    layout.foot = wrapped(chart.panel.empty()
+                              ? bias_line(chart, least_distance * longest)
+                              : "Is another bar even, its mm are micro_image_pitch_mm of the "
+                                "panel's description, and its lpi the pitch of a calibration.",
                           inner, words);
     for (const std::string& line : wrapped(chart.note, inner, words))
         layout.foot.push_back(line);
 
-    const double top = margin + line_height * double(layout.title.size() + layout.head.size()) + tick + 1;
+    const double top = margin + line_height * double(layout.title.size() + layout.head.size()) +
+                       tick + 1;
     const double free = height - margin - line_height * double(layout.foot.size()) - tick - 1 - top;
     for (std::size_t k = 0; k < layout.blocks.size(); ++k) {
         Block& block = layout.blocks[k];
@@ -143,14 +157,19 @@ void add_bars(const PitchChart& chart, const Block& block, int number, std::vect
 {
     const Film& film = chart.film;
     const int count = chart.scale.bars;
-    const double across = block.upright ? block.width : block.height, along = (block.upright ? block.height : block.width) - 2 * label;
-    const double two_dimensional = chart.sheet.arrangement == Arrangement::lenticular ? 0 : 2 * chart.sheet.pitch;
-    demand_room(chart, across, count * std::max(least_bar, two_dimensional) / bar_share, block.upright ? "narrow" : "low",
-                std::to_string(count) + " bars");
-    demand_room(chart, along, least_periods * film_pitch(chart.scale, count), block.upright ? "low" : "narrow", "lines of this pitch");
+    const double across = block.upright ? block.width : block.height,
+                 along = (block.upright ? block.height : block.width) - 2 * label;
+    const double two_dimensional = chart.sheet.arrangement == Arrangement::lenticular
+                                       ? 0
+                                       : 2 * chart.sheet.pitch;
+    demand_room(chart, across, count * std::max(least_bar, two_dimensional) / bar_share,
+                block.upright ? "narrow" : "low", std::to_string(count) + " bars");
+    demand_room(chart, along, least_periods * film_pitch(chart.scale, count),
+                block.upright ? "low" : "narrow", "lines of this pitch");
     const double space = across / count;
     const Vec2 middle{block.left + block.width / 2, block.top + block.height / 2};
-    const Vec2 origin = film_from_pixel(film, {middle.x / film.pixel_pitch.x, middle.y / film.pixel_pitch.y});
+    const Vec2 origin = film_from_pixel(
+        film, {middle.x / film.pixel_pitch.x, middle.y / film.pixel_pitch.y});
     const auto pixels = [](double mm, double pitch) { return int(std::lround(mm / pitch)); };
     for (int k = 0; k < count; ++k) {
         ChartBar bar;
@@ -161,14 +180,21 @@ void add_bars(const PitchChart& chart, const Block& block, int number, std::vect
         bar.origin = origin;
         bar.upright = block.upright;
         const double begin = (k + (1 - bar_share) / 2) * space, end = begin + bar_share * space;
-        const double left = block.left + (block.upright ? begin : label), right = block.upright ? block.left + end : left + along;
-        const double top = block.top + (block.upright ? label : begin), bottom = block.upright ? top + along : block.top + end;
+        const double left = block.left + (block.upright ? begin : label),
+                     right = block.upright ? block.left + end : left + along;
+        const double top = block.top + (block.upright ? label : begin),
+                     bottom = block.upright ? top + along : block.top + end;
         bar.left = pixels(left, film.pixel_pitch.x);
         bar.top = pixels(top, film.pixel_pitch.y);
         bar.width = pixels(right, film.pixel_pitch.x) - bar.left;
         bar.height = pixels(bottom, film.pixel_pitch.y) - bar.top;
-        if (std::max(std::fabs(bar.wave.x) * film.pixel_pitch.x, std::fabs(bar.wave.y) * film.pixel_pitch.y) * least_pixels > bar.period)
-            throw std::invalid_argument("lines " + with_decimals(bar.period, 4) + " mm apart are less than 2 pixels a line pair; a finer device is needed");
+        if (std::max(std::fabs(bar.wave.x) * film.pixel_pitch.x,
+                     std::fabs(bar.wave.y) * film.pixel_pitch.y) *
+                least_pixels >
+            bar.period)
+            throw std::invalid_argument(
+                "lines " + with_decimals(bar.period, 4) +
+                " mm apart are less than 2 pixels a line pair; a finer device is needed");
         bars.push_back(bar);
     }
 }
@@ -181,7 +207,8 @@ std::vector<ChartBar> bars_of(const PitchChart& chart, const Layout& layout)
     return bars;
 }
 
-/// The first integral of the lines' light less its mean, and the second: of a wave 1/2 within a quarter period of 0, else -1/2.
+/// The first integral of the lines' light less its mean, and the second: of a wave 1/2 within a
+/// quarter period of 0, else -1/2.
 double first_integral(double u)
 {
     u -= std::floor(u + 0.25);
@@ -197,12 +224,15 @@ double second_integral(double u)
 void draw_lines(const PitchChart& chart, const ChartBar& bar, Image& image)
 {
     const Film& film = chart.film;
-    const double a = std::fabs(bar.wave.x) * film.pixel_pitch.x / 2 / bar.period, b = std::fabs(bar.wave.y) * film.pixel_pitch.y / 2 / bar.period;
+    const double a = std::fabs(bar.wave.x) * film.pixel_pitch.x / 2 / bar.period,
+                 b = std::fabs(bar.wave.y) * film.pixel_pitch.y / 2 / bar.period;
     for (int y = 0; y < bar.height; ++y)
         for (int x = 0; x < bar.width; ++x) {
             const bool second = bar.upright ? x >= bar.width / 2 : y >= bar.height / 2;
-            const Vec2 place = film_from_pixel(film, {bar.left + x + 0.5, bar.top + y + 0.5}) - bar.origin;
-            const float light = float(line_coverage(dot(bar.wave, place) / bar.period - (second ? 0.25 : 0), a, b));
+            const Vec2 place = film_from_pixel(film, {bar.left + x + 0.5, bar.top + y + 0.5}) -
+                               bar.origin;
+            const float light = float(
+                line_coverage(dot(bar.wave, place) / bar.period - (second ? 0.25 : 0), a, b));
             store_linear(image, bar.left + x, bar.top + y, {light, light, light, 1});
         }
 }
@@ -213,17 +243,24 @@ void write_labels(const Film& film, const ChartBar& bar, Image& image)
     const double left = bar.left * film.pixel_pitch.x, top = bar.top * film.pixel_pitch.y;
     const double width = bar.width * film.pixel_pitch.x, height = bar.height * film.pixel_pitch.y;
     const double thick = bar.upright ? width : height, length = bar.upright ? height : width;
-    const std::string pitch = with_decimals(bar.pitch, 4) + " mm", lenses = with_decimals(mm_per_inch / bar.pitch, 3) + " lpi";
+    const std::string pitch = with_decimals(bar.pitch, 4) + " mm",
+                      lenses = with_decimals(mm_per_inch / bar.pitch, 3) + " lpi";
     // One line where the bar is thin, else two.
     const std::string both = pitch + "  " + lenses;
-    const double in_one = std::min(0.8 * thick, (label - number_width - 2 * label_gap) / text_width(both, {1, false})), in_two = 0.46 * thick;
+    const double in_one = std::min(0.8 * thick, (label - number_width - 2 * label_gap) /
+                                                    text_width(both, {1, false})),
+                 in_two = 0.46 * thick;
     const std::string name = std::to_string(bar.number);
-    const DeviceFont number{std::min({3.2, 0.8 * thick, (number_width - 0.5) / text_width(name, {1, true})}), true};
+    const DeviceFont number{
+        std::min({3.2, 0.8 * thick, (number_width - 0.5) / text_width(name, {1, true})}), true};
     const DeviceFont figures{std::min(2.0, std::max(in_one, in_two)), false};
     for (const double begin : {-label, length + label_gap}) {
-        // Along the bar from its beginning (the left, or the lower end), and across it from the left or upper side.
-        const auto put = [&](const std::string& text, double along, double across, DeviceFont font) {
-            const Vec2 at = bar.upright ? Vec2{left + across, top + height - along} : Vec2{left + along, top + across};
+        // Along the bar from its beginning (the left, or the lower end), and across it from the
+        // left or upper side.
+        const auto put = [&](const std::string& text, double along, double across,
+                             DeviceFont font) {
+            const Vec2 at = bar.upright ? Vec2{left + across, top + height - along}
+                                        : Vec2{left + along, top + across};
             write_text(image, film.pixel_pitch, text, at, font, bar.upright);
         };
         put(name, begin, thick / 2 + 0.36 * number.size, number);
@@ -239,16 +276,20 @@ void write_labels(const Film& film, const ChartBar& bar, Image& image)
 /// A black rectangle, mm from the left and top edges.
 void fill(Image& image, Vec2 pitch, double left, double top, double width, double height)
 {
-    const auto at = [](double mm, double pixel, int most) { return std::clamp(int(std::lround(mm / pixel)), 0, most); };
+    const auto at = [](double mm, double pixel, int most) {
+        return std::clamp(int(std::lround(mm / pixel)), 0, most);
+    };
     for (int y = at(top, pitch.y, image.height); y < at(top + height, pitch.y, image.height); ++y)
-        for (int x = at(left, pitch.x, image.width); x < at(left + width, pitch.x, image.width); ++x)
+        for (int x = at(left, pitch.x, image.width); x < at(left + width, pitch.x, image.width);
+             ++x)
             store_pixel(image, x, y, {0, 0, 0, 1});
 }
 
 /// Where every bar of a block is at the same phase: a tick at either end.
 void draw_ticks(Image& image, Vec2 pitch, const Block& block)
 {
-    const double x = block.left + block.width / 2 - tick_width / 2, y = block.top + block.height / 2 - tick_width / 2;
+    const double x = block.left + block.width / 2 - tick_width / 2,
+                 y = block.top + block.height / 2 - tick_width / 2;
     if (block.upright) {
         fill(image, pitch, block.left - tick, y, tick, tick_width);
         fill(image, pitch, block.left + block.width, y, tick, tick_width);
@@ -261,8 +302,10 @@ void draw_ticks(Image& image, Vec2 pitch, const Block& block)
 void check(const PitchChart& chart)
 {
     const PitchScale& scale = chart.scale;
-    if (!(scale.first > 0 && scale.step > 0 && scale.bars >= 1 && std::isfinite(scale.first) && std::isfinite(scale.step)))
-        throw std::invalid_argument("a chart's first pitch and step must be greater than 0, and it must have a bar");
+    if (!(scale.first > 0 && scale.step > 0 && scale.bars >= 1 && std::isfinite(scale.first) &&
+          std::isfinite(scale.step)))
+        throw std::invalid_argument(
+            "a chart's first pitch and step must be greater than 0, and it must have a bar");
 }
 
 } // namespace
@@ -275,7 +318,8 @@ double line_coverage(double phase, double a, double b)
     if (b < 1e-7) // the second difference would lose its digits
         mean = (first_integral(phase + a) - first_integral(phase - a)) / (2 * a);
     else
-        mean = (second_integral(phase + a + b) - second_integral(phase + a - b) - second_integral(phase - a + b) + second_integral(phase - a - b)) /
+        mean = (second_integral(phase + a + b) - second_integral(phase + a - b) -
+                second_integral(phase - a + b) + second_integral(phase - a - b)) /
                (4 * a * b);
     return std::clamp(0.5 + mean, 0.0, 1.0);
 }
@@ -283,19 +327,24 @@ double line_coverage(double phase, double a, double b)
 std::string chart_advice(const PitchChart& chart)
 {
     const std::vector<Block> blocks = directions_of(chart.sheet);
-    const std::string middle = "bar " + std::to_string(middle_bar(chart)), second = std::to_string(chart.scale.bars + middle_bar(chart));
+    const std::string middle = "bar " + std::to_string(middle_bar(chart)),
+                      second = std::to_string(chart.scale.bars + middle_bar(chart));
     std::string text =
         chart.panel.empty()
-            ? "Print unscaled. Lay the lenses on the bars, the numbers left free, and look with one eye from straight in front of the middle, "
-              "from a measured distance, twice a bar's length or more. The even bar counts, or the two alike that are most even."
-            : "Shown pixel for pixel. Look with one eye from straight in front of the middle, " + with_digits(chart.distances.at(0), 3) +
-                  " mm away: " + middle + (blocks.size() > 1 ? ", and of the other direction " + second + "," : "") +
+            ? "Print unscaled. Lay the lenses on the bars, the numbers left free, and look with "
+              "one eye from straight in front of the middle, "
+              "from a measured distance, twice a bar's length or more. The even bar counts, or the "
+              "two alike that are most even."
+            : "Shown pixel for pixel. Look with one eye from straight in front of the middle, " +
+                  with_digits(chart.distances.at(0), 3) + " mm away: " + middle +
+                  (blocks.size() > 1 ? ", and of the other direction " + second + "," : "") +
                   " is to be even, or the most even; it has the calibrated pitch.";
     bool lying = false, upright = false;
     for (const Block& block : blocks)
         (block.upright ? upright : lying) = true;
     if (lying)
-        text += " Bands of the lower halves to the right of the upper halves': this bar's pitch is too small.";
+        text += " Bands of the lower halves to the right of the upper halves': this bar's pitch is "
+                "too small.";
     if (upright)
         text += " Bands of the right halves above the left halves': this bar's pitch is too small.";
     return text;
@@ -330,7 +379,8 @@ Image pitch_chart(const PitchChart& chart)
     };
     write(layout.title, title);
     write(layout.head, words);
-    baseline = chart.film.height * pitch.y - margin - line_height * double(layout.foot.size()) - 0.5;
+    baseline = chart.film.height * pitch.y - margin - line_height * double(layout.foot.size()) -
+               0.5;
     write(layout.foot, words);
     return image;
 }

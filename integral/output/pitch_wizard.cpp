@@ -57,22 +57,26 @@ Line fit(const std::vector<Point>& points)
 }
 
 /// A reading may be twice its own error from the line: a mean of right readings can leave that.
-void check_agreement(const std::vector<Point>& points, double at_zero, double slope, const PitchScale& scale, const char* help)
+void check_agreement(const std::vector<Point>& points, double at_zero, double slope,
+                     const PitchScale& scale, const char* help)
 {
     for (const Point& p : points) {
         const double off = p.q.value - (at_zero + slope * p.x);
         if (std::fabs(off) > 2 * p.q.error * (1 + 1e-9))
-            throw std::invalid_argument("the readings contradict one another: that from " + text_of(1 / p.x) + " mm is " +
-                                        text_of(std::fabs(off) / scale.step) + " bars from what all of them give; " + help);
+            throw std::invalid_argument(
+                "the readings contradict one another: that from " + text_of(1 / p.x) + " mm is " +
+                text_of(std::fabs(off) / scale.step) + " bars from what all of them give; " + help);
     }
 }
 
-MeasuredSheet with_known_index(const LensSheet& sheet, const PitchScale& scale, const std::vector<Point>& points)
+MeasuredSheet with_known_index(const LensSheet& sheet, const PitchScale& scale,
+                               const std::vector<Point>& points)
 {
     double weights = 0;
     MeasuredSheet result;
     for (const Point& p : points) {
-        const double bias = 1 + sheet.thickness / sheet.ior * p.x, weight = bias * bias / (p.q.error * p.q.error);
+        const double bias = 1 + sheet.thickness / sheet.ior * p.x,
+                     weight = bias * bias / (p.q.error * p.q.error);
         weights += weight;
         result.pitch.value += weight * (p.q.value / bias);
         result.pitch.error += weight * (p.q.error / bias);
@@ -81,21 +85,24 @@ MeasuredSheet with_known_index(const LensSheet& sheet, const PitchScale& scale, 
     result.pitch.error /= weights;
     result.index = {sheet.ior, 0};
     result.least_index = result.greatest_index = sheet.ior;
-    check_agreement(points, result.pitch.value, result.pitch.value * sheet.thickness / sheet.ior, scale,
-                    "read them again, or let the index be measured too");
+    check_agreement(points, result.pitch.value, result.pitch.value * sheet.thickness / sheet.ior,
+                    scale, "read them again, or let the index be measured too");
     return result;
 }
 
-MeasuredSheet with_measured_index(const LensSheet& sheet, const PitchScale& scale, const std::vector<Point>& points)
+MeasuredSheet with_measured_index(const LensSheet& sheet, const PitchScale& scale,
+                                  const std::vector<Point>& points)
 {
     const auto by_x = [](const Point& a, const Point& b) { return a.x < b.x; };
     const auto [far, near] = std::minmax_element(points.begin(), points.end(), by_x);
     if (near->x - far->x <= same_distance * near->x)
         throw std::invalid_argument("the readings are all from " + text_of(1 / near->x) +
-                                    " mm, which does not tell the index; read from another distance as well, or keep the index");
+                                    " mm, which does not tell the index; read from another "
+                                    "distance as well, or keep the index");
     const Line line = fit(points);
     if (!(line.slope > 0))
-        throw std::invalid_argument("the readings contradict the optics: the bar that looks even must have a smaller pitch from farther away; "
+        throw std::invalid_argument("the readings contradict the optics: the bar that looks even "
+                                    "must have a smaller pitch from farther away; "
                                     "read them again, or keep the index");
     check_agreement(points, line.at_zero, line.slope, scale, "read them again");
 
@@ -105,7 +112,8 @@ MeasuredSheet with_measured_index(const LensSheet& sheet, const PitchScale& scal
     double depth_error = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         result.pitch.error += std::fabs(line.zero_weights[i]) * points[i].q.error;
-        depth_error += std::fabs(line.slope_weights[i] - depth * line.zero_weights[i]) / line.at_zero * points[i].q.error;
+        depth_error += std::fabs(line.slope_weights[i] - depth * line.zero_weights[i]) /
+                       line.at_zero * points[i].q.error;
     }
     result.pitch.value = line.at_zero;
     result.index.value = sheet.thickness / depth;
@@ -114,10 +122,15 @@ MeasuredSheet with_measured_index(const LensSheet& sheet, const PitchScale& scal
     result.greatest_index = depth > depth_error ? sheet.thickness / (depth - depth_error) : 0;
     if (!(result.index.value >= least_ior && result.index.value <= greatest_ior)) {
         const std::string reach = " (" + text_of(sheet.thickness / (depth + depth_error)) +
-                                  (result.greatest_index > 0 ? " to " + text_of(result.greatest_index) : std::string(" or more")) + ")";
-        throw std::invalid_argument("the readings give an index of " + text_of(result.index.value) + reach + " for a thickness of " +
-                                    text_of(sheet.thickness) + " mm, and it must be within " + text_of(least_ior) + " and " +
-                                    text_of(greatest_ior) + "; read again from distances farther apart, or keep the index");
+                                  (result.greatest_index > 0
+                                       ? " to " + text_of(result.greatest_index)
+                                       : std::string(" or more")) +
+                                  ")";
+        throw std::invalid_argument("the readings give an index of " + text_of(result.index.value) +
+                                    reach + " for a thickness of " + text_of(sheet.thickness) +
+                                    " mm, and it must be within " + text_of(least_ior) + " and " +
+                                    text_of(greatest_ior) +
+                                    "; read again from distances farther apart, or keep the index");
     }
     return result;
 }
@@ -142,18 +155,21 @@ Measured film_pitch_of(const PitchScale& scale, const ChartReading& reading)
     for (std::size_t i = 0; i < reading.bars.size(); ++i) {
         const int bar = reading.bars[i];
         if (bar < 1 || bar > 2 * scale.bars)
-            throw std::invalid_argument("bar " + std::to_string(bar) + " is not on a chart of " + std::to_string(scale.bars) + " bars");
+            throw std::invalid_argument("bar " + std::to_string(bar) + " is not on a chart of " +
+                                        std::to_string(scale.bars) + " bars");
         const double pitch = film_pitch(scale, bar);
         sum += pitch;
         least = i == 0 ? pitch : std::min(least, pitch);
         greatest = i == 0 ? pitch : std::max(greatest, pitch);
     }
     if (greatest - least > (double(reading.bars.size()) - 0.5) * scale.step)
-        throw std::invalid_argument("bars of one reading must be neighbours; read the bar, or the neighbours, with the fewest bands");
+        throw std::invalid_argument("bars of one reading must be neighbours; read the bar, or the "
+                                    "neighbours, with the fewest bands");
     return {sum / double(reading.bars.size()), std::max(scale.step, greatest - least) / 2};
 }
 
-MeasuredSheet measured_sheet(const LensSheet& sheet, const PitchScale& scale, const std::vector<ChartReading>& readings, bool keep_index)
+MeasuredSheet measured_sheet(const LensSheet& sheet, const PitchScale& scale,
+                             const std::vector<ChartReading>& readings, bool keep_index)
 {
     if (readings.empty())
         throw std::invalid_argument("there is no reading");
@@ -163,7 +179,8 @@ MeasuredSheet measured_sheet(const LensSheet& sheet, const PitchScale& scale, co
             throw std::invalid_argument("a distance must be greater than 0");
         points.push_back({1 / reading.distance, film_pitch_of(scale, reading)});
     }
-    return keep_index || readings.size() == 1 ? with_known_index(sheet, scale, points) : with_measured_index(sheet, scale, points);
+    return keep_index || readings.size() == 1 ? with_known_index(sheet, scale, points)
+                                              : with_measured_index(sheet, scale, points);
 }
 
 } // namespace integral

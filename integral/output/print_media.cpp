@@ -17,33 +17,44 @@ constexpr double tolerance_mm = 0.5;
 
 bool same_size(SizeMm a, SizeMm b)
 {
-    return std::abs(a.width - b.width) <= tolerance_mm && std::abs(a.height - b.height) <= tolerance_mm;
+    return std::abs(a.width - b.width) <= tolerance_mm &&
+           std::abs(a.height - b.height) <= tolerance_mm;
 }
 
-/// Of two media of a size: the one with more to print on where that was not compared, then the one with the shorter name.
+/// Of two media of a size: the one with more to print on where that was not compared, then the one
+/// with the shorter name.
 bool better(const PrintMedium& a, const PrintMedium& b, bool by_nominal)
 {
-    const double more = a.printable.width * a.printable.height - b.printable.width * b.printable.height;
+    const double more = a.printable.width * a.printable.height -
+                        b.printable.width * b.printable.height;
     if (!by_nominal && std::abs(more) > 1)
         return more > 0;
     return a.name.size() < b.name.size();
 }
 
 /// The samples of a page, which has to be 8-bit RGB.
-const std::vector<std::uint8_t>& bytes_of(const Image& page) { return std::get<std::vector<std::uint8_t>>(page.samples); }
-std::vector<std::uint8_t>& bytes_of(Image& page) { return std::get<std::vector<std::uint8_t>>(page.samples); }
+const std::vector<std::uint8_t>& bytes_of(const Image& page)
+{
+    return std::get<std::vector<std::uint8_t>>(page.samples);
+}
+std::vector<std::uint8_t>& bytes_of(Image& page)
+{
+    return std::get<std::vector<std::uint8_t>>(page.samples);
+}
 
 } // namespace
 
 SizeMm nominal_size(const PrintMedium& medium)
 {
     double width = 0, height = 0;
-    if (std::sscanf(medium.name.c_str(), "w%lfh%lf", &width, &height) == 2 && width > 0 && height > 0)
+    if (std::sscanf(medium.name.c_str(), "w%lfh%lf", &width, &height) == 2 && width > 0 &&
+        height > 0)
         return {width * mm_per_point, height * mm_per_point};
     // The label's first figures, which may have words before them: "Postcard 100x148mm".
     const std::size_t digit = medium.label.find_first_of("0123456789");
     int end = 0;
-    if (digit != std::string::npos && std::sscanf(medium.label.c_str() + digit, "%lf x %lf%n", &width, &height, &end) == 2) {
+    if (digit != std::string::npos &&
+        std::sscanf(medium.label.c_str() + digit, "%lf x %lf%n", &width, &height, &end) == 2) {
         const bool in_mm = medium.label.compare(digit + std::size_t(end), 2, "mm") == 0;
         const double unit = in_mm ? 1 : mm_per_inch;
         // A label such as "100x148" without its unit would be metres: take the driver's word then.
@@ -53,10 +64,12 @@ SizeMm nominal_size(const PrintMedium& medium)
     return medium.standard.width > 0 ? medium.standard : medium.sheet;
 }
 
-std::optional<PagePlace> place_page(const std::vector<PrintMedium>& media, SizeMm page, const std::string& name)
+std::optional<PagePlace> place_page(const std::vector<PrintMedium>& media, SizeMm page,
+                                    const std::string& name)
 {
     using SizeOf = SizeMm (*)(const PrintMedium&);
-    static const SizeOf sizes[] = {[](const PrintMedium& medium) { return medium.printable; }, nominal_size,
+    static const SizeOf sizes[] = {[](const PrintMedium& medium) { return medium.printable; },
+                                   nominal_size,
                                    [](const PrintMedium& medium) { return medium.sheet; }};
     for (SizeOf size_of : sizes)
         for (bool turned : {false, true}) {
@@ -65,7 +78,8 @@ std::optional<PagePlace> place_page(const std::vector<PrintMedium>& media, SizeM
             for (std::size_t i = 0; i < media.size(); ++i) {
                 if (!name.empty() && media[i].name != name)
                     continue;
-                if (same_size(size_of(media[i]), wanted) && (!best || better(media[i], media[best->medium], size_of == nominal_size)))
+                if (same_size(size_of(media[i]), wanted) &&
+                    (!best || better(media[i], media[best->medium], size_of == nominal_size)))
                     best = PagePlace{i, turned};
             }
             if (best)
@@ -93,7 +107,8 @@ Image turned_page(const Image& page)
     std::uint8_t* to = bytes_of(turned).data();
     for (int y = 0; y < page.height; ++y)
         for (int x = 0; x < page.width; ++x)
-            std::memcpy(to + (std::size_t(x) * turned.width + (page.height - 1 - y)) * 3, from + (std::size_t(y) * page.width + x) * 3, 3);
+            std::memcpy(to + (std::size_t(x) * turned.width + (page.height - 1 - y)) * 3,
+                        from + (std::size_t(y) * page.width + x) * 3, 3);
     return turned;
 }
 
@@ -103,11 +118,14 @@ std::optional<Image> centred_page(const Image& page, int width, int height)
     const std::vector<std::uint8_t>& from = bytes_of(page);
     std::vector<std::uint8_t>& to = bytes_of(area);
     std::fill(to.begin(), to.end(), std::uint8_t(255));
-    // Where the page's corner lies on the area; floored, so that an area smaller by a pixel loses it at the right.
-    const int left = int(std::floor((width - page.width) / 2.0)), top = int(std::floor((height - page.height) / 2.0));
+    // Where the page's corner lies on the area; floored, so that an area smaller by a pixel loses
+    // it at the right.
+    const int left = int(std::floor((width - page.width) / 2.0)),
+              top = int(std::floor((height - page.height) / 2.0));
     const auto white = [&](int y, int begin, int end) {
         const auto row = from.begin() + std::ptrdiff_t(y) * page.width * 3;
-        return begin >= end || std::all_of(row + begin * 3, row + end * 3, [](std::uint8_t sample) { return sample == 255; });
+        return begin >= end || std::all_of(row + begin * 3, row + end * 3,
+                                           [](std::uint8_t sample) { return sample == 255; });
     };
     const int first = std::max(0, -left), last = std::min(page.width, width - left);
     for (int y = 0; y < page.height; ++y) {
@@ -119,7 +137,8 @@ std::optional<Image> centred_page(const Image& page, int width, int height)
         if (!white(y, 0, first) || !white(y, last, page.width))
             return std::nullopt;
         const std::size_t begin = (std::size_t(y) * page.width + std::size_t(first)) * 3;
-        std::memcpy(&to[(std::size_t(y + top) * width + std::size_t(left + first)) * 3], &from[begin], std::size_t(last - first) * 3);
+        std::memcpy(&to[(std::size_t(y + top) * width + std::size_t(left + first)) * 3],
+                    &from[begin], std::size_t(last - first) * 3);
     }
     return area;
 }

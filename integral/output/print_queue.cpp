@@ -12,7 +12,8 @@
 #include <stdexcept>
 #include <unistd.h>
 
-// libcups has called the PPD functions deprecated since 1.6, and has nothing else that tells media of one size apart.
+// libcups has called the PPD functions deprecated since 1.6, and has nothing else that tells media
+// of one size apart.
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 
 namespace integral {
@@ -52,10 +53,11 @@ struct PrintQueue::File {
 
 PrintQueue::PrintQueue(http_t* server, const std::string& printer) : file_(new File)
 {
-    const char* path = cupsGetPPD2(server, printer.c_str()); // a temporary copy, of a name of libcups' own
+    const char* path = cupsGetPPD2(server, printer.c_str()); // a temporary copy, of a name of
+                                                             // libcups' own
     if (!path)
-        throw std::runtime_error(std::string("the server has no PPD of it (") + cupsLastErrorString() +
-                                 "); raw queues cannot be printed to");
+        throw std::runtime_error(std::string("the server has no PPD of it (") +
+                                 cupsLastErrorString() + "); raw queues cannot be printed to");
     const std::string copy = path;
     file_->ppd = ppdOpenFile(copy.c_str());
     unlink(copy.c_str());
@@ -76,9 +78,12 @@ std::vector<PrintMedium> PrintQueue::media() const
             continue;
         const ppd_choice_t* choice = labels ? ppdFindChoice(labels, size.name) : nullptr;
         const pwg_media_t* standard = pwgMediaForPPD(size.name); // in 1/100 mm
-        media.push_back({size.name, choice ? choice->text : size.name, {size.width * mm_per_point, size.length * mm_per_point},
-                         {(size.right - size.left) * mm_per_point, (size.top - size.bottom) * mm_per_point},
-                         {standard ? standard->width / 100.0 : 0, standard ? standard->length / 100.0 : 0}});
+        media.push_back(
+            {size.name,
+             choice ? choice->text : size.name,
+             {size.width * mm_per_point, size.length * mm_per_point},
+             {(size.right - size.left) * mm_per_point, (size.top - size.bottom) * mm_per_point},
+             {standard ? standard->width / 100.0 : 0, standard ? standard->length / 100.0 : 0}});
     }
     return media;
 }
@@ -91,7 +96,8 @@ std::string PrintQueue::resolution(Vec2 dpi, std::string& list) const
         const char* name = option->choices[i].choice;
         list += (list.empty() ? "" : ", ") + std::string(name);
         Vec2 offered;
-        if (found.empty() && read_resolution(name, offered) && std::abs(offered.x - dpi.x) <= 0.5 && std::abs(offered.y - dpi.y) <= 0.5)
+        if (found.empty() && read_resolution(name, offered) && std::abs(offered.x - dpi.x) <= 0.5 &&
+            std::abs(offered.y - dpi.y) <= 0.5)
             found = name;
     }
     if (option && option->num_choices)
@@ -108,7 +114,8 @@ std::string PrintQueue::resolution(Vec2 dpi, std::string& list) const
 PrintOptions PrintQueue::plain_options() const
 {
     PrintOptions options;
-    for (const auto& [option, choice] : {std::pair("ColorModel", "RGB"), std::pair("StpiShrinkOutput", "Crop")}) // Gutenprint's
+    for (const auto& [option, choice] :
+         {std::pair("ColorModel", "RGB"), std::pair("StpiShrinkOutput", "Crop")}) // Gutenprint's
         if (has_choice(file_->ppd, option, choice))
             options.emplace_back(option, choice);
     return options;
@@ -127,8 +134,10 @@ cups_page_header2_t PrintQueue::page_header(const PrintOptions& options)
     if (!good)
         throw std::runtime_error("its PPD makes no page header");
     const cups_cspace_t space = header.cupsColorSpace;
-    const bool rgb = space == CUPS_CSPACE_RGB || space == CUPS_CSPACE_SRGB || space == CUPS_CSPACE_ADOBERGB;
-    if (!rgb || header.cupsColorOrder != CUPS_ORDER_CHUNKED || (header.cupsBitsPerColor && header.cupsBitsPerColor != 8))
+    const bool rgb = space == CUPS_CSPACE_RGB || space == CUPS_CSPACE_SRGB ||
+                     space == CUPS_CSPACE_ADOBERGB;
+    if (!rgb || header.cupsColorOrder != CUPS_ORDER_CHUNKED ||
+        (header.cupsBitsPerColor && header.cupsBitsPerColor != 8))
         throw std::runtime_error("its driver does not take 8-bit RGB pixels");
     return header;
 }

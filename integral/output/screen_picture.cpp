@@ -10,12 +10,16 @@ ScreenPicture screen_picture(const Image& image)
 {
     const bool is_linear = image.encoding.kind == Encoding::Kind::linear;
     const bool over_black = image.channels == 4;
-    if (sample_bits(image) != 8 || is_linear || (over_black && !image.premultiplied)) // premultiplied: over black
-        return screen_picture(converted(image, 8, is_linear ? Encoding() : image.encoding, over_black));
-    ScreenPicture picture{image.width, image.height, std::vector<std::uint32_t>(std::size_t(image.width) * image.height)};
+    if (sample_bits(image) != 8 || is_linear || (over_black && !image.premultiplied)) // premultiplied:
+                                                                                      // over black
+        return screen_picture(
+            converted(image, 8, is_linear ? Encoding() : image.encoding, over_black));
+    ScreenPicture picture{image.width, image.height,
+                          std::vector<std::uint32_t>(std::size_t(image.width) * image.height)};
     const std::uint8_t* sample = std::get<std::vector<std::uint8_t>>(image.samples).data();
     for (std::uint32_t& pixel : picture.pixels) {
-        pixel = 0xff000000u | std::uint32_t(sample[0]) << 16 | std::uint32_t(sample[1]) << 8 | sample[2];
+        pixel = 0xff000000u | std::uint32_t(sample[0]) << 16 | std::uint32_t(sample[1]) << 8 |
+                sample[2];
         sample += image.channels;
     }
     return picture;
@@ -67,7 +71,8 @@ void PicturesAhead::work()
             lock.unlock();
             std::exception_ptr failure;
             try {
-                picture = std::make_shared<const ScreenPicture>(source_.load(static_cast<long long>(file)));
+                picture = std::make_shared<const ScreenPicture>(
+                    source_.load(static_cast<long long>(file)));
             } catch (...) {
                 failure = std::current_exception();
             }

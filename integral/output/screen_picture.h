@@ -24,19 +24,22 @@ struct ScreenPicture {
     std::vector<std::uint32_t> pixels;
 };
 
-/// 8-bit samples as they are, 16-bit ones rounded to 8 bits, linear light as sRGB; over black where there is alpha.
+/// 8-bit samples as they are, 16-bit ones rounded to 8 bits, linear light as sRGB; over black where
+/// there is alpha.
 ScreenPicture screen_picture(const Image& image);
 
-/// How many pictures of so many bytes are kept ahead: at most 64, a GB and a quarter of the machine's memory, but at least 2.
+/// How many pictures of so many bytes are kept ahead: at most 64, a GB and a quarter of the
+/// machine's memory, but at least 2.
 int pictures_to_keep(std::size_t bytes_each);
 
-/// Numbers the pictures of a sequence 0, 1, 2 ... and decodes them ahead, `keep` at a time. All of its functions are for one thread.
+/// Numbers the pictures of a sequence 0, 1, 2 ... and decodes them ahead, `keep` at a time. All of
+/// its functions are for one thread.
 class PicturesAhead {
 public:
     struct Source {
-        long long count = 0;  ///< of the files
-        bool loop = false;    ///< after the last file comes the first again, with the next number
-        int keep = 2;         ///< pictures in memory, those that are being decoded among them
+        long long count = 0; ///< of the files
+        bool loop = false;   ///< after the last file comes the first again, with the next number
+        int keep = 2;        ///< pictures in memory, those that are being decoded among them
         int threads = 1;
         std::function<ScreenPicture(long long file)> load; ///< called by several threads at once
     };
@@ -54,8 +57,9 @@ public:
     /// Whether as many pictures as can be kept, or all, are ready. Rethrows what `load` threw.
     bool is_full();
 
-    /// The newest picture that is ready up to number `due`, and newer than those taken before; older ones are given up, and of
-    /// those up to `due` no other is begun. Rethrows what `load` threw.
+    /// The newest picture that is ready up to number `due`, and newer than those taken before;
+    /// older ones are given up, and of those up to `due` no other is begun. Rethrows what `load`
+    /// threw.
     std::optional<Ready> take(long long due);
 
 private:
@@ -66,7 +70,8 @@ private:
     std::mutex mutex_;
     std::condition_variable room_;
     std::map<long long, std::shared_ptr<const ScreenPicture>> ready_;
-    std::vector<std::shared_ptr<const ScreenPicture>> files_; ///< all of them, where they can be kept: a loop decodes each once
+    std::vector<std::shared_ptr<const ScreenPicture>> files_; ///< all of them, where they can be
+                                                              ///< kept: a loop decodes each once
     std::exception_ptr failure_;
     long long next_ = 0, taken_ = -1; ///< numbers
     int begun_ = 0;

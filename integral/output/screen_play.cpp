@@ -12,15 +12,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
-Clock::duration duration_of(double seconds) { return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)); }
+Clock::duration duration_of(double seconds)
+{
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
 
 constexpr double longest_wait = 0.05; // seconds between looks at go_on
 
 } // namespace
 
-bool show_still(ScreenWindow& window, const ScreenPicture& picture, double seconds, const std::function<bool()>& go_on)
+bool show_still(ScreenWindow& window, const ScreenPicture& picture, double seconds,
+                const std::function<bool()>& go_on)
 {
     window.show(picture);
     const Clock::time_point start = Clock::now();
@@ -43,13 +50,16 @@ PlayReport play(ScreenWindow& window, const Playing& playing, const std::functio
     }
 
     const double period = 1 / playing.rate;
-    long long total = playing.source.loop ? std::numeric_limits<long long>::max() : playing.source.count; // that come due
+    long long total = playing.source.loop ? std::numeric_limits<long long>::max()
+                                          : playing.source.count; // that come due
     double end = playing.source.loop ? INFINITY : double(total) * period;
     if (playing.seconds > 0 && playing.seconds < end) {
         end = playing.seconds;
         total = static_cast<long long>(std::ceil(end / period - 1e-9));
     }
-    const auto due_at = [&](double now) { return std::min(static_cast<long long>(now / period + 1e-9), total - 1); };
+    const auto due_at = [&](double now) {
+        return std::min(static_cast<long long>(now / period + 1e-9), total - 1);
+    };
 
     window.show(*pictures.take(0)->picture); // the clock starts with it
     report.shown = 1;
@@ -71,13 +81,15 @@ PlayReport play(ScreenWindow& window, const Playing& playing, const std::functio
                 ++report.shown;
                 report.dropped += ready->number - newest - 1;
                 newest = ready->number;
-                report.worst_lateness = std::max(report.worst_lateness, now - double(newest) * period);
+                report.worst_lateness = std::max(report.worst_lateness,
+                                                 now - double(newest) * period);
                 wait = double(newest + 1) * period - now;
             } else {
                 wait = 0.001; // for the threads that decode it
             }
         }
-        Wish wish = window.wait(duration_of(std::clamp(std::min(wait, end - now), 0.0, longest_wait)));
+        Wish wish = window.wait(
+            duration_of(std::clamp(std::min(wait, end - now), 0.0, longest_wait)));
         if (wish == Wish::pause) {
             const Clock::time_point paused = Clock::now();
             do {

@@ -36,20 +36,26 @@ struct ScreenWindow::Parts {
     }
 };
 
-ScreenWindow::ScreenWindow(const Screen& screen, const std::string& name) : screen_(screen), name_(name), parts_(std::make_unique<Parts>())
+ScreenWindow::ScreenWindow(const Screen& screen, const std::string& name)
+    : screen_(screen), name_(name), parts_(std::make_unique<Parts>())
 {
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
     const int at = int(SDL_WINDOWPOS_UNDEFINED_DISPLAY(screen.index));
     parts_->window.reset(SDL_CreateWindow("integral lcd", at, at, screen.width, screen.height,
-                                          SDL_WINDOW_BORDERLESS | SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_ALLOW_HIGHDPI));
-    // In step with the display where the driver can; else as soon as possible; else without a graphics driver.
-    for (const Uint32 flags : {SDL_RENDERER_PRESENTVSYNC, SDL_RendererFlags(0), SDL_RENDERER_SOFTWARE}) {
+                                          SDL_WINDOW_BORDERLESS | SDL_WINDOW_FULLSCREEN_DESKTOP |
+                                              SDL_WINDOW_ALLOW_HIGHDPI));
+    // In step with the display where the driver can; else as soon as possible; else without a
+    // graphics driver.
+    for (const Uint32 flags :
+         {SDL_RENDERER_PRESENTVSYNC, SDL_RendererFlags(0), SDL_RENDERER_SOFTWARE}) {
         if (!parts_->window || parts_->texture)
             break;
         parts_->renderer.reset();
         parts_->renderer.reset(SDL_CreateRenderer(parts_->window.get(), -1, flags));
         if (parts_->renderer)
-            parts_->texture.reset(SDL_CreateTexture(parts_->renderer.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, screen.width, screen.height));
+            parts_->texture.reset(
+                SDL_CreateTexture(parts_->renderer.get(), SDL_PIXELFORMAT_ARGB8888,
+                                  SDL_TEXTUREACCESS_STREAMING, screen.width, screen.height));
     }
     if (!parts_->texture)
         throw OutputError(name_ + ": no window can be opened (" + SDL_GetError() + ")");
@@ -60,7 +66,8 @@ ScreenWindow::ScreenWindow(const Screen& screen, const std::string& name) : scre
     SDL_PixelFormatEnumToMasks(format, &bits, &red, &green, &blue, &alpha);
     const auto width_of = [](Uint32 mask) { return __builtin_popcount(mask); };
     if (width_of(red) < 8 || width_of(green) < 8 || width_of(blue) < 8)
-        throw OutputError(name_ + ": it shows " + std::to_string(SDL_BITSPERPIXEL(format)) + " bits a pixel, and pictures have 24; set the desktop to that");
+        throw OutputError(name_ + ": it shows " + std::to_string(SDL_BITSPERPIXEL(format)) +
+                          " bits a pixel, and pictures have 24; set the desktop to that");
     SDL_DisableScreenSaver();
     SDL_ShowCursor(SDL_DISABLE);
     settle();
@@ -88,9 +95,13 @@ void ScreenWindow::settle()
             break;
         if (Clock::now() > last)
             throw OutputError(name_ + ": " +
-                              (has_size ? "the desktop puts the window elsewhere; end what keeps windows off that display"
-                                        : "the desktop gives the window " + size_text(width, height) + " pixels in place of the display's "
-                                              + size_text(screen_.width, screen_.height) + "; set its scale to 100%"));
+                              (has_size
+                                   ? "the desktop puts the window elsewhere; end what keeps "
+                                     "windows off that display"
+                                   : "the desktop gives the window " + size_text(width, height) +
+                                         " pixels in place of the display's " +
+                                         size_text(screen_.width, screen_.height) +
+                                         "; set its scale to 100%"));
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     SDL_FlushEvents(SDL_WINDOWEVENT, SDL_WINDOWEVENT); // of getting there
@@ -105,18 +116,21 @@ void ScreenWindow::draw()
 void ScreenWindow::read_back(const ScreenPicture& picture)
 {
     std::vector<std::uint32_t> drawn(picture.pixels.size());
-    if (SDL_RenderReadPixels(parts_->renderer.get(), nullptr, SDL_PIXELFORMAT_ARGB8888, drawn.data(), 4 * picture.width) != 0)
+    if (SDL_RenderReadPixels(parts_->renderer.get(), nullptr, SDL_PIXELFORMAT_ARGB8888,
+                             drawn.data(), 4 * picture.width) != 0)
         throw OutputError(name_ + ": what it shows cannot be read back (" + SDL_GetError() + ")");
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < drawn.size(); ++k)
         wrong += ((drawn[k] ^ picture.pixels[k]) & 0xffffff) != 0;
     if (wrong)
-        throw OutputError(name_ + ": its driver draws " + std::to_string(wrong) + " pixels otherwise than they are; SDL_RENDER_DRIVER=software may help");
+        throw OutputError(name_ + ": its driver draws " + std::to_string(wrong) +
+                          " pixels otherwise than they are; SDL_RENDER_DRIVER=software may help");
 }
 
 void ScreenWindow::show(const ScreenPicture& picture)
 {
-    if (SDL_UpdateTexture(parts_->texture.get(), nullptr, picture.pixels.data(), 4 * picture.width) != 0)
+    if (SDL_UpdateTexture(parts_->texture.get(), nullptr, picture.pixels.data(),
+                          4 * picture.width) != 0)
         throw OutputError(name_ + ": the picture cannot be drawn (" + SDL_GetError() + ")");
     draw();
     if (!parts_->has_picture)
@@ -131,7 +145,8 @@ Wish ScreenWindow::wait(std::chrono::nanoseconds longest)
     SDL_Event event;
     for (;;) {
         while (SDL_PollEvent(&event)) {
-            if (event.type == SDL_QUIT || (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE))
+            if (event.type == SDL_QUIT ||
+                (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE))
                 return Wish::end;
             if (event.type == SDL_KEYDOWN && event.key.repeat == 0) {
                 if (event.key.keysym.sym == SDLK_ESCAPE || event.key.keysym.sym == SDLK_q)
@@ -140,9 +155,11 @@ Wish ScreenWindow::wait(std::chrono::nanoseconds longest)
                     return Wish::pause;
             }
             if (parts_->drawn_size() != std::pair(screen_.width, screen_.height))
-                throw OutputError(name_ + ": its size has changed, and the picture would be scaled; start again");
-            const bool redraw = event.type == SDL_RENDER_TARGETS_RESET
-                             || (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_EXPOSED);
+                throw OutputError(
+                    name_ + ": its size has changed, and the picture would be scaled; start again");
+            const bool redraw = event.type == SDL_RENDER_TARGETS_RESET ||
+                                (event.type == SDL_WINDOWEVENT &&
+                                 event.window.event == SDL_WINDOWEVENT_EXPOSED);
             if (redraw && parts_->has_picture) {
                 draw();
                 SDL_RenderPresent(parts_->renderer.get());
@@ -163,7 +180,8 @@ Wish ScreenWindow::wait(std::chrono::nanoseconds longest)
 #else
 
 struct ScreenWindow::Parts {};
-ScreenWindow::ScreenWindow(const Screen& screen, const std::string& name) : screen_(screen), name_(name)
+ScreenWindow::ScreenWindow(const Screen& screen, const std::string& name)
+    : screen_(screen), name_(name)
 {
     throw OutputError(name + ": this program was built without SDL2");
 }

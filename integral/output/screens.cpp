@@ -18,11 +18,14 @@ std::string why_scaled(const XOutput& o)
 {
     const std::string xrandr = "; xrandr --output " + o.name;
     if (o.transformed || o.width != o.mode_width || o.height != o.mode_height)
-        return size_text(o.width, o.height) + " pixels of the desktop are resampled to its " + size_text(o.mode_width, o.mode_height) + xrandr
-             + " --scale 1x1 --transform none ends that";
-    if (o.preferred_width > 0 && (o.preferred_width != o.mode_width || o.preferred_height != o.mode_height))
-        return "it is sent " + size_text(o.mode_width, o.mode_height) + " pixels and has itself " + size_text(o.preferred_width, o.preferred_height)
-             + xrandr + " --preferred sends those";
+        return size_text(o.width, o.height) + " pixels of the desktop are resampled to its " +
+               size_text(o.mode_width, o.mode_height) + xrandr +
+               " --scale 1x1 --transform none ends that";
+    if (o.preferred_width > 0 &&
+        (o.preferred_width != o.mode_width || o.preferred_height != o.mode_height))
+        return "it is sent " + size_text(o.mode_width, o.mode_height) + " pixels and has itself " +
+               size_text(o.preferred_width, o.preferred_height) + xrandr +
+               " --preferred sends those";
     return "";
 }
 
@@ -31,7 +34,8 @@ std::string call(const std::vector<Screen>& screens, std::size_t k)
     return "display " + std::to_string(k + 1) + " (" + screens[k].name + ")";
 }
 
-std::size_t choose_screen(const std::vector<Screen>& screens, const std::string& wanted, const std::string& picture, int width, int height)
+std::size_t choose_screen(const std::vector<Screen>& screens, const std::string& wanted,
+                          const std::string& picture, int width, int height)
 {
     std::vector<std::size_t> chosen;
     std::string all;
@@ -39,19 +43,23 @@ std::size_t choose_screen(const std::vector<Screen>& screens, const std::string&
         const bool fits = screens[k].width == width && screens[k].height == height;
         if (wanted == "auto" ? fits : wanted == std::to_string(k + 1) || wanted == screens[k].name)
             chosen.push_back(k);
-        all += std::string(k ? ", " : "") + call(screens, k) + " " + size_text(screens[k].width, screens[k].height);
+        all += std::string(k ? ", " : "") + call(screens, k) + " " +
+               size_text(screens[k].width, screens[k].height);
     }
     const std::string pixels = picture + ": " + size_text(width, height) + " pixels";
     if (wanted == "auto" && chosen.empty())
-        throw OutputError(pixels + " fit no display, and pictures are never scaled; there is " + all);
+        throw OutputError(pixels + " fit no display, and pictures are never scaled; there is " +
+                          all);
     if (wanted == "auto" && chosen.size() > 1)
-        throw OutputError(pixels + " fit " + std::to_string(chosen.size()) + " displays; --show NUMBER says which: " + all);
+        throw OutputError(pixels + " fit " + std::to_string(chosen.size()) +
+                          " displays; --show NUMBER says which: " + all);
     if (chosen.empty())
         throw OutputError(wanted + ": there is no such display; there is " + all);
     const Screen& screen = screens[chosen[0]];
     if (screen.width != width || screen.height != height)
-        throw OutputError(pixels + ", but " + call(screens, chosen[0]) + " has " + size_text(screen.width, screen.height)
-                          + "; pictures are never scaled: make one of its size");
+        throw OutputError(pixels + ", but " + call(screens, chosen[0]) + " has " +
+                          size_text(screen.width, screen.height) +
+                          "; pictures are never scaled: make one of its size");
     if (!screen.scaled.empty())
         throw OutputError(call(screens, chosen[0]) + ": " + screen.scaled);
     return chosen[0];
@@ -67,7 +75,8 @@ bool is_set(const char* variable)
     return value && *value;
 }
 
-/// Calls visit(Screen, const SDL_DisplayMode& desktop) with each display of SDL, as large as its place among the others.
+/// Calls visit(Screen, const SDL_DisplayMode& desktop) with each display of SDL, as large as its
+/// place among the others.
 template <class Visit> void for_each_display(Visit visit)
 {
     for (int k = 0; k < SDL_GetNumVideoDisplays(); ++k) {
@@ -76,7 +85,9 @@ template <class Visit> void for_each_display(Visit visit)
         if (SDL_GetDisplayBounds(k, &place) != 0 || SDL_GetDesktopDisplayMode(k, &mode) != 0)
             continue;
         const char* name = SDL_GetDisplayName(k);
-        visit(Screen{k, name ? name : "", place.x, place.y, place.w, place.h, double(mode.refresh_rate), ""}, mode);
+        visit(Screen{k, name ? name : "", place.x, place.y, place.w, place.h,
+                     double(mode.refresh_rate), ""},
+              mode);
     }
 }
 
@@ -89,7 +100,8 @@ std::vector<Screen> x_screens()
     std::vector<Screen> screens;
     for_each_display([&](Screen screen, const SDL_DisplayMode&) {
         const auto output = std::find_if(outputs.begin(), outputs.end(), [&](const XOutput& o) {
-            return o.x == screen.x && o.y == screen.y && o.width == screen.width && o.height == screen.height;
+            return o.x == screen.x && o.y == screen.y && o.width == screen.width &&
+                   o.height == screen.height;
         });
         if (output != outputs.end()) {
             screen.name = output->name;
@@ -102,7 +114,8 @@ std::vector<Screen> x_screens()
             return; // of another X screen, where no window of this one gets
         }
         if (in_wayland)
-            screen.scaled = "its X server is the guest of a Wayland compositor, which may scale; SDL_VIDEODRIVER=wayland asks that itself";
+            screen.scaled = "its X server is the guest of a Wayland compositor, which may scale; "
+                            "SDL_VIDEODRIVER=wayland asks that itself";
         screens.push_back(screen);
     });
     return screens;
@@ -117,7 +130,8 @@ std::vector<Screen> other_screens()
         screen.height = desktop.h;
         SDL_DisplayMode mode;
         for (int m = 0; m < SDL_GetNumDisplayModes(screen.index); ++m)
-            if (SDL_GetDisplayMode(screen.index, m, &mode) == 0 && double(mode.w) * mode.h > double(screen.width) * screen.height) {
+            if (SDL_GetDisplayMode(screen.index, m, &mode) == 0 &&
+                double(mode.w) * mode.h > double(screen.width) * screen.height) {
                 screen.width = mode.w;
                 screen.height = mode.h;
             }
@@ -131,22 +145,27 @@ std::vector<Screen> other_screens()
 Desktop::Desktop()
 {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0"); // the keyboard may be on another display
-    // A Wayland compositor's X server hides how it scales, so Wayland comes first. SDL itself would also try drivers without a display.
+    SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0"); // the keyboard may be on another
+                                                             // display
+    // A Wayland compositor's X server hides how it scales, so Wayland comes first. SDL itself would
+    // also try drivers without a display.
     std::vector<std::pair<const char*, const char*>> drivers; // and the variable that leads there
-    for (const auto& driver : {std::pair("wayland", "WAYLAND_DISPLAY"), std::pair("x11", "DISPLAY")})
+    for (const auto& driver :
+         {std::pair("wayland", "WAYLAND_DISPLAY"), std::pair("x11", "DISPLAY")})
         if (is_set(driver.second))
             drivers.push_back(driver);
     if (is_set("SDL_VIDEODRIVER"))
         drivers = {{std::getenv("SDL_VIDEODRIVER"), "SDL_VIDEODRIVER"}};
     if (drivers.empty())
-        throw OutputError("no display is reached: neither DISPLAY nor WAYLAND_DISPLAY is set; run in a desktop's session, or set DISPLAY=:0");
+        throw OutputError("no display is reached: neither DISPLAY nor WAYLAND_DISPLAY is set; run "
+                          "in a desktop's session, or set DISPLAY=:0");
     std::string failures;
     for (const auto& [driver, variable] : drivers) {
         SDL_SetHint("SDL_VIDEODRIVER", driver);
         if (SDL_Init(SDL_INIT_VIDEO) == 0)
             break;
-        failures += std::string(failures.empty() ? "" : ", ") + variable + "=" + std::getenv(variable) + " (" + SDL_GetError() + ")";
+        failures += std::string(failures.empty() ? "" : ", ") + variable + "=" +
+                    std::getenv(variable) + " (" + SDL_GetError() + ")";
         SDL_Quit();
     }
     if (!SDL_WasInit(SDL_INIT_VIDEO))
@@ -163,7 +182,11 @@ Desktop::~Desktop() { SDL_Quit(); }
 
 #else
 
-Desktop::Desktop() { throw OutputError("this program was built without SDL2 and shows nothing; install libsdl2-dev and build it again"); }
+Desktop::Desktop()
+{
+    throw OutputError("this program was built without SDL2 and shows nothing; install libsdl2-dev "
+                      "and build it again");
+}
 Desktop::~Desktop() = default;
 
 #endif

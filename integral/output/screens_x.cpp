@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What an X server's RandR extension says of its displays: SDL tells their places, not whether they are resampled.
+// What an X server's RandR extension says of its displays: SDL tells their places, not whether they
+// are resampled.
 #ifdef HAVE_SDL2
 #include "integral/output/screens.h"
 
@@ -18,10 +19,12 @@ void close_display(Display* display) { XCloseDisplay(display); }
 void free_transform(XRRCrtcTransformAttributes* transform) { XFree(transform); }
 
 using Connection = std::unique_ptr<Display, Release<Display, close_display>>;
-using Resources = std::unique_ptr<XRRScreenResources, Release<XRRScreenResources, XRRFreeScreenResources>>;
+using Resources = std::unique_ptr<XRRScreenResources,
+                                  Release<XRRScreenResources, XRRFreeScreenResources>>;
 using OutputInfo = std::unique_ptr<XRROutputInfo, Release<XRROutputInfo, XRRFreeOutputInfo>>;
 using CrtcInfo = std::unique_ptr<XRRCrtcInfo, Release<XRRCrtcInfo, XRRFreeCrtcInfo>>;
-using Transform = std::unique_ptr<XRRCrtcTransformAttributes, Release<XRRCrtcTransformAttributes, free_transform>>;
+using Transform = std::unique_ptr<XRRCrtcTransformAttributes,
+                                  Release<XRRCrtcTransformAttributes, free_transform>>;
 
 const XRRModeInfo* mode_of(const XRRScreenResources& resources, RRMode id)
 {
@@ -51,11 +54,15 @@ std::vector<XOutput> x_outputs(bool& in_wayland)
     if (!display)
         return outputs;
     in_wayland = XQueryExtension(display.get(), "XWAYLAND", &opcode, &event, &error);
-    if (!XRRQueryExtension(display.get(), &event, &error) || !XRRQueryVersion(display.get(), &major, &minor) || std::pair(major, minor) < std::pair(1, 3))
+    if (!XRRQueryExtension(display.get(), &event, &error) ||
+        !XRRQueryVersion(display.get(), &major, &minor) ||
+        std::pair(major, minor) < std::pair(1, 3))
         return outputs;
-    const Resources resources(XRRGetScreenResourcesCurrent(display.get(), DefaultRootWindow(display.get())));
+    const Resources resources(
+        XRRGetScreenResourcesCurrent(display.get(), DefaultRootWindow(display.get())));
     for (int k = 0; resources && k < resources->noutput; ++k) {
-        const OutputInfo output(XRRGetOutputInfo(display.get(), resources.get(), resources->outputs[k]));
+        const OutputInfo output(
+            XRRGetOutputInfo(display.get(), resources.get(), resources->outputs[k]));
         if (!output || output->connection == RR_Disconnected || !output->crtc)
             continue;
         const CrtcInfo crtc(XRRGetCrtcInfo(display.get(), resources.get(), output->crtc));
@@ -64,7 +71,8 @@ std::vector<XOutput> x_outputs(bool& in_wayland)
             continue;
         XOutput o;
         o.name = std::string(output->name, std::size_t(output->nameLen));
-        in_wayland = in_wayland || o.name.rfind("XWAYLAND", 0) == 0; // older ones have no such extension
+        in_wayland = in_wayland ||
+                     o.name.rfind("XWAYLAND", 0) == 0; // older ones have no such extension
         o.x = crtc->x;
         o.y = crtc->y;
         o.width = int(crtc->width);
@@ -75,7 +83,8 @@ std::vector<XOutput> x_outputs(bool& in_wayland)
             o.rate = double(mode->dotClock) / (double(mode->hTotal) * mode->vTotal);
         for (int m = 0; m < output->npreferred && m < output->nmode; ++m)
             if (const XRRModeInfo* preferred = mode_of(*resources, output->modes[m])) {
-                const bool is_current = preferred->width == mode->width && preferred->height == mode->height;
+                const bool is_current = preferred->width == mode->width &&
+                                        preferred->height == mode->height;
                 if (o.preferred_width == 0 || is_current) {
                     o.preferred_width = int(preferred->width);
                     o.preferred_height = int(preferred->height);

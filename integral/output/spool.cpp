@@ -37,15 +37,24 @@ constexpr int total_steps = 1000, sent_steps = 500;
 constexpr auto poll_interval = std::chrono::milliseconds(200);
 
 /// Options that place or scale pages.
-const char* const scaling_options[] = {"fit-to-page", "fitplot", "landscape", "media", "mirror", "natural-scaling", "number-up",
-    "orientation-requested", "PageRegion", "PageSize", "position", "ppi", "print-scaling", "printer-resolution", "Resolution",
-    "scaling", "StpiShrinkOutput"};
+const char* const scaling_options[] = {"fit-to-page",     "fitplot",
+                                       "landscape",       "media",
+                                       "mirror",          "natural-scaling",
+                                       "number-up",       "orientation-requested",
+                                       "PageRegion",      "PageSize",
+                                       "position",        "ppi",
+                                       "print-scaling",   "printer-resolution",
+                                       "Resolution",      "scaling",
+                                       "StpiShrinkOutput"};
 
 Server connect()
 {
-    Server server(httpConnect2(cupsServer(), ippPort(), nullptr, AF_UNSPEC, cupsEncryption(), 1, 30000, nullptr), httpClose);
+    Server server(httpConnect2(cupsServer(), ippPort(), nullptr, AF_UNSPEC, cupsEncryption(), 1,
+                               30000, nullptr),
+                  httpClose);
     if (!server)
-        throw OutputError(std::string("CUPS server ") + cupsServer() + ": does not answer (" + cupsLastErrorString() +
+        throw OutputError(std::string("CUPS server ") + cupsServer() + ": does not answer (" +
+                          cupsLastErrorString() +
                           "); start cupsd, or name another server in CUPS_SERVER");
     return server;
 }
@@ -53,20 +62,25 @@ Server connect()
 std::string printer_uri(const std::string& printer)
 {
     char uri[HTTP_MAX_URI];
-    httpAssembleURIf(HTTP_URI_CODING_ALL, uri, sizeof uri, "ipp", nullptr, "localhost", 0, "/printers/%s", printer.c_str());
+    httpAssembleURIf(HTTP_URI_CODING_ALL, uri, sizeof uri, "ipp", nullptr, "localhost", 0,
+                     "/printers/%s", printer.c_str());
     return uri;
 }
 
 /// A request about a printer, or about one of its jobs; answered in `attributes`.
-Message ask(http_t* server, ipp_op_t operation, const std::string& printer, int job, const std::vector<const char*>& attributes)
+Message ask(http_t* server, ipp_op_t operation, const std::string& printer, int job,
+            const std::vector<const char*>& attributes)
 {
     ipp_t* request = ippNewRequest(operation);
     if (!printer.empty())
-        ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "printer-uri", nullptr, printer_uri(printer).c_str());
+        ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_URI, "printer-uri", nullptr,
+                     printer_uri(printer).c_str());
     if (job)
         ippAddInteger(request, IPP_TAG_OPERATION, IPP_TAG_INTEGER, "job-id", job);
-    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_NAME, "requesting-user-name", nullptr, cupsUser());
-    ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes", int(attributes.size()), nullptr, attributes.data());
+    ippAddString(request, IPP_TAG_OPERATION, IPP_TAG_NAME, "requesting-user-name", nullptr,
+                 cupsUser());
+    ippAddStrings(request, IPP_TAG_OPERATION, IPP_TAG_KEYWORD, "requested-attributes",
+                  int(attributes.size()), nullptr, attributes.data());
     return Message(cupsDoRequest(server, request, "/"), ippDelete); // frees the request
 }
 
@@ -90,25 +104,33 @@ int integer_of(const Message& answer, const char* name)
 std::string reasons_of(const std::string& message, const std::string& reasons)
 {
     std::string words = message;
-    std::replace_if(words.begin(), words.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    std::replace_if(
+        words.begin(), words.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; },
+        ' ');
     if (!reasons.empty() && reasons != "none")
         words += (words.empty() ? "" : ", ") + reasons;
     return words.empty() ? "no reason given" : words;
 }
 
-/// Whether printer-state-reasons, joined by commas, tell of something that a person has to see to. Without ending they are errors;
-/// warnings and reports (a supply is low) are not, those apart that printers stop for; nor is what CUPS' own backends say.
+/// Whether printer-state-reasons, joined by commas, tell of something that a person has to see to.
+/// Without ending they are errors; warnings and reports (a supply is low) are not, those apart that
+/// printers stop for; nor is what CUPS' own backends say.
 bool in_trouble(const std::string& reasons)
 {
-    const auto begins = [](const std::string& word, const char* with) { return word.rfind(with, 0) == 0; };
+    const auto begins = [](const std::string& word, const char* with) {
+        return word.rfind(with, 0) == 0;
+    };
     const auto ends = [](const std::string& word, const std::string& with) {
-        return word.size() >= with.size() && word.compare(word.size() - with.size(), with.size(), with) == 0;
+        return word.size() >= with.size() &&
+               word.compare(word.size() - with.size(), with.size(), with) == 0;
     };
     std::istringstream list(reasons);
     for (std::string reason; std::getline(list, reason, ',');) {
-        if (begins(reason, "media-empty") || begins(reason, "media-needed") || begins(reason, "offline"))
+        if (begins(reason, "media-empty") || begins(reason, "media-needed") ||
+            begins(reason, "offline"))
             return true;
-        if (reason != "none" && !begins(reason, "cups-") && !ends(reason, "-warning") && !ends(reason, "-report"))
+        if (reason != "none" && !begins(reason, "cups-") && !ends(reason, "-warning") &&
+            !ends(reason, "-report"))
             return true;
     }
     return false;
@@ -118,15 +140,19 @@ std::vector<std::string> printers_of(http_t* server)
 {
     std::vector<std::string> names;
     const Message answer = ask(server, IPP_OP_CUPS_GET_PRINTERS, "", 0, {"printer-name"});
-    if (cupsLastError() > IPP_STATUS_OK_CONFLICTING && cupsLastError() != IPP_STATUS_ERROR_NOT_FOUND)
-        throw OutputError(std::string("CUPS server ") + cupsServer() + ": " + cupsLastErrorString());
-    for (ipp_attribute_t* each = answer ? ippFindAttribute(answer.get(), "printer-name", IPP_TAG_NAME) : nullptr; each;
-         each = ippFindNextAttribute(answer.get(), "printer-name", IPP_TAG_NAME))
+    if (cupsLastError() > IPP_STATUS_OK_CONFLICTING &&
+        cupsLastError() != IPP_STATUS_ERROR_NOT_FOUND)
+        throw OutputError(std::string("CUPS server ") + cupsServer() + ": " +
+                          cupsLastErrorString());
+    for (ipp_attribute_t* each =
+             answer ? ippFindAttribute(answer.get(), "printer-name", IPP_TAG_NAME) : nullptr;
+         each; each = ippFindNextAttribute(answer.get(), "printer-name", IPP_TAG_NAME))
         names.emplace_back(ippGetString(each, 0, nullptr));
     std::sort(names.begin(), names.end());
     const char* usual = cupsGetDefault2(server);
     if (usual && std::find(names.begin(), names.end(), usual) != names.end())
-        std::rotate(names.begin(), std::find(names.begin(), names.end(), usual), std::find(names.begin(), names.end(), usual) + 1);
+        std::rotate(names.begin(), std::find(names.begin(), names.end(), usual),
+                    std::find(names.begin(), names.end(), usual) + 1);
     return names;
 }
 
@@ -137,7 +163,8 @@ std::string ready_printer(http_t* server, const std::string& wanted)
     std::string list;
     for (const std::string& name : names)
         list += (list.empty() ? "" : ", ") + name;
-    const std::string help = "; the CUPS server has " + (names.empty() ? "no printer, lpadmin adds one" : list);
+    const std::string help = "; the CUPS server has " +
+                             (names.empty() ? "no printer, lpadmin adds one" : list);
     const char* usual = cupsGetDefault2(server);
     if (wanted.empty() && !usual)
         throw OutputError("the CUPS server has no default printer" + help);
@@ -145,12 +172,16 @@ std::string ready_printer(http_t* server, const std::string& wanted)
     if (std::find(names.begin(), names.end(), printer) == names.end())
         throw OutputError(printer + ": no such printer" + help);
     const Message state = ask(server, IPP_OP_GET_PRINTER_ATTRIBUTES, printer, 0,
-                              {"printer-state", "printer-state-message", "printer-state-reasons", "printer-is-accepting-jobs"});
-    const std::string reasons = reasons_of(text_of(state, "printer-state-message"), text_of(state, "printer-state-reasons"));
+                              {"printer-state", "printer-state-message", "printer-state-reasons",
+                               "printer-is-accepting-jobs"});
+    const std::string reasons = reasons_of(text_of(state, "printer-state-message"),
+                                           text_of(state, "printer-state-reasons"));
     if (integer_of(state, "printer-state") == IPP_PSTATE_STOPPED)
-        throw OutputError(printer + ": the printer is stopped (" + reasons + "); cupsenable " + printer + " starts it");
+        throw OutputError(printer + ": the printer is stopped (" + reasons + "); cupsenable " +
+                          printer + " starts it");
     if (text_of(state, "printer-is-accepting-jobs") == "false")
-        throw OutputError(printer + ": the printer rejects jobs (" + reasons + "); cupsaccept " + printer + " lets it take them");
+        throw OutputError(printer + ": the printer rejects jobs (" + reasons + "); cupsaccept " +
+                          printer + " lets it take them");
     return printer;
 }
 
@@ -175,19 +206,24 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
     const SizeMm page = {first.width / job.dpi.x * 25.4, first.height / job.dpi.y * 25.4};
     std::string list, unused;
     const Vec2 across = {job.dpi.y, job.dpi.x}; // of a page that is turned
-    const std::string upright = queue.resolution(job.dpi, list), turned = queue.resolution(across, unused);
+    const std::string upright = queue.resolution(job.dpi, list),
+                      turned = queue.resolution(across, unused);
     if (upright.empty() && turned.empty())
-        throw std::runtime_error("no resolution of " + figures("%g x %g dpi", job.dpi.x, job.dpi.y) + "; it has " + list +
+        throw std::runtime_error("no resolution of " +
+                                 figures("%g x %g dpi", job.dpi.x, job.dpi.y) + "; it has " + list +
                                  ", and pixels are never resampled: render for one of these");
     const std::optional<PagePlace> place = place_page(media, page, job.medium);
     if (!place)
-        throw std::runtime_error("no medium " + (job.medium.empty() ? "" : job.medium + " ") + "of " +
-                                 figures("%.1f x %.1f mm", page.width, page.height) + "; it has " + media_in_words(media));
+        throw std::runtime_error("no medium " + (job.medium.empty() ? "" : job.medium + " ") +
+                                 "of " + figures("%.1f x %.1f mm", page.width, page.height) +
+                                 "; it has " + media_in_words(media));
     const std::string& resolution = place->turned ? turned : upright;
     if (resolution.empty())
-        throw std::runtime_error("a page of " + figures("%.1f x %.1f mm", page.width, page.height) + " lies across " +
-                                 media[place->medium].label + ", which has no resolution of " +
-                                 figures("%g x %g dpi", across.x, across.y) + "; it has " + list + ": render it upright");
+        throw std::runtime_error("a page of " + figures("%.1f x %.1f mm", page.width, page.height) +
+                                 " lies across " + media[place->medium].label +
+                                 ", which has no resolution of " +
+                                 figures("%g x %g dpi", across.x, across.y) + "; it has " + list +
+                                 ": render it upright");
 
     Document document;
     const PrintMedium& medium = media[place->medium];
@@ -202,10 +238,12 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
     const int height = int(std::lround(medium.printable.height / 25.4 * header.HWResolution[1]));
     std::vector<Image> sheets;
     for (const Image& each : job.pages) {
-        std::optional<Image> sheet = centred_page(place->turned ? turned_page(each) : each, width, height);
+        std::optional<Image> sheet = centred_page(place->turned ? turned_page(each) : each, width,
+                                                  height);
         if (!sheet)
-            throw std::runtime_error("prints " + figures("%g x %g pixels of ", width, height) + medium.label + " (" + medium.name +
-                                     "), and the page has colour outside them; leave its margins white");
+            throw std::runtime_error(
+                "prints " + figures("%g x %g pixels of ", width, height) + medium.label + " (" +
+                medium.name + "), and the page has colour outside them; leave its margins white");
         sheets.push_back(std::move(*sheet));
     }
     document.bytes = cups_raster(sheets, job.copies, header);
@@ -215,7 +253,8 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
 /// A job on the server, which is cancelled unless it is done.
 class SentJob {
 public:
-    SentJob(http_t* server, std::string printer, const std::string& title, const PrintOptions& options)
+    SentJob(http_t* server, std::string printer, const std::string& title,
+            const PrintOptions& options)
         : server_(server), printer_(std::move(printer))
     {
         cups_option_t* list = nullptr;
@@ -225,7 +264,8 @@ public:
         number = cupsCreateJob(server, printer_.c_str(), title.c_str(), count, list);
         cupsFreeOptions(count, list);
         if (!number)
-            throw std::runtime_error(std::string("the CUPS server takes no job: ") + cupsLastErrorString());
+            throw std::runtime_error(std::string("the CUPS server takes no job: ") +
+                                     cupsLastErrorString());
     }
     ~SentJob()
     {
@@ -245,34 +285,45 @@ private:
 };
 
 /// Sends the document; false if `progress` stopped it.
-bool send(http_t* server, const std::string& printer, int number, const std::string& title, const std::string& bytes,
-          const Progress& progress)
+bool send(http_t* server, const std::string& printer, int number, const std::string& title,
+          const std::string& bytes, const Progress& progress)
 {
     constexpr std::size_t piece = 1 << 18;
-    http_status_t status = cupsStartDocument(server, printer.c_str(), number, title.c_str(), "application/vnd.cups-raster", 1);
-    for (std::size_t sent = 0; sent < bytes.size() && status == HTTP_STATUS_CONTINUE; sent += piece) {
-        if (progress && !progress(int(double(sent) / double(bytes.size()) * sent_steps), total_steps))
+    http_status_t status = cupsStartDocument(server, printer.c_str(), number, title.c_str(),
+                                             "application/vnd.cups-raster", 1);
+    for (std::size_t sent = 0; sent < bytes.size() && status == HTTP_STATUS_CONTINUE;
+         sent += piece) {
+        if (progress &&
+            !progress(int(double(sent) / double(bytes.size()) * sent_steps), total_steps))
             return false;
-        status = cupsWriteRequestData(server, bytes.data() + sent, std::min(piece, bytes.size() - sent));
+        status = cupsWriteRequestData(server, bytes.data() + sent,
+                                      std::min(piece, bytes.size() - sent));
     }
-    if (status != HTTP_STATUS_CONTINUE || cupsFinishDocument(server, printer.c_str()) > IPP_STATUS_OK_CONFLICTING)
-        throw std::runtime_error(std::string("the CUPS server does not take the document: ") + cupsLastErrorString());
+    if (status != HTTP_STATUS_CONTINUE ||
+        cupsFinishDocument(server, printer.c_str()) > IPP_STATUS_OK_CONFLICTING)
+        throw std::runtime_error(std::string("the CUPS server does not take the document: ") +
+                                 cupsLastErrorString());
     return true;
 }
 
-/// Waits for the end of the job; false if `progress` stopped it. Throws std::runtime_error with the printer's reason.
-bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheets, double patience, const Progress& progress)
+/// Waits for the end of the job; false if `progress` stopped it. Throws std::runtime_error with the
+/// printer's reason.
+bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheets, double patience,
+            const Progress& progress)
 {
     int best = 0;
     Clock::time_point last_progress = Clock::now();
     for (;; std::this_thread::sleep_for(poll_interval)) {
         const Message job = ask(server, IPP_OP_GET_JOB_ATTRIBUTES, printer, sent.number,
-                                {"job-state", "job-state-reasons", "job-printer-state-message", "job-impressions-completed",
-                                 "job-media-progress"});
+                                {"job-state", "job-state-reasons", "job-printer-state-message",
+                                 "job-impressions-completed", "job-media-progress"});
         if (cupsLastError() > IPP_STATUS_OK_CONFLICTING)
-            throw std::runtime_error(std::string("the CUPS server does not tell how the job goes: ") + cupsLastErrorString());
+            throw std::runtime_error(
+                std::string("the CUPS server does not tell how the job goes: ") +
+                cupsLastErrorString());
         const int state = integer_of(job, "job-state");
-        const std::string words = reasons_of(text_of(job, "job-printer-state-message"), text_of(job, "job-state-reasons"));
+        const std::string words = reasons_of(text_of(job, "job-printer-state-message"),
+                                             text_of(job, "job-state-reasons"));
         if (state == IPP_JSTATE_COMPLETED) {
             sent.done = true;
             if (progress)
@@ -285,24 +336,31 @@ bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheet
             throw std::runtime_error("job " + std::to_string(sent.number) + end + words + ")");
         }
         if (state == IPP_JSTATE_STOPPED || state == IPP_JSTATE_HELD)
-            throw std::runtime_error("job " + std::to_string(sent.number) + " was stopped (" + words + "); it is cancelled");
+            throw std::runtime_error("job " + std::to_string(sent.number) + " was stopped (" +
+                                     words + "); it is cancelled");
 
-        const Message device = ask(server, IPP_OP_GET_PRINTER_ATTRIBUTES, printer, 0,
-                                   {"printer-state", "printer-state-message", "printer-state-reasons"});
+        const Message device = ask(
+            server, IPP_OP_GET_PRINTER_ATTRIBUTES, printer, 0,
+            {"printer-state", "printer-state-message", "printer-state-reasons"});
         const std::string device_reasons = text_of(device, "printer-state-reasons");
-        const std::string device_words = reasons_of(text_of(device, "printer-state-message"), device_reasons);
+        const std::string device_words = reasons_of(text_of(device, "printer-state-message"),
+                                                    device_reasons);
         if (integer_of(device, "printer-state") == IPP_PSTATE_STOPPED)
-            throw std::runtime_error("the printer was stopped (" + device_words + "); the job is cancelled");
+            throw std::runtime_error("the printer was stopped (" + device_words +
+                                     "); the job is cancelled");
 
         const double sheet_part = integer_of(job, "job-media-progress") / 100.0;
-        const double part = std::min(1.0, (integer_of(job, "job-impressions-completed") + sheet_part) / sheets);
+        const double part = std::min(
+            1.0, (integer_of(job, "job-impressions-completed") + sheet_part) / sheets);
         const int steps = sent_steps + int(part * (total_steps - sent_steps - 1));
         if (steps > best) {
             best = steps;
             last_progress = Clock::now();
         }
-        if (in_trouble(device_reasons) && std::chrono::duration<double>(Clock::now() - last_progress).count() > patience)
-            throw std::runtime_error("the printer does not go on (" + device_words + "); the job is cancelled");
+        if (in_trouble(device_reasons) &&
+            std::chrono::duration<double>(Clock::now() - last_progress).count() > patience)
+            throw std::runtime_error("the printer does not go on (" + device_words +
+                                     "); the job is cancelled");
         if (progress && !progress(best, total_steps))
             return false;
     }
@@ -317,7 +375,8 @@ std::optional<int> spool(const SpoolJob& job, const Progress& progress)
     if (job.pages.empty() || job.copies < 1 || !(job.dpi.x > 0) || !(job.dpi.y > 0))
         throw std::invalid_argument("a print job needs pages, copies and a resolution");
     for (const Image& page : job.pages)
-        if (page.channels != 3 || sample_bits(page) != 8 || page.width < 1 || page.height < 1 || !same_form(page, job.pages.front()))
+        if (page.channels != 3 || sample_bits(page) != 8 || page.width < 1 || page.height < 1 ||
+            !same_form(page, job.pages.front()))
             throw std::invalid_argument("a print job's pages are 8-bit RGB and of one size");
 
     const Server server = connect();
@@ -325,13 +384,15 @@ std::optional<int> spool(const SpoolJob& job, const Progress& progress)
     for (const auto& [name, value] : job.options)
         for (const char* scales : scaling_options)
             if (strcasecmp(name.c_str(), scales) == 0)
-                throw OutputError(printer + ": option " + name + "=" + value + " would place or scale the page anew; leave it out");
+                throw OutputError(printer + ": option " + name + "=" + value +
+                                  " would place or scale the page anew; leave it out");
     try {
         const Document document = document_of(job, server.get(), printer);
         SentJob sent(server.get(), printer, job.title, document.options);
         if (!send(server.get(), printer, sent.number, job.title, document.bytes, progress))
             return std::nullopt;
-        if (!follow(server.get(), printer, sent, int(job.pages.size()) * job.copies, job.patience, progress))
+        if (!follow(server.get(), printer, sent, int(job.pages.size()) * job.copies, job.patience,
+                    progress))
             return std::nullopt;
         return sent.number;
     } catch (const std::runtime_error& error) {
@@ -345,7 +406,8 @@ namespace {
 
 [[noreturn]] void no_cups()
 {
-    throw OutputError("this build has no libcups, so it cannot print; install libcups2-dev (a package of Debian) and configure "
+    throw OutputError("this build has no libcups, so it cannot print; install libcups2-dev (a "
+                      "package of Debian) and configure "
                       "again, or write a file");
 }
 

@@ -10,7 +10,6 @@ namespace integral {
 
 namespace {
 
-
 } // namespace
 
 Vec2 viewing_zone(const FrameMetadata& metadata, double distance)
@@ -19,7 +18,8 @@ Vec2 viewing_zone(const FrameMetadata& metadata, double distance)
     const Vec2 cell = cell_extent(metadata.sheet);
     const double scale = distance / aperture.distance;
     const auto extent = [&](double captured, double filled) {
-        return scale * std::min(captured, filling_width(metadata.sheet, aperture.distance, filled).value_or(2 * aperture.distance));
+        return scale * std::min(captured, filling_width(metadata.sheet, aperture.distance, filled)
+                                              .value_or(2 * aperture.distance));
     };
     return {extent(aperture.width, cell.x), extent(aperture.height, cell.y)};
 }
@@ -37,12 +37,13 @@ std::vector<Eye> eye_grid(Eye middle, int columns, int rows, Vec2 zone)
     std::vector<Eye> eyes;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
-            eyes.push_back({middle.x + ((i + 0.5) / columns - 0.5) * zone.x, middle.y - ((j + 0.5) / rows - 0.5) * zone.y,
-                            middle.distance});
+            eyes.push_back({middle.x + ((i + 0.5) / columns - 0.5) * zone.x,
+                            middle.y - ((j + 0.5) / rows - 0.5) * zone.y, middle.distance});
     return eyes;
 }
 
-std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span, int steps)
+std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span,
+                          int steps)
 {
     std::vector<Eye> eyes;
     for (int k = 0; k < steps; ++k) {
@@ -50,38 +51,40 @@ std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<dou
         Eye eye = middle;
         switch (path) {
         case EyePath::turntable: {
-            const double all = span ? *span * pi / 180 : 2 * std::atan2(0.5 * zone.x, middle.distance);
-            const double radius = std::hypot(middle.x, middle.distance), turn = std::atan2(middle.x, middle.distance) + along * all;
+            const double all = span ? *span * pi / 180
+                                    : 2 * std::atan2(0.5 * zone.x, middle.distance);
+            const double radius = std::hypot(middle.x, middle.distance),
+                         turn = std::atan2(middle.x, middle.distance) + along * all;
             eye.x = radius * std::sin(turn);
             eye.distance = radius * std::cos(turn);
             break;
         }
-        case EyePath::sweep:
-            eye.x += along * span.value_or(zone.x);
-            break;
+        case EyePath::sweep: eye.x += along * span.value_or(zone.x); break;
         case EyePath::circle: {
-            const double longer = std::max(zone.x, zone.y), scale = 0.5 * span.value_or(0.8 * longer), turn = 2 * pi * k / steps;
-            const Vec2 shape = longer > 0 ? (1 / longer) * zone : Vec2{1, 1}; // a zone that is a point has none
+            const double longer = std::max(zone.x, zone.y),
+                         scale = 0.5 * span.value_or(0.8 * longer), turn = 2 * pi * k / steps;
+            const Vec2 shape = longer > 0 ? (1 / longer) * zone
+                                          : Vec2{1, 1}; // a zone that is a point has none
             eye.x -= scale * shape.x * std::cos(turn);
             eye.y += scale * shape.y * std::sin(turn);
             break;
         }
-        case EyePath::dolly:
-            eye.distance *= std::pow(span.value_or(4), -along);
-            break;
+        case EyePath::dolly: eye.distance *= std::pow(span.value_or(4), -along); break;
         }
         eyes.push_back(eye);
     }
     return eyes;
 }
 
-std::optional<std::vector<Image>> replay_each(const Frame& frame, View view, const std::vector<Eye>& eyes, int threads,
+std::optional<std::vector<Image>> replay_each(const Frame& frame, View view,
+                                              const std::vector<Eye>& eyes, int threads,
                                               const Progress& progress)
 {
     std::vector<Image> pictures;
     for (const Eye& eye : eyes) {
         view.eye = eye;
-        auto picture = replay(frame, view, threads, piece_of(progress, int(pictures.size()), int(eyes.size())));
+        auto picture = replay(frame, view, threads,
+                              piece_of(progress, int(pictures.size()), int(eyes.size())));
         if (!picture)
             return std::nullopt;
         pictures.push_back(std::move(*picture));

@@ -10,13 +10,14 @@
 
 namespace integral {
 
-/// Between the four neighbours of a place among `columns` x `rows` centres, whose first is at (0, 0); beyond the outermost, these.
-/// at(column, row) is a Color, linear and premultiplied.
+/// Between the four neighbours of a place among `columns` x `rows` centres, whose first is at (0,
+/// 0); beyond the outermost, these. at(column, row) is a Color, linear and premultiplied.
 template <class At> Color between(double x, double y, int columns, int rows, At at)
 {
     x = std::clamp(x, 0.0, columns - 1.0);
     y = std::clamp(y, 0.0, rows - 1.0);
-    const int left = std::min(int(x), std::max(0, columns - 2)), top = std::min(int(y), std::max(0, rows - 2));
+    const int left = std::min(int(x), std::max(0, columns - 2)),
+              top = std::min(int(y), std::max(0, rows - 2));
     Color sum{0, 0, 0, 0};
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) {
@@ -30,8 +31,8 @@ template <class At> Color between(double x, double y, int columns, int rows, At 
     return sum;
 }
 
-/// A colour whose channels stand side by side on the film; their mean alpha. at(channel) is a Color; without subpixels it is asked
-/// once, for channel 1.
+/// A colour whose channels stand side by side on the film; their mean alpha. at(channel) is a
+/// Color; without subpixels it is asked once, for channel 1.
 template <class At> Color each_channel(const Subpixels& subpixels, At at)
 {
     if (subpixels == Subpixels::none)
@@ -40,16 +41,18 @@ template <class At> Color each_channel(const Subpixels& subpixels, At at)
     return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
 }
 
-/// What the film's subpixels of a channel show at a point in pixel coordinates: between the four nearest, or the nearest of
-/// cells, which stand in no even rows.
+/// What the film's subpixels of a channel show at a point in pixel coordinates: between the four
+/// nearest, or the nearest of cells, which stand in no even rows.
 inline Color of_subpixels(const LinearReader& light, const Film& film, Vec2 pixel, int channel)
 {
     if (film.subpixels == Subpixels::cells) {
         const PixelPlace at = pixel_of_nearest_subpixel(film.subpixels, pixel, channel);
-        return light(std::clamp(at.column, 0, film.width - 1), std::clamp(at.row, 0, film.height - 1));
+        return light(std::clamp(at.column, 0, film.width - 1),
+                     std::clamp(at.row, 0, film.height - 1));
     }
     const Vec2 shift = subpixel_shift(film.subpixels, pixel, channel);
-    return between(pixel.x - 0.5 - shift.x, pixel.y - 0.5 - shift.y, film.width, film.height, [&](int x, int y) { return light(x, y); });
+    return between(pixel.x - 0.5 - shift.x, pixel.y - 0.5 - shift.y, film.width, film.height,
+                   [&](int x, int y) { return light(x, y); });
 }
 
 } // namespace integral

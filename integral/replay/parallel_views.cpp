@@ -13,16 +13,19 @@ namespace integral {
 
 namespace {
 
-/// Moves `count` pixels of a fixed size between a row of a view, where they follow each other, and the film, where they are `step`
-/// bytes apart. Pixels of three bytes are moved in larger pieces, whose rest comes over pixels that are written later.
+/// Moves `count` pixels of a fixed size between a row of a view, where they follow each other, and
+/// the film, where they are `step` bytes apart. Pixels of three bytes are moved in larger pieces,
+/// whose rest comes over pixels that are written later.
 struct PixelMover {
     void (*gather)(unsigned char* view, const unsigned char* film, std::size_t step, int count);
     /// alone: no pixel behind these is written later.
-    void (*scatter)(unsigned char* film, std::size_t step, const unsigned char* view, int count, bool alone);
+    void (*scatter)(unsigned char* film, std::size_t step, const unsigned char* view, int count,
+                    bool alone);
     std::size_t bytes;
 };
 
-template <int bytes> void gather(unsigned char* view, const unsigned char* film, std::size_t step, int count)
+template <int bytes>
+void gather(unsigned char* view, const unsigned char* film, std::size_t step, int count)
 {
     int k = 0;
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
@@ -39,7 +42,9 @@ template <int bytes> void gather(unsigned char* view, const unsigned char* film,
         std::memcpy(view, film, bytes);
 }
 
-template <int bytes> void scatter(unsigned char* film, std::size_t step, const unsigned char* view, int count, bool alone)
+template <int bytes>
+void scatter(unsigned char* film, std::size_t step, const unsigned char* view, int count,
+             bool alone)
 {
     int k = 0;
     if (bytes == 3 && !alone)
@@ -121,19 +126,25 @@ private:
     std::vector<Run> runs_;
 };
 
-/// for_each_row by blocks of rows: moving a row takes less than handing it out, and threads then seldom write side by side.
-bool for_each_block(int rows, int threads, const std::function<void(int row)>& work, const Progress& progress)
+/// for_each_row by blocks of rows: moving a row takes less than handing it out, and threads then
+/// seldom write side by side.
+bool for_each_block(int rows, int threads, const std::function<void(int row)>& work,
+                    const Progress& progress)
 {
     constexpr int block = 64;
-    return for_each_row((rows + block - 1) / block, threads, [&](int k) {
-        for (int row = k * block; row < std::min(rows, (k + 1) * block); ++row)
-            work(row);
-    }, progress);
+    return for_each_row((rows + block - 1) / block, threads,
+                        [&](int k) {
+                            for (int row = k * block; row < std::min(rows, (k + 1) * block); ++row)
+                                work(row);
+                        },
+                        progress);
 }
 
 unsigned char* bytes_of(Image& image)
 {
-    return std::visit([](auto& samples) { return reinterpret_cast<unsigned char*>(samples.data()); }, image.samples);
+    return std::visit(
+        [](auto& samples) { return reinterpret_cast<unsigned char*>(samples.data()); },
+        image.samples);
 }
 const unsigned char* bytes_of(const Image& image) { return bytes_of(const_cast<Image&>(image)); }
 
@@ -179,7 +190,8 @@ void ParallelViews::draw(int view, int row, Image& image, int x, int y) const
             store_linear(image, x + column, y, *color);
 }
 
-std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid grid, int threads, const Progress& progress)
+std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid grid, int threads,
+                                                 const Progress& progress)
 {
     const ParallelViews maker(frame, grid);
     std::vector<Image> views(grid.count());
@@ -204,27 +216,34 @@ std::vector<std::optional<Eye>> far_eyes(const FrameMetadata& metadata, ViewGrid
     const Medium medium(metadata.sheet.thickness, metadata.sheet.ior);
     std::vector<std::optional<Eye>> eyes;
     for (int k = 0; k < grid.count(); ++k) {
-        const auto direction = direction_from_offset(medium, Vec2{0, 0} - lenses.film_point({0, 0}, lenses.part_of_view(k)));
+        const auto direction = direction_from_offset(
+            medium, Vec2{0, 0} - lenses.film_point({0, 0}, lenses.part_of_view(k)));
         if (direction)
-            eyes.push_back(Eye{-far * direction->x / direction->z, -far * direction->y / direction->z, far});
+            eyes.push_back(
+                Eye{-far * direction->x / direction->z, -far * direction->y / direction->z, far});
         else
             eyes.push_back(std::nullopt);
     }
     return eyes;
 }
 
-std::optional<Image> frame_from_views(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid, int threads,
+std::optional<Image> frame_from_views(const std::vector<Image>& views,
+                                      const FrameMetadata& metadata, ViewGrid grid, int threads,
                                       const Progress& progress)
 {
     const Lenses lenses(metadata, grid);
     const Film& film = lenses.film;
     if (int(views.size()) != grid.count())
-        throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " + std::to_string(grid.count()));
+        throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " +
+                                    std::to_string(grid.count()));
     for (const Image& view : views)
-        if (view.width != lenses.window.columns || view.height != lenses.window.rows || !same_form(view, views[0]))
-            throw std::invalid_argument("views of " + std::to_string(view.width) + "x" + std::to_string(view.height)
-                                        + " pixels; this sheet and film have views of " + std::to_string(lenses.window.columns) + "x"
-                                        + std::to_string(lenses.window.rows) + ", all of one form");
+        if (view.width != lenses.window.columns || view.height != lenses.window.rows ||
+            !same_form(view, views[0]))
+            throw std::invalid_argument("views of " + std::to_string(view.width) + "x" +
+                                        std::to_string(view.height) +
+                                        " pixels; this sheet and film have views of " +
+                                        std::to_string(lenses.window.columns) + "x" +
+                                        std::to_string(lenses.window.rows) + ", all of one form");
     Image image = blank_like(views[0], film.width, film.height);
     if (lenses.exact) {
         const WholePixels pixels(lenses);
@@ -234,9 +253,11 @@ std::optional<Image> frame_from_views(const std::vector<Image>& views, const Fra
         for (const Image& view : views)
             from.push_back(bytes_of(view));
         const auto row = [&](int y) {
-            pixels.each(y, [&](int view, std::size_t of_view, std::size_t of_film, int count, bool last) {
-                move.scatter(to + of_film * move.bytes, move.bytes * pixels.lens(), from[view] + of_view * move.bytes, count, last);
-            });
+            pixels.each(
+                y, [&](int view, std::size_t of_view, std::size_t of_film, int count, bool last) {
+                    move.scatter(to + of_film * move.bytes, move.bytes * pixels.lens(),
+                                 from[view] + of_view * move.bytes, count, last);
+                });
         };
         if (!for_each_block(film.height, threads, row, progress))
             return std::nullopt;

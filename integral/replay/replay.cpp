@@ -8,10 +8,7 @@
 
 namespace integral {
 
-Eye centre_eye(const FrameMetadata& metadata)
-{
-    return {0, 0, metadata.aperture.distance};
-}
+Eye centre_eye(const FrameMetadata& metadata) { return {0, 0, metadata.aperture.distance}; }
 
 namespace {
 
@@ -34,7 +31,8 @@ void set_view_size(View& view, const Film& film, int longer)
 
 namespace {
 
-/// z of the farthest points of the lenses' surface: their cells' corners; 0 where there is no surface.
+/// z of the farthest points of the lenses' surface: their cells' corners; 0 where there is no
+/// surface.
 double deepest_surface(const LensSheet& sheet)
 {
     const auto corner = tangent_plane(surface_radius(sheet), cell_circumradius(sheet));
@@ -45,14 +43,20 @@ double deepest_surface(const LensSheet& sheet)
 class SheetSeen {
 public:
     SheetSeen(const Frame& frame, const View& view)
-        : film_(frame.metadata->film), distance_(view.eye.distance),
-          film_gap_(view.film_gap), gap_parts_(view.film_gap / frame.metadata->sheet.thickness), optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
-          radius_(surface_radius(frame.metadata->sheet)), deepest_(deepest_surface(frame.metadata->sheet)), pixel_(frame.image),
+        : film_(frame.metadata->film),
+          distance_(view.eye.distance),
+          film_gap_(view.film_gap),
+          gap_parts_(view.film_gap / frame.metadata->sheet.thickness),
+          optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
+          radius_(surface_radius(frame.metadata->sheet)),
+          deepest_(deepest_surface(frame.metadata->sheet)),
+          pixel_(frame.image),
           outside_{0, 0, 0, frame.image.channels == 4 ? 0.0f : 1.0f}
     {
     }
 
-    /// At a point of the sheet, from a point `eye` of the pupil's plane, `aside` of the film point that is seen.
+    /// At a point of the sheet, from a point `eye` of the pupil's plane, `aside` of the film point
+    /// that is seen.
     Color at(Vec2 point, Vec2 eye, Vec2 aside) const
     {
         const auto film_point = film_point_seen(point, eye);
@@ -61,7 +65,8 @@ public:
         const Vec2 pixel = pixel_from_film(film_, *film_point + aside);
         if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 && pixel.y < film_.height))
             return outside_;
-        return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y)) : subpixels_at(pixel);
+        return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y))
+                                                  : subpixels_at(pixel);
     }
 
 private:
@@ -71,9 +76,11 @@ private:
             return film_point_behind_surface(point, eye);
         // The line from the sheet's point to the eye leaves the sheet in this direction ...
         const Vec3 direction{eye.x - point.x, eye.y - point.y, -distance_};
-        // ... and the beam of that direction, from that point's lens, comes from this point of the focal plane.
+        // ... and the beam of that direction, from that point's lens, comes from this point of the
+        // focal plane.
         const Vec2 focus = optics_.film_point_seen(point, direction);
-        // A film beside the focus is met where the line from the lens's point to the focus meets it.
+        // A film beside the focus is met where the line from the lens's point to the focus meets
+        // it.
         return focus + gap_parts_ * (focus - point);
     }
 
@@ -83,7 +90,8 @@ private:
         Vec2 offset;  ///< from the pole (lenticular: from the axis), mm
     };
 
-    /// The line from the eye through `point`, refracted where it first meets glass, down to the film.
+    /// The line from the eye through `point`, refracted where it first meets glass, down to the
+    /// film.
     std::optional<Vec2> film_point_behind_surface(Vec2 point, Vec2 eye) const
     {
         const Vec2 slope = (1 / distance_) * (point - eye);
@@ -97,16 +105,18 @@ private:
         const Vec3 direction = (1 / length(to_eye)) * to_eye;
         const Vec2 b = plane->v > 0 ? (1 / plane->v) * met->offset : Vec2{1, 0}, a{-b.y, b.x};
         const Vec2 seen{direction.x, direction.y};
-        const auto way = way_refracted_into(optics_.medium(), *plane, {dot(b, seen), dot(a, seen), direction.z});
+        const auto way = way_refracted_into(optics_.medium(), *plane,
+                                            {dot(b, seen), dot(a, seen), direction.z});
         if (!way)
             return std::nullopt;
         const double stretch = 1 + film_gap_ / (optics_.medium().t - plane->height);
         return point + met->depth * slope - (stretch * way->x) * b - (stretch * way->y) * a;
     }
 
-    /// The glass is whatever lies in the ball (cylinder) of some lens, so what is met first of all of them is its surface: down to the
-    /// surface's deepest points. A flat line is followed a pitch at a time, so that few lenses are asked at once.
-    /// `slope`: mm to the side for each mm of depth.
+    /// The glass is whatever lies in the ball (cylinder) of some lens, so what is met first of all
+    /// of them is its surface: down to the surface's deepest points. A flat line is followed a
+    /// pitch at a time, so that few lenses are asked at once. `slope`: mm to the side for each mm
+    /// of depth.
     std::optional<Met> first_met(Vec2 point, Vec2 slope) const
     {
         const Lattice& lattice = optics_.lattice();
@@ -152,7 +162,8 @@ private:
     {
         const auto nearest = [&](int channel) {
             const PixelPlace at = pixel_of_nearest_subpixel(film_.subpixels, pixel, channel);
-            return pixel_(std::clamp(at.column, 0, film_.width - 1), std::clamp(at.row, 0, film_.height - 1));
+            return pixel_(std::clamp(at.column, 0, film_.width - 1),
+                          std::clamp(at.row, 0, film_.height - 1));
         };
         const Color red = nearest(0), green = nearest(1), blue = nearest(2);
         return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
@@ -160,17 +171,20 @@ private:
 
     Film film_;
     double distance_;
-    double film_gap_, gap_parts_; ///< the film's distance behind the lenses' focus: mm, and in thicknesses
+    double film_gap_,
+        gap_parts_; ///< the film's distance behind the lenses' focus: mm, and in thicknesses
     SheetOptics optics_;
     double radius_, deepest_; ///< of the lenses' surface, mm
     LinearReader pixel_;
     Color outside_;
 };
 
-/// Points of a disc, spread evenly over the samples of a pixel and otherwise than in the pixels around it.
+/// Points of a disc, spread evenly over the samples of a pixel and otherwise than in the pixels
+/// around it.
 class DiscPoints {
 public:
-    /// `steps`: of the two coordinates from sample to sample, in parts of the whole. `seed` shifts one disc's against another's.
+    /// `steps`: of the two coordinates from sample to sample, in parts of the whole. `seed` shifts
+    /// one disc's against another's.
     DiscPoints(Vec2 centre, double diameter, Vec2 steps, std::uint64_t seed)
         : centre_(centre), radius_(0.5 * diameter), steps_(steps), seed_(seed)
     {
@@ -196,8 +210,9 @@ private:
     std::uint64_t seed_;
 };
 
-constexpr Vec2 roberts_steps{0.75487766624669276, 0.56984029099805327};    // Roberts (2018)
-constexpr Vec2 richtmyer_steps{0.41421356237309505, 0.73205080756887729}; // of sqrt(2) and sqrt(3): another plane than those
+constexpr Vec2 roberts_steps{0.75487766624669276, 0.56984029099805327}; // Roberts (2018)
+constexpr Vec2 richtmyer_steps{
+    0.41421356237309505, 0.73205080756887729}; // of sqrt(2) and sqrt(3): another plane than those
 
 } // namespace
 
@@ -206,8 +221,10 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
 {
     const SheetSeen seen(frame, view);
     const Vec2 eye{view.eye.x, view.eye.y};
-    const DiscPoints pupil(eye, view.pupil, roberts_steps, 0), spot({0, 0}, view.blur, richtmyer_steps, std::uint64_t(1) << 32);
-    // Where the line from a point of the pupil to the point in focus meets the sheet: so much of the way to it, sideways.
+    const DiscPoints pupil(eye, view.pupil, roberts_steps, 0),
+        spot({0, 0}, view.blur, richtmyer_steps, std::uint64_t(1) << 32);
+    // Where the line from a point of the pupil to the point in focus meets the sheet: so much of
+    // the way to it, sideways.
     const double sideways = view.focus / (view.eye.distance + view.focus);
     Image image = blank_like(frame.image, view.width, view.height);
 
@@ -229,13 +246,16 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
                 for (int i = 0; i < n; ++i) {
                     const Vec2 point{across[x * n + i], down[y * n + j]};
                     const Vec2 from = pupil.point(x, y, j * n + i);
-                    const Color c = seen.at(point + sideways * (from - eye), from, spot.point(x, y, j * n + i));
+                    const Color c = seen.at(point + sideways * (from - eye), from,
+                                            spot.point(x, y, j * n + i));
                     r += c.r;
                     g += c.g;
                     b += c.b;
                     a += c.a;
                 }
-            store_linear(image, x, y, {float(r * weight), float(g * weight), float(b * weight), float(a * weight)});
+            store_linear(
+                image, x, y,
+                {float(r * weight), float(g * weight), float(b * weight), float(a * weight)});
         }
     };
     if (!for_each_row(view.height, threads, row, progress))

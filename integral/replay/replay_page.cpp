@@ -29,16 +29,18 @@ std::string within_html(const std::string& json)
 
 std::string json_of(const View& start, Vec2 zone)
 {
-    return nlohmann::ordered_json{{"eye", {start.eye.x, start.eye.y, start.eye.distance}},
-                                  {"size", {start.width, start.height}},
-                                  {"samples", start.samples},
-                                  {"pupil", start.pupil},
-                                  {"focus", start.focus},
-                                  {"film_gap", start.film_gap},
-                                  {"blur", start.blur},
-                                  {"model", name_of(start.model)},
-                                  {"part", {start.part.middle.x, start.part.middle.y, start.part.width, start.part.height}},
-                                  {"zone", {zone.x, zone.y}}}.dump();
+    return nlohmann::ordered_json{
+        {"eye", {start.eye.x, start.eye.y, start.eye.distance}},
+        {"size", {start.width, start.height}},
+        {"samples", start.samples},
+        {"pupil", start.pupil},
+        {"focus", start.focus},
+        {"film_gap", start.film_gap},
+        {"blur", start.blur},
+        {"model", name_of(start.model)},
+        {"part", {start.part.middle.x, start.part.middle.y, start.part.width, start.part.height}},
+        {"zone", {zone.x, zone.y}}}
+        .dump();
 }
 
 struct Blank {

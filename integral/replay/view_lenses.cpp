@@ -33,8 +33,12 @@ Side side_of(double first, double pixel_pitch, double pitch)
 } // namespace
 
 Lenses::Lenses(const FrameMetadata& m, ViewGrid grid)
-    : film(m.film), lattice(m.sheet), grid(grid), arrangement(m.sheet.arrangement),
-      pitch(m.sheet.pitch), exact(views_are_exact(m, grid))
+    : film(m.film),
+      lattice(m.sheet),
+      grid(grid),
+      arrangement(m.sheet.arrangement),
+      pitch(m.sheet.pitch),
+      exact(views_are_exact(m, grid))
 {
     const bool lenticular = arrangement == Arrangement::lenticular;
     if (lenticular && !slit_is_horizontal(m.sheet))
@@ -85,8 +89,8 @@ ViewGrid natural_views(const FrameMetadata& m)
 bool views_are_exact(const FrameMetadata& m, ViewGrid grid)
 {
     const Vec2 pixels = pixels_a_lens(m);
-    const bool lenticular =
-        m.sheet.arrangement == Arrangement::lenticular;                 // has no pixels a lens down
+    const bool lenticular = m.sheet.arrangement ==
+                            Arrangement::lenticular;                    // has no pixels a lens down
     const bool some = pixels.x > 0.5 && (lenticular || pixels.y > 0.5); // nought is whole, too
     return some && m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 &&
            m.film.subpixels == Subpixels::none && is_whole(pixels.x) && is_whole(pixels.y) &&

@@ -53,8 +53,8 @@ Image views_of_block(const Lenses& lenses, const LinearReader& light, const Imag
     for (int view = 0; view < lenses.grid.count(); ++view)
         for (int y = 0; y < needed.rows(); ++y)
             for (int x = 0; x < columns; ++x)
-                if (const auto color =
-                        view_pixel(lenses, light, view, needed.left + x, needed.top + y))
+                if (const auto color = view_pixel(lenses, light, view, needed.left + x,
+                                                  needed.top + y))
                     store_linear(views, view * columns + x, y, *color);
     return views;
 }
@@ -94,8 +94,8 @@ std::optional<double> psnr_there_and_back(const Frame& frame, ViewGrid grid, int
     const ViewGrid natural = natural_views(*frame.metadata);
     const double views_a_pixel = double(grid.count()) / natural.count();
     constexpr double side_of_one = 512;
-    const int side =
-        int(std::clamp(side_of_one / std::sqrt(std::max(1.0, views_a_pixel)), 16.0, side_of_one));
+    const int side = int(
+        std::clamp(side_of_one / std::sqrt(std::max(1.0, views_a_pixel)), 16.0, side_of_one));
     const int across = (lenses.film.width + side - 1) / side,
               down = (lenses.film.height + side - 1) / side;
     std::mutex mutex;

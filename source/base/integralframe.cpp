@@ -67,7 +67,7 @@ void IntegralFrame::Set_Scene(const std::string& file)
     state.scene = file.substr(file.find_last_of("/\\") + 1);
 }
 
-void IntegralFrame::Expect(const integral::IntegralCamera* camera)
+void IntegralFrame::Expect(const integral::IntegralCamera *camera)
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
@@ -75,11 +75,13 @@ void IntegralFrame::Expect(const integral::IntegralCamera* camera)
     if (camera)
     {
         std::string text = integral::to_json(Metadata_Of(*camera));
-        for (const int choice : {int(camera->optics.model()), int(camera->mapping), camera->pixel_samples, camera->beam_samples,
-                                 int(camera->pseudoscopic), int(camera->display_prefilter)})
+        for (const int choice :
+             {int(camera->optics.model()), int(camera->mapping), camera->pixel_samples,
+              camera->beam_samples, int(camera->pseudoscopic), int(camera->display_prefilter)})
             text += std::to_string(choice) + ' ';
         if (camera->depth_range)
-            text += std::to_string(camera->depth_range->x) + ' ' + std::to_string(camera->depth_range->y);
+            text += std::to_string(camera->depth_range->x) + ' ' +
+                    std::to_string(camera->depth_range->y);
         state.fingerprint = Hash(text);
     }
 }
@@ -148,7 +150,10 @@ double IntegralFrame::Seconds()
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
-    return state.metadata ? std::chrono::duration<double>(state.ended.value_or(Clock::now()) - state.begun).count() : 0;
+    return state.metadata
+               ? std::chrono::duration<double>(state.ended.value_or(Clock::now()) - state.begun)
+                     .count()
+               : 0;
 }
 
 std::string IntegralFrame::Fingerprint()

@@ -29,8 +29,9 @@ constexpr std::size_t most_used = std::size_t(32) << 20;
 
 [[noreturn]] void No_Room(std::size_t bytes, int reason)
 {
-    throw POV_EXCEPTION(kOutOfMemoryErr, "No room for " + std::to_string(bytes >> 20) +
-                        " MB of anti-aliasing's samples: " + std::strerror(reason));
+    throw POV_EXCEPTION(kOutOfMemoryErr,
+                        "No room for " + std::to_string(bytes >> 20) +
+                            " MB of anti-aliasing's samples: " + std::strerror(reason));
 }
 
 int Nameless_File(std::size_t bytes)

@@ -31,9 +31,9 @@ namespace
 integral::Encoding Encoding_Of(int type, double gamma)
 {
     integral::Encoding encoding;
-    encoding.kind = type == kPOVList_GammaType_Neutral ? integral::Encoding::Kind::linear
-                  : type == kPOVList_GammaType_PowerLaw ? integral::Encoding::Kind::power
-                  : integral::Encoding::Kind::srgb;
+    encoding.kind = type == kPOVList_GammaType_Neutral    ? integral::Encoding::Kind::linear
+                    : type == kPOVList_GammaType_PowerLaw ? integral::Encoding::Kind::power
+                                                          : integral::Encoding::Kind::srgb;
     if (encoding.kind == integral::Encoding::Kind::power)
         encoding.gamma = gamma;
     return encoding;
@@ -61,7 +61,10 @@ double Number_In(const std::string& text, const std::string& unit)
 {
     char *end = NULL;
     const double number = std::strtod(text.c_str(), &end);
-    return end != text.c_str() && (*end == '\0' || std::string(end) == unit) && std::isfinite(number) ? number : 0;
+    return end != text.c_str() && (*end == '\0' || std::string(end) == unit) &&
+                   std::isfinite(number)
+               ? number
+               : 0;
 }
 
 void Read_Sharing(const std::string& text, IntegralRenderOptions& result)
@@ -76,15 +79,18 @@ void Read_Sharing(const std::string& text, IntegralRenderOptions& result)
         result.patches_in_beam = cells;
     }
     else
-        throw std::invalid_argument("Integral_Sharing=" + text + " is not auto, on, off or a number of patches in a pixel's beam, "
-                                    "from 1 to 10000");
+        throw std::invalid_argument(
+            "Integral_Sharing=" + text +
+            " is not auto, on, off or a number of patches in a pixel's beam, "
+            "from 1 to 10000");
 }
 
 /// Whether +A is to work in the light field.
 bool Read_Antialiasing(const std::string& text)
 {
     if (!text.empty() && text != "light_field" && text != "pixels")
-        throw std::invalid_argument("Integral_Antialiasing=" + text + " is neither light_field nor pixels (POV-Ray's own)");
+        throw std::invalid_argument("Integral_Antialiasing=" + text +
+                                    " is neither light_field nor pixels (POV-Ray's own)");
     return text != "pixels";
 }
 
@@ -93,9 +99,10 @@ double Samples_At_Edges(POVMS_Object& options)
 {
     if (!options.TryGetBool(kPOVAttrib_Antialias, false))
         return 1;
-    const integral::RefinementRule rule = {options.TryGetInt(kPOVAttrib_SamplingMethod, 1),
-                                           options.TryGetFloat(kPOVAttrib_AntialiasThreshold, 0.3f),
-                                           std::min(9, std::max(1, options.TryGetInt(kPOVAttrib_AntialiasDepth, 3)))};
+    const integral::RefinementRule rule = {
+        options.TryGetInt(kPOVAttrib_SamplingMethod, 1),
+        options.TryGetFloat(kPOVAttrib_AntialiasThreshold, 0.3f),
+        std::min(9, std::max(1, options.TryGetInt(kPOVAttrib_AntialiasDepth, 3)))};
     return integral::samples_at_edges(rule);
 }
 
@@ -103,10 +110,13 @@ void Check_Depth_Picture(const std::string& file)
 {
     const std::string ending = ".exr";
 #ifdef OPENEXR_MISSING
-    throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written: this program was built without OpenEXR");
+    throw std::invalid_argument("Integral_Depth_Image=" + file +
+                                " cannot be written: this program was built without OpenEXR");
 #endif
-    if (file.size() <= ending.size() || file.compare(file.size() - ending.size(), ending.size(), ending) != 0)
-        throw std::invalid_argument("Integral_Depth_Image=" + file + " is not an OpenEXR file: its name has to end in .exr");
+    if (file.size() <= ending.size() ||
+        file.compare(file.size() - ending.size(), ending.size(), ending) != 0)
+        throw std::invalid_argument("Integral_Depth_Image=" + file +
+                                    " is not an OpenEXR file: its name has to end in .exr");
     if (!May_Write_Integral_Picture(file))
         throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written there");
 }
@@ -117,11 +127,15 @@ void Read_Rows(const std::string& text, int height, IntegralRows& rows)
     if (text.empty())
         return;
     int first = 0, last = 0, end = 0;
-    const bool two = std::sscanf(text.c_str(), "%9d ,%9d %n", &first, &last, &end) == 2 && end == int(text.size());
+    const bool two = std::sscanf(text.c_str(), "%9d ,%9d %n", &first, &last, &end) == 2 &&
+                     end == int(text.size());
     if (!two || first < 1 || last < first)
-        throw std::invalid_argument("Integral_Rows=" + text + " is not the first and the last row that count, as in 33,64: the top one is 1");
+        throw std::invalid_argument(
+            "Integral_Rows=" + text +
+            " is not the first and the last row that count, as in 33,64: the top one is 1");
     if (height > 0 && last > height)
-        throw std::invalid_argument("Integral_Rows=" + text + " ends below the frame, which has " + std::to_string(height) + " rows");
+        throw std::invalid_argument("Integral_Rows=" + text + " ends below the frame, which has " +
+                                    std::to_string(height) + " rows");
     rows = {first - 1, last - 1};
 }
 
@@ -136,8 +150,10 @@ void Read_Audit(const std::string& text, IntegralRenderOptions& result)
     }
     const double percent = Number_In(text, "%");
     if (!(percent > 0 && percent <= 100))
-        throw std::invalid_argument("Integral_Audit=" + text + " is not on, off or a percentage of the lit pixels, greater than 0 "
-                                    "and up to 100");
+        throw std::invalid_argument(
+            "Integral_Audit=" + text +
+            " is not on, off or a percentage of the lit pixels, greater than 0 "
+            "and up to 100");
     result.audit_share = percent / 100;
 }
 
@@ -146,35 +162,42 @@ void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
 {
     IntegralRenderOptions result;
-    const auto text = [&](POVMSType key) { return UCS2toASCIIString(options.TryGetUCS2String(key, "")); };
+    const auto text = [&](POVMSType key)
+    { return UCS2toASCIIString(options.TryGetUCS2String(key, "")); };
     const auto word = [&](POVMSType key) { return Lower_Case(text(key)); };
     Read_Audit(word(kIntegralAttrib_Audit), result);
     Read_Sharing(word(kIntegralAttrib_Sharing), result);
     result.seed = std::uint64_t(std::int64_t(options.TryGetInt(kIntegralAttrib_Seed, 0)));
     result.error_picture = text(kIntegralAttrib_ErrorPicture);
     if (!result.error_picture.empty() && !result.audit)
-        throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, which Integral_Audit=off leaves out");
+        throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, "
+                                    "which Integral_Audit=off leaves out");
     if (!result.error_picture.empty() && !May_Write_Integral_Picture(result.error_picture))
-        throw std::invalid_argument("Integral_Error_Image=" + result.error_picture + " cannot be written there");
+        throw std::invalid_argument("Integral_Error_Image=" + result.error_picture +
+                                    " cannot be written there");
     result.edge_samples = Samples_At_Edges(options);
     result.depth_picture = text(kIntegralAttrib_DepthPicture);
     if (!result.depth_picture.empty())
         Check_Depth_Picture(result.depth_picture);
     Read_Rows(text(kIntegralAttrib_Rows), options.TryGetInt(kPOVAttrib_Height, 0), result.rows);
     result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
-    result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize, result.block_side)); // POV-Ray takes no less
+    result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize,
+                                                      result.block_side)); // POV-Ray takes no less
     if (const int megabytes = options.TryGetInt(kPOVAttrib_MaxImageBufferMem, 128); megabytes > 0)
         result.most_memory = std::size_t(megabytes) << 20;
-    result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
+    result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&
+                       options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
-    result.output.working = Encoding_Of(options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),
-                                        options.TryGetFloat(kPOVAttrib_WorkingGamma, DEFAULT_WORKING_GAMMA));
+    result.output.working = Encoding_Of(
+        options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),
+        options.TryGetFloat(kPOVAttrib_WorkingGamma, DEFAULT_WORKING_GAMMA));
     const int file = options.TryGetInt(kPOVAttrib_OutputFileType, kPOVList_FileType_PNG);
     if (file == kPOVList_FileType_OpenEXR || file == kPOVList_FileType_RadianceHDR)
         result.output.file.kind = integral::Encoding::Kind::linear;
     else
-        result.output.file = Encoding_Of(options.TryGetInt(kPOVAttrib_FileGammaType, kPOVList_GammaType_SRGB),
-                                         options.TryGetFloat(kPOVAttrib_FileGamma, 2.2f));
+        result.output.file = Encoding_Of(
+            options.TryGetInt(kPOVAttrib_FileGammaType, kPOVList_GammaType_SRGB),
+            options.TryGetFloat(kPOVAttrib_FileGamma, 2.2f));
     return result;
 }
 
@@ -193,7 +216,8 @@ std::string Problem_Of_Integral_Options(POVMS_Object& options)
 
 unsigned int Integral_Bounding(POVMS_Object& options, unsigned int method)
 {
-    return method == 1 && !options.Exist(kPOVAttrib_BoundingMethod) ? integral_bounding_open : method;
+    return method == 1 && !options.Exist(kPOVAttrib_BoundingMethod) ? integral_bounding_open
+                                                                    : method;
 }
 
 }

@@ -39,14 +39,16 @@ bool May_Write_Integral_Picture(const std::string& file)
     return true;
 }
 
-bool Write_Integral_Picture(const std::string& file, int width, int height, const std::vector<double>& values)
+bool Write_Integral_Picture(const std::string& file, int width, int height,
+                            const std::vector<double>& values)
 {
     const bool exr = file.size() > 4 && file.compare(file.size() - 4, 4, ".exr") == 0;
     const std::unique_ptr<Image> image(Image::Create(width, height, Image::RGB_Int16, false));
     std::size_t index = 0;
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++, index++)
-            image->SetRGBValue(x, y, float(values[index]), float(values[index]), float(values[index]));
+            image->SetRGBValue(x, y, float(values[index]), float(values[index]),
+                               float(values[index]));
     Image::WriteOptions options;
     options.bpcc = 16;
     options.encodingGamma = SRGBGammaCurve::Get();
@@ -55,8 +57,9 @@ bool Write_Integral_Picture(const std::string& file, int width, int height, cons
     bool good = false;
     try
     {
-        const std::unique_ptr<OStream> stream(NewOStream(ASCIItoUCS2String(Beside(file).c_str()).c_str(),
-                                                         exr ? POV_File_Image_EXR : POV_File_Image_PNG, false));
+        const std::unique_ptr<OStream> stream(
+            NewOStream(ASCIItoUCS2String(Beside(file).c_str()).c_str(),
+                       exr ? POV_File_Image_EXR : POV_File_Image_PNG, false));
         if (stream)
         {
             Image::Write(exr ? Image::EXR : Image::PNG, stream.get(), image.get(), options);
@@ -72,7 +75,8 @@ bool Write_Integral_Picture(const std::string& file, int width, int height, cons
     return good;
 }
 
-bool Write_Integral_Depth(const std::string& file, int width, int height, const std::vector<float>& depths)
+bool Write_Integral_Depth(const std::string& file, int width, int height,
+                          const std::vector<float>& depths)
 {
 #ifdef OPENEXR_MISSING
     return false;
@@ -93,8 +97,10 @@ bool Write_Integral_Depth(const std::string& file, int width, int height, const 
         header.channels().insert("A", Imf::Channel(Imf::FLOAT));
         Imf::FrameBuffer buffer;
         const std::size_t step = sizeof(float);
-        buffer.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(z.data()), step, step * width));
-        buffer.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(alpha.data()), step, step * width));
+        buffer.insert(
+            "Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(z.data()), step, step * width));
+        buffer.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(alpha.data()), step,
+                                      step * width));
         Imf::OutputFile output(Beside(file).c_str(), header);
         output.setFrameBuffer(buffer);
         output.writePixels(height);

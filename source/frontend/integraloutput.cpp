@@ -27,22 +27,23 @@ namespace
 
 class PictureStream : public OStream
 {
-    public:
-        explicit PictureStream(unsigned int file_type) : OStream(file_type) {}
+public:
+    explicit PictureStream(unsigned int file_type) : OStream(file_type) {}
 
-        /// Whether all that was written has arrived; `on_disk`: on the disk itself.
-        bool Finish(bool on_disk)
-        {
-            return !fail && std::fflush(f) == 0 && !std::ferror(f) && (!on_disk || fsync(fileno(f)) == 0);
-        }
+    /// Whether all that was written has arrived; `on_disk`: on the disk itself.
+    bool Finish(bool on_disk)
+    {
+        return !fail && std::fflush(f) == 0 && !std::ferror(f) &&
+               (!on_disk || fsync(fileno(f)) == 0);
+    }
 };
 
 /// Whether there is something of that name that cannot be replaced by a file.
 bool Is_Special(const std::string& name)
 {
     struct stat status;
-    return name == "stdout" || name == "stderr"
-        || (stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
+    return name == "stdout" || name == "stderr" ||
+           (stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
 }
 
 /// The file that a name, which may be a symbolic link, stands for.
@@ -63,7 +64,8 @@ void Write_Straight(const std::string& name, unsigned int file_type, Image::Imag
 {
     const UCS2String path = ASCIItoUCS2String(name.c_str());
     if (!POV_ALLOW_FILE_WRITE(path.c_str(), file_type))
-        throw POV_EXCEPTION(kCannotOpenFileErr, "IO Restrictions prohibit write access to '" + name + "'");
+        throw POV_EXCEPTION(kCannotOpenFileErr,
+                            "IO Restrictions prohibit write access to '" + name + "'");
     PictureStream stream(file_type);
     if (!stream.open(path))
         throw POV_EXCEPTION_CODE(kCannotOpenFileErr);
@@ -74,8 +76,9 @@ void Write_Straight(const std::string& name, unsigned int file_type, Image::Imag
 
 }
 
-void Write_Whole_Picture(const UCS2String& file, unsigned int file_type, Image::ImageFileType format,
-                         const Image& image, const Image::WriteOptions& options)
+void Write_Whole_Picture(const UCS2String& file, unsigned int file_type,
+                         Image::ImageFileType format, const Image& image,
+                         const Image::WriteOptions& options)
 {
     const std::string name = UCS2toASCIIString(file);
     const bool special = Is_Special(name);

@@ -15,10 +15,10 @@
 namespace pov_frontend
 {
 
-/// Writes `image` to `file`: first under an unfinished name in the same folder, which then takes the
-/// file's place, so that what was there stays until the new picture is whole. Straight to what is no
-/// regular file: a standard stream, a device, a pipe. Throws pov_base::Exception with one sentence
-/// if that is not possible; then nothing unfinished is left.
+/// Writes `image` to `file`: first under an unfinished name in the same folder, which then takes
+/// the file's place, so that what was there stays until the new picture is whole. Straight to what
+/// is no regular file: a standard stream, a device, a pipe. Throws pov_base::Exception with one
+/// sentence if that is not possible; then nothing unfinished is left.
 void Write_Whole_Picture(const pov_base::UCS2String& file, unsigned int file_type,
                          pov_base::Image::ImageFileType format, const pov_base::Image& image,
                          const pov_base::Image::WriteOptions& options);
@@ -27,8 +27,8 @@ void Write_Whole_Picture(const pov_base::UCS2String& file, unsigned int file_typ
 /// the file that the picture is kept in while it is rendered. `reason`: errno, or 0.
 std::string Lost_Pixels_Message(bool state_failed, const std::string& state_file, int reason);
 
-/// Runs `store`, which stores pixels of a view. Once that has failed during the render it throws one
-/// sentence, and does nothing from then on: the render is being stopped, and another exception,
+/// Runs `store`, which stores pixels of a view. Once that has failed during the render it throws
+/// one sentence, and does nothing from then on: the render is being stopped, and another exception,
 /// thrown while that waits for an answer, would end the program.
 template <class ViewData, class Store> void Store_Pixels(ViewData& data, Store store)
 {
@@ -43,7 +43,8 @@ template <class ViewData, class Store> void Store_Pixels(ViewData& data, Store s
     catch (const Exception&)
     {
         const int reason = errno;
-        if (data.state == ViewData::View_Created) // a state file's pixels: it is read as far as it is whole
+        if (data.state == ViewData::View_Created) // a state file's pixels: it is read as far as it
+                                                  // is whole
             throw;
         data.pixelsLost = true;
         const bool state_failed = data.imageBackup && !*data.imageBackup;

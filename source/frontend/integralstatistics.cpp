@@ -28,18 +28,20 @@ static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
         return;
     const auto number = [&](POVMSType key) { return double(statistics.TryGetFloat(key, 0)); };
     const double rms = number(kIntegralAttrib_Error);
-    out->printf("%-19s %15.5f   95%%: %.5f to %.5f", "RMS error:", rms, number(kIntegralAttrib_ErrorLow),
-                number(kIntegralAttrib_ErrorHigh));
+    out->printf("%-19s %15.5f   95%%: %.5f to %.5f", "RMS error:", rms,
+                number(kIntegralAttrib_ErrorLow), number(kIntegralAttrib_ErrorHigh));
     if (rms > 0)
         out->printf("   PSNR %.1f dB", -20 * std::log10(rms));
     out->printf("\n");
     const double pixels = double(statistics.TryGetLong(kIntegralAttrib_ErrorPixels, 0));
     const int samples = statistics.TryGetInt(kIntegralAttrib_ErrorSamples, 0);
     if (statistics.TryGetInt(kIntegralAttrib_ErrorMethod, 0) == int(integral::ErrorMethod::audit))
-        out->printf("  by an audit of %.0f of %.0f lit pixels, %d samples each, in %.3f seconds\n", pixels,
-                    double(statistics.TryGetLong(kIntegralAttrib_ErrorLitPixels, 0)), samples, number(kIntegralAttrib_ErrorSeconds));
+        out->printf("  by an audit of %.0f of %.0f lit pixels, %d samples each, in %.3f seconds\n",
+                    pixels, double(statistics.TryGetLong(kIntegralAttrib_ErrorLitPixels, 0)),
+                    samples, number(kIntegralAttrib_ErrorSeconds));
     else
-        out->printf("  by the two halves of the %d samples of each of %.0f lit pixels\n", samples, pixels);
+        out->printf("  by the two halves of the %d samples of each of %.0f lit pixels\n", samples,
+                    pixels);
     if (statistics.Exist(kIntegralAttrib_ErrorPicture))
         out->printf("Warning: the error picture could not be written to %s.\n",
                     statistics.GetString(kIntegralAttrib_ErrorPicture).c_str());
@@ -53,9 +55,8 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
     const double points = count(kIntegralAttrib_FilmPoints), imaged = count(kIntegralAttrib_Imaged);
     const double searched = count(kIntegralAttrib_Searched), rays = count(kIntegralAttrib_Rays);
     const double seconds = statistics.TryGetFloat(kIntegralAttrib_Seconds, 0);
-    const auto line = [&](const char *label, double number, double of) {
-        out->printf("%-19s %15.0f   %6.2f%%\n", label, number, of > 0 ? 100 * number / of : 0);
-    };
+    const auto line = [&](const char *label, double number, double of)
+    { out->printf("%-19s %15.0f   %6.2f%%\n", label, number, of > 0 ? 100 * number / of : 0); };
 
     out->printf("----------------------------------------------------------------------------\n");
     out->printf("Integral Camera\n");
@@ -64,13 +65,16 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
     line("  imaged:", imaged, points);
     line("    by the rule:", imaged - searched, points);
     line("    by the search:", searched, points);
-    const double outside = count(kIntegralAttrib_OutsideAperture), reflected = count(kIntegralAttrib_TotalReflection);
+    const double outside = count(kIntegralAttrib_OutsideAperture),
+                 reflected = count(kIntegralAttrib_TotalReflection);
     line("  left empty:", outside + reflected, points);
     line("    aperture missed:", outside, points);
     line("    total reflection:", reflected, points);
-    out->printf("%-19s %15.0f   %6.2f an imaged point\n", "Rays:", rays, imaged > 0 ? rays / imaged : 0);
+    out->printf("%-19s %15.0f   %6.2f an imaged point\n", "Rays:", rays,
+                imaged > 0 ? rays / imaged : 0);
     line("  containers sought:", count(kIntegralAttrib_ContainerSearches), rays);
-    out->printf("%-19s %15d   of %d objects\n", "    among:", statistics.TryGetInt(kIntegralAttrib_Containers, 0),
+    out->printf("%-19s %15d   of %d objects\n",
+                "    among:", statistics.TryGetInt(kIntegralAttrib_Containers, 0),
                 statistics.TryGetInt(kIntegralAttrib_Objects, 0));
     if (const double shared = count(kIntegralAttrib_SharedShadings))
     {
@@ -101,8 +105,8 @@ void Check_Render_State(const Path& file, std::size_t reserved_offset)
         return;
     const std::string expected = state_mark + IntegralFrame::Fingerprint();
     char found[sizeof(state_mark) + 16] = "";
-    const bool read = std::fseek(stream, long(reserved_offset), SEEK_SET) == 0
-                   && std::fread(found, 1, sizeof(found) - 1, stream) == sizeof(found) - 1;
+    const bool read = std::fseek(stream, long(reserved_offset), SEEK_SET) == 0 &&
+                      std::fread(found, 1, sizeof(found) - 1, stream) == sizeof(found) - 1;
     std::fclose(stream);
     if (!read)
         return; // not a state file, or a damaged one: POV-Ray has its own words for that
@@ -110,9 +114,10 @@ void Check_Render_State(const Path& file, std::size_t reserved_offset)
     const bool marked = std::strncmp(found, state_mark, sizeof(state_mark) - 1) == 0;
     const std::string mark = marked ? std::string(found) : std::string(state_mark);
     if (mark != expected)
-        throw POV_EXCEPTION(kCannotHandleRequestErr,
-                            "Cannot continue the trace: it was begun with another camera. Render anew without +C, "
-                            "or put the camera back as it was.");
+        throw POV_EXCEPTION(
+            kCannotHandleRequestErr,
+            "Cannot continue the trace: it was begun with another camera. Render anew without +C, "
+            "or put the camera back as it was.");
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// centroid PICTURE.png WIDTH_MM: the centre of what is bright in a view of a sheet WIDTH_MM wide, in
-// mm from the sheet's centre (x to the right, y up). Reads the picture by libpng alone.
+// centroid PICTURE.png WIDTH_MM: the centre of what is bright in a view of a sheet WIDTH_MM wide,
+// in mm from the sheet's centre (x to the right, y up). Reads the picture by libpng alone.
 #include <png.h>
 
 #include <cstdio>
@@ -35,5 +35,6 @@ int main(int argc, char** argv)
         return 1;
     }
     const double pixel = width_mm / image.width;
-    std::printf("%.6f %.6f\n", (x / sum - 0.5 * image.width) * pixel, (0.5 * image.height - y / sum) * pixel);
+    std::printf("%.6f %.6f\n", (x / sum - 0.5 * image.width) * pixel,
+                (0.5 * image.height - y / sum) * pixel);
 }

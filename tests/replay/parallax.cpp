@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// parallax FRAME Z: how far what 25 eyes see of a thing at depth Z (mm behind the sheet, on its axis) moves, against theory:
-// by eye * Z / (distance + Z). Prints the pairs of eyes at least 60 mm apart, and the greatest deviation of any in per cent
-// of its theory. The eyes stand all over the viewing zone: 5 x 5, behind cylinders 25 in a row. Each is the mean of 8 eyes
-// spread over the beam from which a pixel is seen, n distance/thickness pixels wide (parallax.test).
+// parallax FRAME Z: how far what 25 eyes see of a thing at depth Z (mm behind the sheet, on its
+// axis) moves, against theory: by eye * Z / (distance + Z). Prints the pairs of eyes at least 60 mm
+// apart, and the greatest deviation of any in per cent of its theory. The eyes stand all over the
+// viewing zone: 5 x 5, behind cylinders 25 in a row. Each is the mean of 8 eyes spread over the
+// beam from which a pixel is seen, n distance/thickness pixels wide (parallax.test).
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
 
@@ -17,13 +18,20 @@ namespace {
 using namespace integral;
 
 constexpr double apart = 60; // mm
-constexpr int spread = 8;                // eyes to the mean of one: (k, 3k mod 8), all eighths of the beam both ways
+constexpr int spread = 8;    // eyes to the mean of one: (k, 3k mod 8), all eighths of the beam both
+                             // ways
 
-bool is_row(const Frame& frame) { return frame.metadata->sheet.arrangement == Arrangement::lenticular; }
+bool is_row(const Frame& frame)
+{
+    return frame.metadata->sheet.arrangement == Arrangement::lenticular;
+}
 
-/// Of the aperture, what all lenses show to an eye without the next lens's light. Hexagons do not fill the aperture's corners,
-/// and those at the sheet's edge look there at an angle.
-double zone(const Frame& frame) { return frame.metadata->sheet.arrangement == Arrangement::hexagonal ? 0.5 : 0.8; }
+/// Of the aperture, what all lenses show to an eye without the next lens's light. Hexagons do not
+/// fill the aperture's corners, and those at the sheet's edge look there at an angle.
+double zone(const Frame& frame)
+{
+    return frame.metadata->sheet.arrangement == Arrangement::hexagonal ? 0.5 : 0.8;
+}
 
 /// Centre of what is bright, mm.
 Vec2 centroid(const Image& view, const Film& window)
@@ -44,14 +52,18 @@ Vec2 seen_at(const Frame& frame, Eye eye)
 {
     const FrameMetadata& metadata = *frame.metadata;
     const Film& film = metadata.film;
-    const Vec2 beam = (metadata.sheet.ior * metadata.aperture.distance / metadata.sheet.thickness) * film.pixel_pitch;
-    const int wide = is_row(frame) ? 2 : 3, high = is_row(frame) ? 12 : 3; // of the film's pixels, to one of the view's
-    const Film window{film.width / wide, film.height / high, {wide * film.pixel_pitch.x, high * film.pixel_pitch.y}};
+    const Vec2 beam = (metadata.sheet.ior * metadata.aperture.distance / metadata.sheet.thickness) *
+                      film.pixel_pitch;
+    const int wide = is_row(frame) ? 2 : 3,
+              high = is_row(frame) ? 12 : 3; // of the film's pixels, to one of the view's
+    const Film window{film.width / wide,
+                      film.height / high,
+                      {wide * film.pixel_pitch.x, high * film.pixel_pitch.y}};
     Vec2 sum{0, 0};
     for (int k = 0; k < spread; ++k) {
         View view;
-        view.eye = {eye.x + beam.x * ((k + 0.5) / spread - 0.5), eye.y + beam.y * ((3 * k % spread + 0.5) / spread - 0.5),
-                    eye.distance};
+        view.eye = {eye.x + beam.x * ((k + 0.5) / spread - 0.5),
+                    eye.y + beam.y * ((3 * k % spread + 0.5) / spread - 0.5), eye.distance};
         view.width = window.width;
         view.height = window.height;
         view.samples = 1;
@@ -66,8 +78,9 @@ void measure(const char* path, double z)
     const Aperture& aperture = frame.metadata->aperture;
     const bool row = is_row(frame);
     const double part = zone(frame);
-    const std::vector<Eye> eyes = eye_grid(centre_eye(*frame.metadata), row ? 25 : 5, row ? 1 : 5,
-                                           {part * aperture.width, row ? 0 : part * aperture.height});
+    const std::vector<Eye> eyes = eye_grid(
+        centre_eye(*frame.metadata), row ? 25 : 5, row ? 1 : 5,
+        {part * aperture.width, row ? 0 : part * aperture.height});
     std::vector<Vec2> seen;
     for (const Eye& eye : eyes)
         seen.push_back(seen_at(frame, eye));

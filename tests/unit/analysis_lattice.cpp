@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Scans back in: the parts of the search for a lattice, on drawings whose lattice is known in closed form. These are small, of about
-// 30 lenses; tests/cli/integral_rectify.test asks for more of larger scans.
+// Scans back in: the parts of the search for a lattice, on drawings whose lattice is known in
+// closed form. These are small, of about 30 lenses; tests/cli/integral_rectify.test asks for more
+// of larger scans.
 #include "integral/analysis/border_fit.h"
 #include "integral/analysis/lattice_search.h"
 #include "integral/analysis/lens_borders.h"
@@ -36,8 +37,10 @@ LatticeSearch search_for(const LensSheet& sheet, const ScanMap& about)
     return search;
 }
 
-/// A scan in which each lens has a grey of its own, by chance: nothing but borders. 3 x 3 points a pixel.
-Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, int height, double noise)
+/// A scan in which each lens has a grey of its own, by chance: nothing but borders. 3 x 3 points a
+/// pixel.
+Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, int height,
+                   double noise)
 {
     const SheetOptics optics(search.sheet, search.aperture);
     Image scan = make_image<std::uint8_t>(width, height, 3, Encoding{});
@@ -50,7 +53,9 @@ Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, i
                 const Vec2 pixel{x + (k % 3 + 0.5) / 3, y + (k / 3 + 0.5) / 3};
                 const auto mapped = optics.map(film_from_scan(map, pixel), search.mapping);
                 if (mapped.ray) {
-                    const std::uint32_t mixed = std::uint32_t(mapped.ray->lens.i * 73856093 ^ mapped.ray->lens.j * 19349663) * 2654435761u;
+                    const std::uint32_t mixed = std::uint32_t(mapped.ray->lens.i * 73856093 ^
+                                                              mapped.ray->lens.j * 19349663) *
+                                                2654435761u;
                     sum += 0.2 + 0.6 * (mixed >> 8) / double(1 << 24);
                 }
             }
@@ -68,7 +73,9 @@ BOOST_AUTO_TEST_CASE(a_map_and_its_inverse)
     for (const Vec2 point : {Vec2{0, 0}, Vec2{12.5, -3}, Vec2{-40, 17}}) {
         const Vec2 back = film_from_scan(map, scan_from_film(map, point));
         BOOST_CHECK_SMALL(length(back - point), 1e-12);
-        BOOST_CHECK_SMALL(length(3.0 * scan_from_film(in_larger_pixels(map, 3), point) - scan_from_film(map, point)), 1e-9);
+        BOOST_CHECK_SMALL(length(3.0 * scan_from_film(in_larger_pixels(map, 3), point) -
+                                 scan_from_film(map, point)),
+                          1e-9);
     }
     // A quarter turn anticlockwise: right becomes up, which is less y.
     const Vec2 up = scan_from_film({{100, 100}, {10, 20}, pi / 2}, {1, 0});
@@ -126,14 +133,16 @@ BOOST_AUTO_TEST_CASE(borders_lie_where_the_aperture_ends)
         const double u = dot(lattice.across(), point - sheet.offset) / sheet.pitch - 0.5;
         BOOST_REQUIRE_SMALL(u - std::round(u), 1e-3);
     }
-    // Near by they are displaced by x t/sqrt(n^2 d^2 + (n^2 - 1) x^2): upright lenses, on the horizontal axis.
+    // Near by they are displaced by x t/sqrt(n^2 d^2 + (n^2 - 1) x^2): upright lenses, on the
+    // horizontal axis.
     sheet.slant = 0;
     const SheetOptics near(sheet, *filling_aperture(sheet, 200));
     const double m = sheet.ior * sheet.ior - 1;
     for (const Vec2 point : lens_borders(near, LensMapping::accurate, {8, 0.01}, 0.2, 2000, 1)) {
         double pole = point.x; // of which this is the displaced place
         for (int k = 0; k < 50; ++k)
-            pole = point.x - pole * sheet.thickness / std::sqrt(sheet.ior * sheet.ior * 200 * 200 + m * pole * pole);
+            pole = point.x - pole * sheet.thickness /
+                                 std::sqrt(sheet.ior * sheet.ior * 200 * 200 + m * pole * pole);
         const double u = (pole - sheet.offset.x) / sheet.pitch - 0.5;
         BOOST_REQUIRE_SMALL(u - std::round(u), 0.01);
     }
@@ -147,15 +156,18 @@ BOOST_AUTO_TEST_CASE(borders_lie_where_the_aperture_ends)
 
 BOOST_AUTO_TEST_CASE(a_lattice_is_found)
 {
-    for (const auto& [arrangement, slant] : {std::pair(Arrangement::lenticular, 0.0), std::pair(Arrangement::lenticular, -14.0),
-                                             std::pair(Arrangement::square, 0.0), std::pair(Arrangement::hexagonal, 0.0)})
+    for (const auto& [arrangement, slant] :
+         {std::pair(Arrangement::lenticular, 0.0), std::pair(Arrangement::lenticular, -14.0),
+          std::pair(Arrangement::square, 0.0), std::pair(Arrangement::hexagonal, 0.0)})
         for (const double turn : {0.6, -1.9}) {
             const LensSheet sheet = sheet_of(arrangement, slant);
             const bool lenticular = arrangement == Arrangement::lenticular;
             const ScanMap truth{{301.3, 248.8}, {12.1, lenticular ? 12.1 : 12.03}, turn * pi / 180};
             const LatticeSearch search = search_for(sheet, {{302, 247}, {12, 12}, 0});
             const auto found = find_lattice(chance_greys(search, truth, 600, 500, 0.03), search);
-            BOOST_TEST_CONTEXT("arrangement " << int(arrangement) << " slant " << slant << " turn " << turn) {
+            BOOST_TEST_CONTEXT("arrangement " << int(arrangement) << " slant " << slant << " turn "
+                                              << turn)
+            {
                 BOOST_REQUIRE(found);
                 BOOST_CHECK_GT(found->significance, 2 * least_significance);
                 BOOST_CHECK_SMALL(found->map.scale.x / truth.scale.x - 1, 2.5e-4);
@@ -163,8 +175,9 @@ BOOST_AUTO_TEST_CASE(a_lattice_is_found)
                 BOOST_CHECK_SMALL(found->map.rotation - truth.rotation, 2e-4);
                 const Vec2 off = found->map.middle - truth.middle;
                 const Vec2 b = Lattice(sheet).across();
-                const Vec2 across{b.x * std::cos(truth.rotation) - b.y * std::sin(truth.rotation),
-                                  -(b.x * std::sin(truth.rotation) + b.y * std::cos(truth.rotation))};
+                const Vec2 across{
+                    b.x * std::cos(truth.rotation) - b.y * std::sin(truth.rotation),
+                    -(b.x * std::sin(truth.rotation) + b.y * std::cos(truth.rotation))};
                 BOOST_CHECK_SMALL(lenticular ? dot(off, across) : length(off), 0.08);
                 BOOST_CHECK_GT(found->scale_error.x, 0);
                 BOOST_CHECK_LT(found->scale_error.x, 2e-4);
@@ -182,13 +195,19 @@ BOOST_AUTO_TEST_CASE(noise_has_no_lattice)
             const float v = grey(random);
             store_pixel(scan, x, y, {v, v, v, 1});
         }
-    for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal}) {
-        const auto found = find_lattice(scan, search_for(sheet_of(arrangement), {{200, 150}, {12, 12}, 0}));
+    for (const Arrangement arrangement :
+         {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal}) {
+        const auto found = find_lattice(
+            scan, search_for(sheet_of(arrangement), {{200, 150}, {12, 12}, 0}));
         BOOST_REQUIRE(found);
         BOOST_CHECK_LT(found->significance, least_significance);
     }
-    BOOST_CHECK_THROW(find_lattice(scan, search_for(sheet_of(Arrangement::square), {{200, 150}, {2, 2}, 0})), std::invalid_argument);
-    BOOST_CHECK_THROW(find_lattice(scan, search_for(sheet_of(Arrangement::square), {{200, 150}, {40, 40}, 0})), std::invalid_argument);
+    BOOST_CHECK_THROW(
+        find_lattice(scan, search_for(sheet_of(Arrangement::square), {{200, 150}, {2, 2}, 0})),
+        std::invalid_argument);
+    BOOST_CHECK_THROW(
+        find_lattice(scan, search_for(sheet_of(Arrangement::square), {{200, 150}, {40, 40}, 0})),
+        std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -31,7 +31,8 @@ double fall(double x, double y)
 BOOST_AUTO_TEST_CASE(an_uneven_light_is_fitted_beside_dark_things)
 {
     const Image scan = picture([](double x, double y) {
-        const float v = float(0.4 * fall(x, y) * (x > 20 && x < 60 && y > 30 && y < 80 ? 0.1 : 1)); // a tenth of it
+        const float v = float(0.4 * fall(x, y) *
+                              (x > 20 && x < 60 && y > 30 && y < 80 ? 0.1 : 1)); // a tenth of it
         return Color{v, v, v, 1};
     });
     ScanLight light;
@@ -45,7 +46,9 @@ BOOST_AUTO_TEST_CASE(an_uneven_light_is_fitted_beside_dark_things)
 
 BOOST_AUTO_TEST_CASE(a_flat_field_is_divided_by)
 {
-    const Image flat = picture([](double x, double y) { return Color{float(0.5 * fall(x, y)), float(0.4 * fall(x, y)), 0.3f, 1}; });
+    const Image flat = picture([](double x, double y) {
+        return Color{float(0.5 * fall(x, y)), float(0.4 * fall(x, y)), 0.3f, 1};
+    });
     ScanLight light;
     light.divide_by_flat(flat, 160, 120, 1);
     const Color middle = light.gain({80, 60});
@@ -55,35 +58,49 @@ BOOST_AUTO_TEST_CASE(a_flat_field_is_divided_by)
             BOOST_CHECK_CLOSE(light.gain({x, y}).b, 1, 1e-3);
         }
     BOOST_CHECK_THROW(light.divide_by_flat(flat, 161, 120, 1), std::invalid_argument);
-    BOOST_CHECK_THROW(light.divide_by_flat(picture([](double x, double) { return x < 40 ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1}; }), 160, 120, 1),
-                      std::invalid_argument);
+    BOOST_CHECK_THROW(
+        light.divide_by_flat(picture([](double x, double) {
+                                 return x < 40 ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1};
+                             }),
+                             160, 120, 1),
+        std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(casts_are_taken_out)
 {
-    const Image scan = picture([](double x, double) { return x < 80 ? Color{0.6f, 0.3f, 0.1f, 1} : Color{0.2f, 0.3f, 0.1f, 1}; });
+    const Image scan = picture([](double x, double) {
+        return x < 80 ? Color{0.6f, 0.3f, 0.1f, 1} : Color{0.2f, 0.3f, 0.1f, 1};
+    });
     ScanLight grey;
     grey.balance_grey(light_grid(scan, 1));
     const Color g = grey.channel_gains();
     BOOST_CHECK_CLOSE(g.r * 0.4, g.g * 0.3, 0.01);
     BOOST_CHECK_CLOSE(g.g * 0.3, g.b * 0.1, 0.01);
-    BOOST_CHECK_CLOSE(luminance({g.r * 0.4f, g.g * 0.3f, g.b * 0.1f, 1}), luminance({0.4f, 0.3f, 0.1f, 1}), 0.01); // none the brighter
+    BOOST_CHECK_CLOSE(luminance({g.r * 0.4f, g.g * 0.3f, g.b * 0.1f, 1}),
+                      luminance({0.4f, 0.3f, 0.1f, 1}), 0.01); // none the brighter
     ScanLight white;
     white.balance_white(scan, 90, 10, 20, 20);
     BOOST_CHECK_CLOSE(white.channel_gains().r * 0.2, 1, 0.01);
     BOOST_CHECK_CLOSE(white.channel_gains().b * 0.1, 1, 0.01);
-    BOOST_CHECK_THROW(white.balance_white(picture([](double, double) { return Color{0.5f, 0, 0.5f, 1}; }), 0, 0, 5, 5), std::invalid_argument);
+    BOOST_CHECK_THROW(white.balance_white(picture([](double, double) {
+                                              return Color{0.5f, 0, 0.5f, 1};
+                                          }),
+                                          0, 0, 5, 5),
+                      std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(resampling_keeps_a_ramp_and_the_black_outside)
 {
-    const Image scan = picture([](double x, double y) { return Color{float(x / 200), float(y / 200), 0.5f, 1}; });
+    const Image scan = picture([](double x, double y) {
+        return Color{float(x / 200), float(y / 200), 0.5f, 1};
+    });
     const ScanMap map{{70, 55}, {10, 9.5}, 0.05};
     const Film film = film_of_scan(map, 160, 120, {0.15, 0.15}, Film{});
     BOOST_CHECK_EQUAL(film.width % 2, 0);
     for (const Vec2 corner : {Vec2{0, 0}, Vec2{160, 120}, Vec2{160, 0}}) {
         const Vec2 at = pixel_from_film(film, film_from_scan(map, corner));
-        BOOST_CHECK(at.x > -1e-6 && at.y > -1e-6 && at.x < film.width + 1e-6 && at.y < film.height + 1e-6);
+        BOOST_CHECK(at.x > -1e-6 && at.y > -1e-6 && at.x < film.width + 1e-6 &&
+                    at.y < film.height + 1e-6);
     }
     const auto frame = rectified(scan, map, film, ScanLight(), 1);
     BOOST_REQUIRE(frame);
@@ -117,7 +134,8 @@ BOOST_AUTO_TEST_CASE(vignetting_of_the_micro_images_is_divided_out)
         const auto mapped = optics.map(point, LensMapping::automatic);
         if (!mapped.ray)
             return -1.0;
-        const double u = 2 * mapped.ray->aperture_point.x / optics.aperture().width, v = 2 * mapped.ray->aperture_point.y / optics.aperture().height;
+        const double u = 2 * mapped.ray->aperture_point.x / optics.aperture().width,
+                     v = 2 * mapped.ray->aperture_point.y / optics.aperture().height;
         return 1 - 0.25 * (u * u + v * v);
     };
     for (int y = 0; y < film.height; ++y)

@@ -18,8 +18,12 @@ BOOST_AUTO_TEST_CASE(excerpts)
     BOOST_TEST(excerpt(std::string(80, 'a')) == std::string(80, 'a'));
     BOOST_TEST(excerpt(std::string(81, 'a')) == std::string(80, 'a') + "...");
     BOOST_TEST(excerpt("abcdef", 3) == "abc...");
-    BOOST_TEST(excerpt("a\xc3\xa9" "bc", 2) == "a..."); // not half of an é
-    BOOST_TEST(excerpt("a\xc3\xa9" "bc", 3) == "a\xc3\xa9...");
+    BOOST_TEST(excerpt("a\xc3\xa9"
+                       "bc",
+                       2) == "a..."); // not half of an é
+    BOOST_TEST(excerpt("a\xc3\xa9"
+                       "bc",
+                       3) == "a\xc3\xa9...");
     BOOST_TEST(excerpt("\xf0\x9f\x99\x82\xf0\x9f\x99\x82", 7) == "\xf0\x9f\x99\x82...");
     BOOST_TEST(excerpt(std::string(100, '\x80')).size() >= 77); // no UTF-8: it still has an end
 }
@@ -41,7 +45,8 @@ BOOST_AUTO_TEST_CASE(reasons)
 BOOST_AUTO_TEST_CASE(one_line_has_no_control_characters)
 {
     BOOST_TEST(one_line("a\tb\n\033]0;x\a\x7f") == "a?b??]0;x??");
-    BOOST_TEST(one_line("\xc2\x9b" "31m \xc2\x80\xc2") == "??31m ??\xc2");
+    BOOST_TEST(one_line("\xc2\x9b"
+                        "31m \xc2\x80\xc2") == "??31m ??\xc2");
     BOOST_TEST(one_line("caf\xc3\xa9 \xc2\xa0\xe2\x82\xac") == "caf\xc3\xa9 \xc2\xa0\xe2\x82\xac");
     BOOST_TEST(InputError("a\033").what() == std::string("a?"));
     BOOST_TEST(OutputError("a\033").what() == std::string("a?"));

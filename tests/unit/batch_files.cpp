@@ -76,11 +76,14 @@ BOOST_AUTO_TEST_CASE(file_hash_is_sha256)
 {
     const Folder folder;
     folder.write("abc", "abc"); // FIPS 180-2, appendix B.1
-    BOOST_TEST(hash_of_file(folder.path + "/abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    BOOST_TEST(hash_of_file(folder.path + "/abc") ==
+               "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     folder.write("empty", "");
-    BOOST_TEST(hash_of_file(folder.path + "/empty") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    BOOST_TEST(hash_of_file(folder.path + "/empty") ==
+               "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     folder.write("long", std::string(1000000, 'a')); // B.3
-    BOOST_TEST(hash_of_file(folder.path + "/long") == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+    BOOST_TEST(hash_of_file(folder.path + "/long") ==
+               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
     BOOST_CHECK_THROW(hash_of_file(folder.path + "/none"), InputError);
     BOOST_CHECK_THROW(hash_of_file(folder.path), InputError);
 }
@@ -96,7 +99,8 @@ BOOST_AUTO_TEST_CASE(pieces_are_told_apart)
 BOOST_AUTO_TEST_CASE(scene_names_its_files)
 {
     const Folder folder;
-    folder.write("s/scene.pov", "#include \"a.inc\"\n#include \"bare\"\npigment { image_map { png \"sky.png\" } }\n#debug \"not a file\"\n// \"x.inc\"\n");
+    folder.write("s/scene.pov", "#include \"a.inc\"\n#include \"bare\"\npigment { image_map { png "
+                                "\"sky.png\" } }\n#debug \"not a file\"\n// \"x.inc\"\n");
     folder.write("s/a.inc", "#include \"lib.inc\" \"text with \\\" in it\" \"sky.png\"\n");
     folder.write("s/bare.inc", "");
     folder.write("s/sky.png", "\"a.pov\"");
@@ -104,7 +108,8 @@ BOOST_AUTO_TEST_CASE(scene_names_its_files)
     folder.write("share/include/deep.inc", "");
     folder.write("share/include/a.inc", "\"unused.inc\"");
     folder.write("share/include/unused.inc", "");
-    SceneSearch search{folder.path + "/s", {"+A0.3", "+L" + folder.path + "/lib"}, folder.path + "/share"};
+    SceneSearch search{
+        folder.path + "/s", {"+A0.3", "+L" + folder.path + "/lib"}, folder.path + "/share"};
     auto files = files_of_scene("scene.pov", search);
     BOOST_TEST(names_of(files) == "scene.pov a.inc lib.inc deep.inc sky.png bare ");
     BOOST_TEST(files[1].path == folder.path + "/s/a.inc"); // before the library's
@@ -116,14 +121,16 @@ BOOST_AUTO_TEST_CASE(scene_names_its_files)
 BOOST_AUTO_TEST_CASE(settings_name_their_files)
 {
     const Folder folder;
-    folder.write("s/scene.ini", "Input_File_Name=scene.pov ; the scene\nLibrary_Path = \"../lib\"\n");
+    folder.write("s/scene.ini",
+                 "Input_File_Name=scene.pov ; the scene\nLibrary_Path = \"../lib\"\n");
     folder.write("s/scene.pov", "#include \"lib.inc\"");
     folder.write("lib/lib.inc", "");
     folder.write("s/more.ini", "Declare=Map=\"map.png\"\n");
     folder.write("s/map.png", "");
     folder.write("s/povray.ini", "");
     const SceneSearch search{folder.path + "/s", {"more.ini[part]"}, folder.path + "/share"};
-    BOOST_TEST(names_of(files_of_scene("scene.ini", search)) == "povray.ini more.ini map.png scene.ini scene.pov lib.inc ");
+    BOOST_TEST(names_of(files_of_scene("scene.ini", search)) ==
+               "povray.ini more.ini map.png scene.ini scene.pov lib.inc ");
 }
 
 BOOST_AUTO_TEST_CASE(records_come_back)
@@ -214,7 +221,8 @@ BOOST_AUTO_TEST_CASE(published_between_record_and_place)
 
 BOOST_AUTO_TEST_CASE(published_while_another_looks)
 {
-    // A process that waits for a step puts its output in place itself, where it finds the record first: neither is to fail.
+    // A process that waits for a step puts its output in place itself, where it finds the record
+    // first: neither is to fail.
     const OneStep one;
     const BatchStep& step = one.step;
     const BatchFolder& batch = one.batch;
@@ -260,7 +268,8 @@ BOOST_AUTO_TEST_CASE(only_whole_pictures)
     write_frame(folder.path + "/a.exr", {picture, std::nullopt});
     const std::string exr = read_file(folder.path + "/a.exr");
     BOOST_TEST(is_whole(folder.path + "/a.exr"));
-    for (const std::size_t size : {std::size_t(0), std::size_t(5), exr.size() / 2, exr.size() - 1}) {
+    for (const std::size_t size :
+         {std::size_t(0), std::size_t(5), exr.size() / 2, exr.size() - 1}) {
         folder.write("b.exr", exr.substr(0, size));
         BOOST_TEST(!is_whole(folder.path + "/b.exr"), size);
     }
@@ -312,18 +321,21 @@ BOOST_AUTO_TEST_CASE(locks_of_other_namespaces_are_judged_by_age)
     };
     const std::string process = "\"process\":" + std::to_string(getpid()),
                       name_space = "\"namespace\":\"" + process_namespace() + "\"";
-    // Of a process that is none: in this namespace, in another, and as locks were before they named one.
+    // Of a process that is none: in this namespace, in another, and as locks were before they named
+    // one.
     lock.release();
     write_file(path, replaced(process, "\"process\":4194305"));
     BOOST_TEST(lock.take(path, holder));
     lock.release();
-    for (const std::string& other : {replaced(name_space, "\"namespace\":\"1\""), replaced("," + name_space, "")}) {
+    for (const std::string& other :
+         {replaced(name_space, "\"namespace\":\"1\""), replaced("," + name_space, "")}) {
         write_file(path, other);
         BOOST_TEST(!lock.take(path, holder), other);
         BOOST_TEST(holder == "process " + std::to_string(getpid()) + " on " + host_name());
         made_ago(path, std::chrono::seconds(LockFile::seconds_of_silence + 10));
         BOOST_TEST(lock.take(path, holder), other);
-        write_file(path, other); // taken by one of the same number elsewhere: it is not this one's to release
+        write_file(path, other); // taken by one of the same number elsewhere: it is not this one's
+                                 // to release
         lock.release();
         BOOST_TEST(std::filesystem::exists(path));
         std::filesystem::remove(path);
@@ -353,7 +365,8 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
     BOOST_REQUIRE(child > 0);
     const auto end = [](pid_t process) { // a zombie, as yet
         siginfo_t information;
-        return waitid(P_PID, id_t(process), &information, WEXITED | WNOWAIT) == 0 && information.si_code != CLD_EXITED;
+        return waitid(P_PID, id_t(process), &information, WEXITED | WNOWAIT) == 0 &&
+               information.si_code != CLD_EXITED;
     };
     BOOST_REQUIRE(end(child));
     BOOST_REQUIRE(unfinished().size() == 1);
@@ -366,11 +379,21 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
     BOOST_TEST(unfinished().empty());
     BOOST_TEST(!std::filesystem::exists(folder.path + "/record"));
     // What is another's, or may be.
-    const std::string of = ".integral-abcdef", number = std::to_string(child), dead = "." + here + number,
+    const std::string of = ".integral-abcdef", number = std::to_string(child),
+                      dead = "." + here + number,
                       elsewhere = of + "." + host_name() + ".1." + number;
-    const std::vector<std::string> others = {
-        unfinished_name("abcdef"), of + "." + here + "1", of + ".else" + here + number, elsewhere, of + "." + host_name() + "." + number, of,
-        "notes" + dead, of + dead + ".json", of + dead + "x", of + "." + here, of + "." + here + "0", of + "." + here + "4294967296"};
+    const std::vector<std::string> others = {unfinished_name("abcdef"),
+                                             of + "." + here + "1",
+                                             of + ".else" + here + number,
+                                             elsewhere,
+                                             of + "." + host_name() + "." + number,
+                                             of,
+                                             "notes" + dead,
+                                             of + dead + ".json",
+                                             of + dead + "x",
+                                             of + "." + here,
+                                             of + "." + here + "0",
+                                             of + "." + here + "4294967296"};
     for (const std::string& name : others)
         folder.write(name, "");
     folder.write(".integral-lock" + dead, "");
@@ -391,7 +414,8 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
 
 BOOST_AUTO_TEST_CASE(many_processes_one_lock)
 {
-    // 8 processes add to one figure, 20 times each, under a lock; without it some additions would be lost.
+    // 8 processes add to one figure, 20 times each, under a lock; without it some additions would
+    // be lost.
     const Folder folder;
     write_file(folder.path + "/figure", "0");
     std::vector<pid_t> children;
@@ -421,8 +445,10 @@ BOOST_AUTO_TEST_CASE(many_processes_one_lock)
 
 BOOST_AUTO_TEST_CASE(json_knows_its_lines)
 {
-    BOOST_TEST(refusal("{\"a\": [1,\n2], \"c\":\n 3}") == "m.json:3: c: there is no such field; there are: a, b");
-    BOOST_TEST(refusal("{\"a\": 1,\n\"a\": 2}") == "m.json:2: the field a stands twice in one object");
+    BOOST_TEST(refusal("{\"a\": [1,\n2], \"c\":\n 3}") ==
+               "m.json:3: c: there is no such field; there are: a, b");
+    BOOST_TEST(refusal("{\"a\": 1,\n\"a\": 2}") ==
+               "m.json:2: the field a stands twice in one object");
     BOOST_TEST(refusal("{\"a\": {\"a\": 1}, \"b\": {\"a\": 2}}") == "");
     BOOST_TEST(refusal("{\n\"a\": 1,\n}").rfind("m.json:3: this is no JSON: ", 0) == 0);
     BOOST_TEST(refusal("[]") == "m.json:1: an object {...} is expected, of the fields a, b");
@@ -430,7 +456,8 @@ BOOST_AUTO_TEST_CASE(json_knows_its_lines)
     BOOST_TEST(refusal("{\n\"a\": 1e999}") == "m.json:2: a number is out of range");
     BOOST_TEST(refusal("\n" + std::string(100000, '[')) ==
                "m.json:2: objects and lists are nested more than 64 deep; nest them less");
-    const Located root = Located::parse("m.json", "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
+    const Located root = Located::parse("m.json",
+                                        "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
     BOOST_TEST(root.field("x/y").list()[1].line() == 3);
     BOOST_TEST(root.field("z").field("k").line() == 7);
     BOOST_TEST(root.field("z").line() == 5);

@@ -19,7 +19,8 @@ std::string read(const std::string& word)
         if (option.kind == RendererOption::Kind::path)
             text += "p:" + option.value;
         else
-            text += (option.kind == RendererOption::Kind::keyword ? "k:" : "l:") + option.name + "=" + option.value;
+            text += (option.kind == RendererOption::Kind::keyword ? "k:" : "l:") + option.name +
+                    "=" + option.value;
     }
     return text;
 }
@@ -35,8 +36,10 @@ BOOST_AUTO_TEST_CASE(words_are_split)
     BOOST_TEST(read("+O\"a file\"+W3") == "l:O=a file | l:W3=");
     BOOST_TEST(read("-GA'x \"y\".txt'") == "l:GA=x \"y\".txt");
     BOOST_TEST(read("Width=3 Create_Ini=\"a b\"") == "k:Width=3 | k:Create_Ini=a b");
-    BOOST_TEST(read("quick.ini[draft] \"my scene.pov\" lib/") == "p:quick.ini[draft] | p:my scene.pov | p:lib/");
-    BOOST_TEST(read("Integral_camera=square { pitch 1 } +W3") == "k:integral_camera=square { pitch 1 } +W3");
+    BOOST_TEST(read("quick.ini[draft] \"my scene.pov\" lib/") ==
+               "p:quick.ini[draft] | p:my scene.pov | p:lib/");
+    BOOST_TEST(read("Integral_camera=square { pitch 1 } +W3") ==
+               "k:integral_camera=square { pitch 1 } +W3");
     BOOST_TEST(read(" Integral_Camera=x y") == "k:Integral_Camera=x | p:y");
     BOOST_TEST(read("\"never ends") == "p:never ends");
     BOOST_TEST(read("+A;+B#Width=3") == "l:A= | l:B= | k:Width=3");
@@ -50,7 +53,8 @@ BOOST_AUTO_TEST_CASE(the_last_value_counts)
     BOOST_TEST(value_of_option({"+LFolder/A"}, "library_path", "l") == "Folder/A");
     BOOST_TEST(value_of_option({"Depth=a.exr", "Depth="}, "depth", "") == "");
     BOOST_TEST(value_of_option({"+L"}, "library_path", "l") == "");
-    BOOST_TEST(values_of_option({"+La Library_Path=\"b c\"", "+L'd'"}, "library_path", "l").size() == 3u);
+    BOOST_TEST(
+        values_of_option({"+La Library_Path=\"b c\"", "+L'd'"}, "library_path", "l").size() == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(names_are_quoted)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A frame in strips of rows: where they are cut, what they need besides, and what they make together.
+// A frame in strips of rows: where they are cut, what they need besides, and what they make
+// together.
 #include "integral/base/file_bytes.h"
 #include "integral/batch/strips.h"
 #include "integral/io/codecs.h"
@@ -46,10 +47,13 @@ FrameMetadata metadata_of(int width, int height, double seconds)
 template <class Sample> DecodedImage noise(int width, int height, int channels)
 {
     DecodedImage picture;
-    picture.image = make_image<Sample>(width, height, channels, std::is_same<Sample, float>::value ? Encoding{Encoding::Kind::linear, 1} : Encoding{});
+    picture.image = make_image<Sample>(
+        width, height, channels,
+        std::is_same<Sample, float>::value ? Encoding{Encoding::Kind::linear, 1} : Encoding{});
     std::mt19937 random(7);
     for (Sample& sample : std::get<std::vector<Sample>>(picture.image.samples))
-        sample = std::is_same<Sample, float>::value ? Sample(random() * 0x1p-31f) : Sample(random());
+        sample = std::is_same<Sample, float>::value ? Sample(random() * 0x1p-31f)
+                                                    : Sample(random());
     picture.image.premultiplied = std::is_same<Sample, float>::value;
     picture.pixel_pitch = Vec2{25.4 / 300, 25.4 / 300};
     FrameMetadata metadata = metadata_of(width, height, 1);
@@ -58,10 +62,16 @@ template <class Sample> DecodedImage noise(int width, int height, int channels)
     return picture;
 }
 
-std::string encoded(const DecodedImage& picture) { return picture.image.samples.index() == 2 ? encode_exr(picture) : encode_png(picture); }
+std::string encoded(const DecodedImage& picture)
+{
+    return picture.image.samples.index() == 2 ? encode_exr(picture) : encode_png(picture);
+}
 
-/// The frame cut into strips: as the renderer gives them, black but for their rows, each of `seconds`. Returns the strips' files.
-template <class Sample> std::vector<std::string> cut(const Folder& folder, const DecodedImage& frame, const std::vector<RowStrip>& strips)
+/// The frame cut into strips: as the renderer gives them, black but for their rows, each of
+/// `seconds`. Returns the strips' files.
+template <class Sample>
+std::vector<std::string> cut(const Folder& folder, const DecodedImage& frame,
+                             const std::vector<RowStrip>& strips)
 {
     std::vector<std::string> files;
     for (const RowStrip& strip : strips) {
@@ -69,7 +79,8 @@ template <class Sample> std::vector<std::string> cut(const Folder& folder, const
         auto& samples = std::get<std::vector<Sample>>(part.image.samples);
         const std::size_t row = std::size_t(frame.image.width) * frame.image.channels;
         std::fill_n(samples.begin(), row * (strip.first - strip.above), Sample(0));
-        std::fill(samples.begin() + row * (strip.first + strip.rows + strip.below), samples.end(), Sample(0));
+        std::fill(samples.begin() + row * (strip.first + strip.rows + strip.below), samples.end(),
+                  Sample(0));
         write_file(folder / "rendered", encoded(part));
         files.push_back(folder / ("strip-" + std::to_string(files.size())));
         cut_strip(folder / "rendered", strip, files.back());
@@ -85,13 +96,16 @@ template <class Sample> void is_whole_again(int width, int height, int channels,
     const auto files = cut<Sample>(folder, frame, strips);
     merge_strips(files, folder / "whole");
     const std::string bytes = read_file(folder / "whole");
-    const DecodedImage whole = std::is_same<Sample, float>::value ? decode_exr(bytes) : decode_png(bytes);
+    const DecodedImage whole = std::is_same<Sample, float>::value ? decode_exr(bytes)
+                                                                  : decode_png(bytes);
     BOOST_TEST(whole.image.height == height);
     BOOST_TEST((whole.image.samples == frame.image.samples));
     FrameMetadata wanted = frame_metadata_from_json(frame.document);
     wanted.render->seconds = double(strips.size());
     BOOST_TEST(whole.document == to_json(wanted));
-    BOOST_TEST(whole.pixel_pitch->x == (std::is_same<Sample, float>::value ? 25.4 / float(300) : 1000. / 11811), boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(whole.pixel_pitch->x ==
+                   (std::is_same<Sample, float>::value ? 25.4 / float(300) : 1000. / 11811),
+               boost::test_tools::tolerance(1e-6));
 }
 
 /// The message of an InputError that merging these files throws; empty: none.
@@ -106,7 +120,10 @@ std::string refusal(const std::vector<std::string>& files, const std::string& ou
     return "";
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
 
 } // namespace
 
@@ -123,7 +140,8 @@ BOOST_AUTO_TEST_CASE(strips_hold_every_row_once)
                         BOOST_REQUIRE(strip.first == next);
                         BOOST_REQUIRE(strip.rows > 0);
                         BOOST_REQUIRE(strip.first % side == 0);
-                        BOOST_REQUIRE((strip.first - strip.above) % side == 0); // the blocks are the whole frame's
+                        BOOST_REQUIRE((strip.first - strip.above) % side == 0); // the blocks are
+                                                                                // the whole frame's
                         BOOST_REQUIRE(strip.above >= std::min(strip.first, reach));
                         next = strip.first + strip.rows;
                         BOOST_REQUIRE(strip.below >= std::min(height - next, reach));
@@ -138,15 +156,22 @@ BOOST_AUTO_TEST_CASE(strips_hold_every_row_once)
 
 BOOST_AUTO_TEST_CASE(options_name_rows_from_one)
 {
-    BOOST_TEST(options_of({0, 64, 0, 15}, 100) == (std::vector<std::string>{"End_Row=79", "Integral_Rows=1,64"}), boost::test_tools::per_element());
-    BOOST_TEST(options_of({64, 36, 32, 0}, 100) == (std::vector<std::string>{"Start_Row=33", "Integral_Rows=65,100"}), boost::test_tools::per_element());
-    BOOST_TEST(options_of({32, 32, 0, 0}, 100) == (std::vector<std::string>{"Start_Row=33", "End_Row=64"}), boost::test_tools::per_element());
+    BOOST_TEST(options_of({0, 64, 0, 15}, 100) ==
+                   (std::vector<std::string>{"End_Row=79", "Integral_Rows=1,64"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(options_of({64, 36, 32, 0}, 100) ==
+                   (std::vector<std::string>{"Start_Row=33", "Integral_Rows=65,100"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(options_of({32, 32, 0, 0}, 100) ==
+                   (std::vector<std::string>{"Start_Row=33", "End_Row=64"}),
+               boost::test_tools::per_element());
     BOOST_TEST(options_of({0, 100, 0, 0}, 100).empty());
 }
 
 BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
 {
-    // Against the neighbours that anti-aliasing itself visits; and it does visit the furthest of them.
+    // Against the neighbours that anti-aliasing itself visits; and it does visit the furthest of
+    // them.
     std::mt19937 random(3);
     for (int round = 0; round < 60; ++round) {
         CameraParameters p = parameters_of(arrangements[round % 3]);
@@ -159,13 +184,18 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
         FirstSamples samples(camera);
         for (int y = 0; y < 110; ++y)
             for (int x = 0; x < 90; ++x)
-                if (const auto ray = camera.optics.map(film_from_pixel(camera.film, {x + 0.5, y + 0.5}), p.mapping).ray)
+                if (const auto ray = camera.optics
+                                         .map(film_from_pixel(camera.film, {x + 0.5, y + 0.5}),
+                                              p.mapping)
+                                         .ray)
                     samples.set(x, y, {}, ray->lens, 0);
         int furthest = 0;
         for (int y = 0; y < 110; ++y)
             for (int x = 0; x < 90; ++x)
-                samples.for_each_neighbour(x, y, [&](int, int j) { furthest = std::max(furthest, std::abs(j - y)); });
-        BOOST_TEST(furthest == rows_looked_at(p.sheet, camera.film), int(p.sheet.arrangement) << " " << p.sheet.pitch << " " << p.sheet.slant);
+                samples.for_each_neighbour(
+                    x, y, [&](int, int j) { furthest = std::max(furthest, std::abs(j - y)); });
+        BOOST_TEST(furthest == rows_looked_at(p.sheet, camera.film),
+                   int(p.sheet.arrangement) << " " << p.sheet.pitch << " " << p.sheet.slant);
     }
 }
 
@@ -185,10 +215,13 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_named)
     const DecodedImage frame = noise<std::uint8_t>(20, 160, 3);
     auto files = cut<std::uint8_t>(folder, frame, row_strips(160, 5, 32, 4));
     const std::string output = folder / "whole";
-    BOOST_TEST(has(refusal({files[0], files[2]}, output), "strip-2: it begins at row 65 where row 33 is wanted"));
+    BOOST_TEST(has(refusal({files[0], files[2]}, output),
+                   "strip-2: it begins at row 65 where row 33 is wanted"));
     BOOST_TEST(has(refusal({files[0], files[1]}, output), "strip-1: it ends at row 64 of 160"));
-    BOOST_TEST(has(refusal({files[0], files[1], folder / "none"}, output), "none: this strip is missing"));
-    BOOST_TEST(has(refusal({files[0], files[0]}, output), "strip-0: it begins at row 1 where row 33"));
+    BOOST_TEST(
+        has(refusal({files[0], files[1], folder / "none"}, output), "none: this strip is missing"));
+    BOOST_TEST(
+        has(refusal({files[0], files[0]}, output), "strip-0: it begins at row 1 where row 33"));
     write_file(folder / "frame", encode_png(frame));
     BOOST_TEST(has(refusal({folder / "frame"}, output), "frame: it does not say which rows"));
     const std::string bytes = read_file(files[3]);
@@ -204,12 +237,14 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_named)
     cut_strip(folder / "rendered", row_strips(160, 5, 32, 4)[3], files[3]);
     BOOST_TEST(has(refusal(files, output), "strip-3: it is a strip of another frame"));
     write_file(folder / "rendered", encode_png(noise<std::uint8_t>(20, 96, 3)));
-    BOOST_CHECK_THROW(cut_strip(folder / "rendered", row_strips(160, 5, 32, 4)[3], files[3]), InputError);
+    BOOST_CHECK_THROW(cut_strip(folder / "rendered", row_strips(160, 5, 32, 4)[3], files[3]),
+                      InputError);
 }
 
 BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
 {
-    // Halves of equal weight, of which one is perfect; each interval is a tenth of the mean square or more.
+    // Halves of equal weight, of which one is perfect; each interval is a tenth of the mean square
+    // or more.
     ErrorEstimate good, bad;
     good.method = bad.method = ErrorMethod::split_halves;
     good.pixels = good.lit_pixels = bad.pixels = bad.lit_pixels = 100;
@@ -227,7 +262,8 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
     BOOST_TEST(many.rms == bad.rms, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(many.low > bad.low);
     BOOST_TEST(many.high < bad.high);
-    BOOST_TEST(many.high * many.high == 1.1 * many.rms * many.rms, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(many.high * many.high == 1.1 * many.rms * many.rms,
+               boost::test_tools::tolerance(1e-9));
     // Against sums over all pixels, where every one is looked at.
     std::mt19937 random(1);
     ErrorSums all;
@@ -251,12 +287,15 @@ BOOST_AUTO_TEST_CASE(words_of_chance_are_found_where_they_count)
 {
     const Folder folder;
     const std::string a = folder / "a.pov", b = folder / "b.inc", c = folder / "c.png";
-    write_file(a, "// radiosity\n/* media /* jitter */ photons */ #include \"b.inc\"\n#declare radiosity_on = 1; text { \"crand \\\" media\" }\n");
+    write_file(a, "// radiosity\n/* media /* jitter */ photons */ #include \"b.inc\"\n#declare "
+                  "radiosity_on = 1; text { \"crand \\\" media\" }\n");
     write_file(b, "sphere { 0, 1 }\n");
     write_file(c, "photons\n");
     BOOST_TEST(words_of_chance({a, b, c}).empty());
-    write_file(b, "global_settings { radiosity { } }\nlight_source { 0 1 area_light x,y,2,2 jitter }");
-    BOOST_TEST(words_of_chance({a, b, c}) == (std::vector<std::string>{"radiosity", "jitter"}), boost::test_tools::per_element());
+    write_file(b,
+               "global_settings { radiosity { } }\nlight_source { 0 1 area_light x,y,2,2 jitter }");
+    BOOST_TEST(words_of_chance({a, b, c}) == (std::vector<std::string>{"radiosity", "jitter"}),
+               boost::test_tools::per_element());
     BOOST_CHECK_THROW(words_of_chance({folder / "none.pov"}), InputError);
 }
 

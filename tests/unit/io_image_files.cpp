@@ -50,8 +50,9 @@ template <class Sample> Image noise(int width, int height, int channels, Encodin
     std::mt19937 random(7);
     Image image = make_image<Sample>(width, height, channels, encoding);
     for (Sample& s : std::get<std::vector<Sample>>(image.samples))
-        s = std::is_integral<Sample>::value ? Sample(random())
-                                            : Sample(std::ldexp(double(random()), int(random() % 40) - 36));
+        s = std::is_integral<Sample>::value
+                ? Sample(random())
+                : Sample(std::ldexp(double(random()), int(random() % 40) - 36));
     return image;
 }
 
@@ -62,7 +63,9 @@ FrameMetadata geometry(int width, int height)
     m.sheet.slant = 12.3456789012345678;
     m.film = {width, height, {25.4 / 300, 25.4 / 600}};
     m.aperture = {300, 200, 100, ApertureShape::ellipse};
-    m.render = RenderRecord{"program", "scene.pov", LensModel::hybrid, LensMapping::closest, 4, 16, false, true, 1.5, {}};
+    m.render = RenderRecord{
+        "program", "scene.pov", LensModel::hybrid, LensMapping::closest, 4, 16, false, true,
+        1.5,       {}};
     return m;
 }
 
@@ -118,7 +121,9 @@ BOOST_AUTO_TEST_CASE(frames_read_back)
         pictures.push_back({"a.TIFF", noise<std::uint16_t>(1, 70, channels, srgb)});
     }
     for (const auto& [name, image] : pictures) {
-        BOOST_TEST_CONTEXT(name << " " << sample_bits(image) << " bits, " << image.channels << " channels, encoding " << int(image.encoding.kind)) {
+        BOOST_TEST_CONTEXT(name << " " << sample_bits(image) << " bits, " << image.channels
+                                << " channels, encoding " << int(image.encoding.kind))
+        {
             Frame frame{image, {}};
             set_metadata(frame, geometry(image.width, image.height));
             write_frame(folder / name, frame);
@@ -236,16 +241,19 @@ BOOST_AUTO_TEST_CASE(malformed_files_are_refused_in_one_line)
         const std::string message = refusal(path);
         BOOST_TEST((!must_fail || !message.empty()));
         BOOST_TEST(message.find_first_of("\n\r") == std::string::npos, message);
-        BOOST_TEST((message.empty() || message.compare(0, path.size() + 2, path + ": ") == 0), message);
+        BOOST_TEST((message.empty() || message.compare(0, path.size() + 2, path + ": ") == 0),
+                   message);
     };
     std::mt19937 random(3);
     const std::pair<const char*, DecodedImage (*)(const std::string&)> formats[] = {
         {"a.png", decode_png}, {"a.exr", decode_exr}, {"a.tif", decode_tiff}};
     for (const auto& [name, decode] : formats) {
-        BOOST_TEST_CONTEXT(name) {
+        BOOST_TEST_CONTEXT(name)
+        {
             Frame frame{noise<std::uint16_t>(40, 30, 3, srgb), {}};
             set_metadata(frame, geometry(40, 30));
-            const std::string path = folder / name, broken = folder / (std::string("broken-") + name);
+            const std::string path = folder / name,
+                              broken = folder / (std::string("broken-") + name);
             write_frame(path, frame);
             const std::string good = bytes_of(path);
             for (std::size_t n = 0; n + 16 < good.size(); n += 1 + n / 40) {
@@ -256,7 +264,9 @@ BOOST_AUTO_TEST_CASE(malformed_files_are_refused_in_one_line)
                 std::string bytes = good;
                 for (int flips = 1 + int(random() % 3); flips > 0; --flips) {
                     // The first bytes hold the header: half of the flips go there.
-                    const std::size_t range = random() % 2 ? std::min<std::size_t>(bytes.size(), 1000) : bytes.size();
+                    const std::size_t range = random() % 2
+                                                  ? std::min<std::size_t>(bytes.size(), 1000)
+                                                  : bytes.size();
                     bytes[random() % range] ^= char(1 << random() % 8);
                 }
                 try {
@@ -296,7 +306,8 @@ BOOST_AUTO_TEST_CASE(a_header_cannot_make_us_allocate)
         decode_png(png);
         BOOST_ERROR("it was read");
     } catch (const std::runtime_error& error) {
-        BOOST_TEST(std::string(error.what()).find("header promises") != std::string::npos, error.what());
+        BOOST_TEST(std::string(error.what()).find("header promises") != std::string::npos,
+                   error.what());
     }
 }
 
@@ -310,7 +321,8 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
         }
         return "";
     };
-    // Found by tests/sanitized/fuzz.test: libpng made room for the 2 GB of a chunk, OpenEXR for those of an attribute.
+    // Found by tests/sanitized/fuzz.test: libpng made room for the 2 GB of a chunk, OpenEXR for
+    // those of an attribute.
     using namespace std::string_literals;
     std::string png = encode_png({noise<std::uint8_t>(5, 4, 3, srgb), "", {}});
     constexpr std::size_t behind_header = 33;
@@ -318,7 +330,8 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
     BOOST_TEST(refusal_of(decode_png, png).find("chunk") != std::string::npos);
 
     const std::string exr = encode_exr({noise<float>(5, 4, 3, linear), "", {}});
-    const PictureHeader start = decode_exr_header(encode_exr({noise<float>(50, 40, 3, linear), "{}", {}}).substr(0, 700));
+    const PictureHeader start = decode_exr_header(
+        encode_exr({noise<float>(50, 40, 3, linear), "{}", {}}).substr(0, 700));
     BOOST_TEST(start.width == 50);
     BOOST_TEST(start.height == 40);
     BOOST_TEST(start.bits == 32);
@@ -326,15 +339,27 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
     for (std::size_t size = 0; size < 300; size += 7)
         BOOST_CHECK_THROW(decode_exr_header(exr.substr(0, size)), std::runtime_error);
     constexpr std::size_t magic_and_version = 8;
-    const auto with_attribute = [&](const std::string& bytes) { return exr.substr(0, magic_and_version) + bytes + exr.substr(magic_and_version); };
-    BOOST_TEST(refusal_of(decode_exr, with_attribute("a\0b\0\1\0\0\0x"s)).find("attribute") == std::string::npos);
-    BOOST_TEST(refusal_of(decode_exr, with_attribute("a\0b\0\0\0\0\x70x"s)).find("longer than the file") != std::string::npos);
-    BOOST_TEST(refusal_of(decode_depths, with_attribute("a\0b\0\0\0\0\x70x"s)).find("longer than the file") != std::string::npos);
-    // A list of channels is read up to its own end; behind it lies what would pass for an attribute.
-    for (const std::string& bad : {"a\0chlist\0\2\0\0\0\0x"s, "a\0box2i\0\x11\0\0\0"s + std::string(17, 'x'), "a\0preview\0\x9\0\0\0\1\0\0\0\1\0\0\0x"s})
-        BOOST_TEST(refusal_of(decode_exr, with_attribute(bad)).find("not as long as its type") != std::string::npos);
+    const auto with_attribute = [&](const std::string& bytes) {
+        return exr.substr(0, magic_and_version) + bytes + exr.substr(magic_and_version);
+    };
+    BOOST_TEST(refusal_of(decode_exr, with_attribute("a\0b\0\1\0\0\0x"s)).find("attribute") ==
+               std::string::npos);
+    BOOST_TEST(
+        refusal_of(decode_exr, with_attribute("a\0b\0\0\0\0\x70x"s)).find("longer than the file") !=
+        std::string::npos);
+    BOOST_TEST(refusal_of(decode_depths, with_attribute("a\0b\0\0\0\0\x70x"s))
+                   .find("longer than the file") != std::string::npos);
+    // A list of channels is read up to its own end; behind it lies what would pass for an
+    // attribute.
+    for (const std::string& bad :
+         {"a\0chlist\0\2\0\0\0\0x"s, "a\0box2i\0\x11\0\0\0"s + std::string(17, 'x'),
+          "a\0preview\0\x9\0\0\0\1\0\0\0\1\0\0\0x"s})
+        BOOST_TEST(refusal_of(decode_exr, with_attribute(bad)).find("not as long as its type") !=
+                   std::string::npos);
     // A tile of 2 x 134152194 pixels of a picture of 5 x 4, for which OpenEXR makes room.
-    BOOST_TEST(refusal_of(decode_exr, with_attribute("tiles\0tiledesc\0\x9\0\0\0\2\0\0\0\2\0\xff\7\0"s)).find("4096 x 4096") != std::string::npos);
+    BOOST_TEST(
+        refusal_of(decode_exr, with_attribute("tiles\0tiledesc\0\x9\0\0\0\2\0\0\0\2\0\xff\7\0"s))
+            .find("4096 x 4096") != std::string::npos);
     // The header of a file's second part.
     std::string parts = with_attribute("a\0b\0\1\0\0\0x\0a\0b\0\0\0\0\x70x"s);
     parts[5] = 0x10;
@@ -343,11 +368,15 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
 
 BOOST_AUTO_TEST_CASE(a_white_page_may_be_packed_tightly)
 {
-    // 4000 x 4000 pixels of one bit are three bytes each when read: 48 MB of a file of two kilobytes.
+    // 4000 x 4000 pixels of one bit are three bytes each when read: 48 MB of a file of two
+    // kilobytes.
     std::string png = "\x89PNG\r\n\x1a\n";
-    const auto four = [](unsigned long v) { return std::string{char(v >> 24), char(v >> 16), char(v >> 8), char(v)}; };
+    const auto four = [](unsigned long v) {
+        return std::string{char(v >> 24), char(v >> 16), char(v >> 8), char(v)};
+    };
     const auto add = [&](const std::string& body) {
-        png += four(body.size() - 4) + body + four(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
+        png += four(body.size() - 4) + body +
+               four(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
     };
     constexpr int side = 4000;
     std::string rows(std::size_t(side) * (1 + side / 8), '\xff');
@@ -355,7 +384,9 @@ BOOST_AUTO_TEST_CASE(a_white_page_may_be_packed_tightly)
         rows[at] = 0; // no filter
     std::string packed(compressBound(uLong(rows.size())), '\0');
     uLongf size = uLongf(packed.size());
-    BOOST_REQUIRE(compress2(reinterpret_cast<Bytef*>(&packed[0]), &size, reinterpret_cast<const Bytef*>(rows.data()), uLong(rows.size()), 9) == Z_OK);
+    BOOST_REQUIRE(compress2(reinterpret_cast<Bytef*>(&packed[0]), &size,
+                            reinterpret_cast<const Bytef*>(rows.data()), uLong(rows.size()),
+                            9) == Z_OK);
     packed.resize(size);
     add("IHDR" + four(side) + four(side) + std::string{1, 0, 0, 0, 0});
     add("IDAT" + packed);
@@ -387,7 +418,8 @@ BOOST_AUTO_TEST_CASE(writing_is_whole_or_not_at_all)
     BOOST_CHECK_THROW(check_writable(folder.path), OutputError);
     BOOST_CHECK_NO_THROW(check_writable(folder / "new"));
     BOOST_CHECK_THROW(write_file("/dev/full", "x"), OutputError);
-    BOOST_CHECK_THROW(write_frame(folder / "a.jpeg", {noise<std::uint8_t>(1, 1, 3, srgb), {}}), OutputError);
+    BOOST_CHECK_THROW(write_frame(folder / "a.jpeg", {noise<std::uint8_t>(1, 1, 3, srgb), {}}),
+                      OutputError);
     BOOST_TEST(folder.names().size() == 2u);
     BOOST_TEST(bytes_of(path) == "third");
 }
@@ -396,18 +428,29 @@ BOOST_AUTO_TEST_CASE(greys_and_palettes_become_colours)
 {
     // A grey 2 x 1 TIFF, white is zero, written byte by byte.
     std::string tiff("II*\0\x08\0\0\0", 8);
-    const auto u16 = [&](unsigned v) { tiff += char(v & 255); tiff += char(v >> 8); };
-    const auto u32 = [&](unsigned v) { u16(v & 65535); u16(v >> 16); };
-    const auto tag = [&](unsigned id, unsigned type, unsigned value) { u16(id); u16(type); u32(1); u32(value); };
+    const auto u16 = [&](unsigned v) {
+        tiff += char(v & 255);
+        tiff += char(v >> 8);
+    };
+    const auto u32 = [&](unsigned v) {
+        u16(v & 65535);
+        u16(v >> 16);
+    };
+    const auto tag = [&](unsigned id, unsigned type, unsigned value) {
+        u16(id);
+        u16(type);
+        u32(1);
+        u32(value);
+    };
     u16(8);
-    tag(256, 3, 2);        // width
-    tag(257, 3, 1);        // length
-    tag(258, 3, 8);        // bits
-    tag(259, 3, 1);        // no compression
-    tag(262, 3, 0);        // white is zero
+    tag(256, 3, 2);                  // width
+    tag(257, 3, 1);                  // length
+    tag(258, 3, 8);                  // bits
+    tag(259, 3, 1);                  // no compression
+    tag(262, 3, 0);                  // white is zero
     tag(273, 4, 8 + 2 + 8 * 12 + 4); // where the strip is
-    tag(277, 3, 1);        // samples
-    tag(279, 4, 2);        // bytes
+    tag(277, 3, 1);                  // samples
+    tag(279, 4, 2);                  // bytes
     u32(0);
     tiff += char(0);
     tiff += char(200);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Plots: what their axes show, that points stand where the axes say, and that nothing is covered or lost in silence.
+// Plots: what their axes show, that points stand where the axes say, and that nothing is covered or
+// lost in silence.
 #include "integral/io/plot.h"
 
 #include "integral/io/image_file.h"
@@ -33,7 +34,10 @@ struct Folder {
     }
     ~Folder() { fs::remove_all(path); }
     std::string operator/(const std::string& name) const { return path + "/" + name; }
-    std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(path), {})); }
+    std::size_t files() const
+    {
+        return std::size_t(std::distance(fs::directory_iterator(path), {}));
+    }
 };
 
 std::string labels(const PlotScale& scale)
@@ -41,11 +45,13 @@ std::string labels(const PlotScale& scale)
     std::string all;
     for (const PlotTick& tick : scale.ticks)
         if (!tick.label.empty())
-            all += (all.empty() ? "" : " ") + tick.label + (tick.exponent.empty() ? "" : "^" + tick.exponent);
+            all += (all.empty() ? "" : " ") + tick.label +
+                   (tick.exponent.empty() ? "" : "^" + tick.exponent);
     return all;
 }
 
-PlotAxis axis(bool logarithmic = false, std::optional<double> low = {}, std::optional<double> high = {})
+PlotAxis axis(bool logarithmic = false, std::optional<double> low = {},
+              std::optional<double> high = {})
 {
     return {"quantity", logarithmic, low, high};
 }
@@ -68,7 +74,10 @@ Plot plot_of(const PlotSeries& s)
 }
 
 /// Centre of the pixels of the first series' colour, blue, and how many there are.
-struct Blue { double x = 0, y = 0; int count = 0; };
+struct Blue {
+    double x = 0, y = 0;
+    int count = 0;
+};
 Blue blue_of(const Plot& plot)
 {
     const Folder folder;
@@ -97,7 +106,8 @@ BOOST_AUTO_TEST_CASE(linear_axes_are_rounded_outwards_to_steps_of_1_2_5)
     BOOST_TEST(labels(make_scale(axis(), {0.3, 9.7}, 6)) == "0 2 4 6 8 10");
     BOOST_TEST(labels(make_scale(axis(), {0, 1}, 6)) == "0 0.2 0.4 0.6 0.8 1.0");
     BOOST_TEST(labels(make_scale(axis(), {-120, 260}, 6)) == "\u2212200 \u2212100 0 100 200 300");
-    BOOST_TEST(labels(make_scale(axis(), {0.0101, 0.0149}, 8)) == "0.010 0.011 0.012 0.013 0.014 0.015");
+    BOOST_TEST(labels(make_scale(axis(), {0.0101, 0.0149}, 8)) ==
+               "0.010 0.011 0.012 0.013 0.014 0.015");
     BOOST_TEST(labels(make_scale(axis(), {0, 3e7}, 5)) == "0 1\u00b710^7 2\u00b710^7 3\u00b710^7");
     // a given end stays where it is
     const PlotScale given = make_scale(axis(false, 0.5, 9.2), {-100, 100}, 6);
@@ -110,7 +120,8 @@ BOOST_AUTO_TEST_CASE(logarithmic_axes_have_decades)
 {
     BOOST_TEST(labels(make_scale(axis(true), {0.3, 70}, 12)) == "0.2 0.5 1 2 5 10 20 50 100");
     BOOST_TEST(labels(make_scale(axis(true), {0.003, 70}, 8)) == "0.01 0.1 1 10 100");
-    BOOST_TEST(labels(make_scale(axis(true), {1e-9, 1e9}, 8)) == "10^\u22129 10^\u22126 0.001 1 1000 10^6 10^9");
+    BOOST_TEST(labels(make_scale(axis(true), {1e-9, 1e9}, 8)) ==
+               "10^\u22129 10^\u22126 0.001 1 1000 10^6 10^9");
     BOOST_TEST(labels(make_scale(axis(true), {3, 4}, 12)) == "2 3 4 5");
     // what has no place on it does not count
     BOOST_TEST(labels(make_scale(axis(true), {-5, 0, 1, 10, nan_value}, 8)) == "1 2 5 10");
@@ -124,7 +135,8 @@ BOOST_AUTO_TEST_CASE(every_axis_holds_its_values)
         const bool logarithmic = round & 1;
         std::vector<double> values;
         for (int i = 0; i < 1 + round % 4; ++i) {
-            const double size = std::pow(10, 290 * unit(random) * (round % 3 == 0) + 6 * unit(random));
+            const double size = std::pow(10,
+                                         290 * unit(random) * (round % 3 == 0) + 6 * unit(random));
             values.push_back(logarithmic ? size : size * unit(random));
         }
         const int most = 2 + round % 9;
@@ -136,16 +148,19 @@ BOOST_AUTO_TEST_CASE(every_axis_holds_its_values)
             BOOST_REQUIRE(scale.contains(scale.ticks[i].value));
             BOOST_REQUIRE(i == 0 || scale.ticks[i].value > scale.ticks[i - 1].value);
         }
-        BOOST_REQUIRE_MESSAGE(labelled >= 1 && labelled <= most + 2, round << ": " << labelled << " of " << most);
+        BOOST_REQUIRE_MESSAGE(labelled >= 1 && labelled <= most + 2,
+                              round << ": " << labelled << " of " << most);
         for (const double value : values)
-            BOOST_REQUIRE_MESSAGE(scale.contains(value), round << ": " << value << " in " << scale.low << " " << scale.high);
+            BOOST_REQUIRE_MESSAGE(scale.contains(value), round << ": " << value << " in "
+                                                               << scale.low << " " << scale.high);
     }
 }
 
 BOOST_AUTO_TEST_CASE(one_value_or_none_makes_an_axis)
 {
     for (const bool logarithmic : {false, true})
-        for (const std::vector<double>& values : {std::vector<double>{}, {0}, {5}, {-5}, {5, 5}, {nan_value}, {1e300}}) {
+        for (const std::vector<double>& values :
+             {std::vector<double>{}, {0}, {5}, {-5}, {5, 5}, {nan_value}, {1e300}}) {
             const PlotScale scale = make_scale(axis(logarithmic), values, 6);
             BOOST_TEST(scale.low < scale.high);
             BOOST_TEST(!scale.ticks.empty());
@@ -156,8 +171,9 @@ BOOST_AUTO_TEST_CASE(one_value_or_none_makes_an_axis)
 
 BOOST_AUTO_TEST_CASE(an_impossible_range_is_refused)
 {
-    for (const PlotAxis& bad : {axis(false, 2.0, 1.0), axis(false, 1.0, 1.0), axis(true, 0.0), axis(true, {}, -1.0),
-                                axis(false, nan_value), axis(false, {}, HUGE_VAL)})
+    for (const PlotAxis& bad :
+         {axis(false, 2.0, 1.0), axis(false, 1.0, 1.0), axis(true, 0.0), axis(true, {}, -1.0),
+          axis(false, nan_value), axis(false, {}, HUGE_VAL)})
         BOOST_CHECK_THROW(make_scale(bad, {1, 2}, 6), std::invalid_argument);
 }
 
@@ -170,7 +186,8 @@ BOOST_AUTO_TEST_CASE(points_stand_where_the_axes_say)
             plot.y = axis(logarithmic, 1.0, 10000.0);
             return blue_of(plot);
         };
-        const Blue low = at(1, 1), high = at(100, 10000), middle = logarithmic ? at(10, 100) : at(50.5, 5000.5);
+        const Blue low = at(1, 1), high = at(100, 10000),
+                   middle = logarithmic ? at(10, 100) : at(50.5, 5000.5);
         BOOST_TEST(low.count > 30);
         BOOST_TEST(high.x > low.x + 500);
         BOOST_TEST(high.y < low.y - 300);
@@ -240,7 +257,8 @@ BOOST_AUTO_TEST_CASE(the_same_plot_is_the_same_bytes)
     const std::string svg = plot_bytes(plot, PlotFormat::svg);
     BOOST_TEST(svg.find("<title>a &lt; b &amp; c &gt; \u2212d</title>") != std::string::npos);
     BOOST_TEST(svg.find("width=\"900") != std::string::npos);
-    for (const char* word : {"nan", "inf", "<use", "<text", "surface"}) // text is outlines, and all of it numbers
+    for (const char* word : {"nan", "inf", "<use", "<text", "surface"}) // text is outlines, and all
+                                                                        // of it numbers
         BOOST_TEST(svg.find(word) == std::string::npos, word);
 }
 

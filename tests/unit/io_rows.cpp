@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(bands_are_written_as_the_whole)
 {
     const auto written = [](auto write, const Image& image, int most) {
         ByteString sink;
-        const auto writer =
-            write(sink, DecodedImage{form_of(image), "{\"a\": 1}", Vec2{0.1, 0.2}, ""});
+        const auto writer = write(sink,
+                                  DecodedImage{form_of(image), "{\"a\": 1}", Vec2{0.1, 0.2}, ""});
         for (int y = 0; y < image.height; y += most)
             writer->write(rows_of(image, y, std::min(most, image.height - y)));
         writer->finish();

@@ -28,7 +28,8 @@ BOOST_AUTO_TEST_CASE(encodings)
     BOOST_TEST(decode(linear, -3.5) == -3.5);
     for (const Encoding e : {linear, srgb, power})
         for (double v = -2; v <= 2; v += 1.0 / 64)
-            BOOST_TEST(std::abs(encode(e, decode(e, v)) - v) < 1e-7); // sRGB's two halves meet to 1e-8
+            BOOST_TEST(std::abs(encode(e, decode(e, v)) - v) < 1e-7); // sRGB's two halves meet to
+                                                                      // 1e-8
     BOOST_CHECK(same_encoding(linear, {Encoding::Kind::linear, 2}));
     BOOST_CHECK(!same_encoding(power, {Encoding::Kind::power, 1.8}));
 }
@@ -89,11 +90,12 @@ BOOST_AUTO_TEST_CASE(every_row_is_done_once)
     for (const int threads : {0, 1, 3, 64}) {
         std::vector<std::atomic<int>> times(100);
         int last = 0;
-        BOOST_CHECK(for_each_row(100, threads, [&](int row) { ++times[std::size_t(row)]; },
-                                 [&](int done, int total) {
-                                     BOOST_TEST(done == ++last);
-                                     return total == 100;
-                                 }));
+        BOOST_CHECK(for_each_row(
+            100, threads, [&](int row) { ++times[std::size_t(row)]; },
+            [&](int done, int total) {
+                BOOST_TEST(done == ++last);
+                return total == 100;
+            }));
         BOOST_TEST(last == 100);
         for (const auto& count : times)
             BOOST_TEST(count == 1);
@@ -104,8 +106,8 @@ BOOST_AUTO_TEST_CASE(every_row_is_done_once)
 BOOST_AUTO_TEST_CASE(work_stops_when_told_or_broken)
 {
     std::atomic<int> rows{0};
-    BOOST_CHECK(!for_each_row(1000000, 4, [&](int) { ++rows; },
-                              [](int done, int) { return done < 10; }));
+    BOOST_CHECK(!for_each_row(
+        1000000, 4, [&](int) { ++rows; }, [](int done, int) { return done < 10; }));
     BOOST_TEST(rows < 1000);
     BOOST_CHECK_THROW(for_each_row(100, 4,
                                    [](int row) {

@@ -26,14 +26,15 @@ LensSheet sheet(Arrangement arrangement = Arrangement::lenticular, double pitch 
     return s;
 }
 
-/// Angle to the axis of the ray from a film point (film, t) through the surface at v, by Snell's law in the plane:
-/// written anew from the circle z = R - sqrt(R^2 - v^2), its normal and two angles.
+/// Angle to the axis of the ray from a film point (film, t) through the surface at v, by Snell's
+/// law in the plane: written anew from the circle z = R - sqrt(R^2 - v^2), its normal and two
+/// angles.
 double angle_through(const LensSheet& s, double film, double v)
 {
     const double radius = s.thickness * (s.ior - 1) / s.ior;
     const double z = radius - std::sqrt(radius * radius - v * v);
-    const double normal = std::asin(v / radius);                       // of the surface, to the axis
-    const double inside = std::atan2(v - film, s.thickness - z);       // of the ray
+    const double normal = std::asin(v / radius);                 // of the surface, to the axis
+    const double inside = std::atan2(v - film, s.thickness - z); // of the ray
     return normal + std::asin(s.ior * std::sin(inside - normal));
 }
 
@@ -41,21 +42,25 @@ double angle_through(const LensSheet& s, double film, double v)
 
 BOOST_AUTO_TEST_CASE(figure_3_26_half_intensity_is_equation_3_9)
 {
-    // Of a cylinder lens's points half send an edge's image outwards of the pole's and half inwards of it.
+    // Of a cylinder lens's points half send an edge's image outwards of the pole's and half inwards
+    // of it.
     for (const double distance : {150.0, 300.0, 600.0, 1200.0}) {
         const double extended = micro_image_width(sheet(), distance, 195);
         const auto full = full_image_width(sheet(), distance, 195, 2001);
         BOOST_REQUIRE(full);
-        BOOST_TEST(std::fabs(full->at_half / extended - 1) < 5e-4, distance << ": " << full->at_half);
+        BOOST_TEST(std::fabs(full->at_half / extended - 1) < 5e-4,
+                   distance << ": " << full->at_half);
         BOOST_TEST(full->at_least < full->at_half);
         BOOST_TEST(full->at_most > full->at_half);
         // "A very rough explanation": the straight pinhole is out by more than the whole blur.
-        BOOST_TEST(pinhole_spread(sheet(), distance, 195) > full->at_most + (full->at_most - full->at_least));
+        BOOST_TEST(pinhole_spread(sheet(), distance, 195) >
+                   full->at_most + (full->at_most - full->at_least));
     }
     // Round lenses: within 2%.
     const double extended = micro_image_width(sheet(), 300, 195);
     for (const Arrangement kind : {Arrangement::square, Arrangement::hexagonal})
-        BOOST_TEST(std::fabs(full_image_width(sheet(kind), 300, 195, 64)->at_half / extended - 1) < 0.02);
+        BOOST_TEST(std::fabs(full_image_width(sheet(kind), 300, 195, 64)->at_half / extended - 1) <
+                   0.02);
 }
 
 BOOST_AUTO_TEST_CASE(figure_3_26_the_pinhole_is_n_1)
@@ -64,12 +69,14 @@ BOOST_AUTO_TEST_CASE(figure_3_26_the_pinhole_is_n_1)
     straight.ior = 1;
     for (const double distance : {150.0, 300.0, 1200.0})
         BOOST_TEST(std::fabs(micro_image_width(straight, distance, 195) /
-                             pinhole_spread(sheet(), distance, 195) - 1) < 1e-14);
+                                 pinhole_spread(sheet(), distance, 195) -
+                             1) < 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(narrow_lenses_have_no_aberration)
 {
-    // The blur falls with the lens's width: at once (curvature of the field), and faster (coma, spherical aberration).
+    // The blur falls with the lens's width: at once (curvature of the field), and faster (coma,
+    // spherical aberration).
     double before = 0;
     for (const double pitch : {0.4, 0.2, 0.1, 0.05}) {
         const LensSheet narrow = sheet(Arrangement::square, pitch);
@@ -87,16 +94,19 @@ BOOST_AUTO_TEST_CASE(narrow_lenses_have_no_aberration)
 BOOST_AUTO_TEST_CASE(image_width_agrees_with_tracing_forwards)
 {
     // The share of the cell through which a film point sees the opening, ray by ray the other way.
-    for (const Arrangement kind : {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal}) {
+    for (const Arrangement kind :
+         {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal}) {
         const double distance = 300, width = 120;
-        const SheetOptics optics(sheet(kind), {distance, width, 1, ApertureShape::rectangle}, LensModel::full);
+        const SheetOptics optics(sheet(kind), {distance, width, 1, ApertureShape::rectangle},
+                                 LensModel::full);
         constexpr int n = 60;
         const auto intensity = [&](double film) {
             int lit = 0, all = 0;
             for (int i = 0; i < n; ++i)
                 for (int j = 0; j < (kind == Arrangement::lenticular ? 1 : n); ++j, ++all) {
                     const double v = kind == Arrangement::lenticular ? 0.5 : (j + 0.5) / n;
-                    const auto ray = beam_ray(optics, {film, 0}, {}, cell_point(optics.lattice(), {(i + 0.5) / n, v}));
+                    const auto ray = beam_ray(optics, {film, 0}, {},
+                                              cell_point(optics.lattice(), {(i + 0.5) / n, v}));
                     lit += ray && std::fabs(ray->aperture_point.x) <= 0.5 * width;
                 }
             return double(lit) / all;
@@ -104,10 +114,13 @@ BOOST_AUTO_TEST_CASE(image_width_agrees_with_tracing_forwards)
         const auto measured = full_image_width(sheet(kind), distance, width, n);
         const double most = intensity(0);
         BOOST_TEST(most == 1);
-        const double levels[][2] = {{measured->at_half, 0.5}, {measured->at_most, 0.1}, {measured->at_least, 0.9}};
+        const double levels[][2] = {
+            {measured->at_half, 0.5}, {measured->at_most, 0.1}, {measured->at_least, 0.9}};
         for (const auto& level : levels) {
-            BOOST_TEST(intensity(0.5 * level[0] * 0.995) >= level[1] - 0.02, int(kind) << " " << level[1]);
-            BOOST_TEST(intensity(0.5 * level[0] * 1.005) <= level[1] + 0.02, int(kind) << " " << level[1]);
+            BOOST_TEST(intensity(0.5 * level[0] * 0.995) >= level[1] - 0.02,
+                       int(kind) << " " << level[1]);
+            BOOST_TEST(intensity(0.5 * level[0] * 1.005) <= level[1] + 0.02,
+                       int(kind) << " " << level[1]);
         }
     }
 }
@@ -120,7 +133,8 @@ BOOST_AUTO_TEST_CASE(beam_direction_by_snells_law)
         double mean = 0, squares = 0;
         const double pole = angle_through(s, film, 0);
         for (int i = 0; i < n; ++i) {
-            const double error = (pole - angle_through(s, film, s.pitch * ((i + 0.5) / n - 0.5))) * degrees;
+            const double error = (pole - angle_through(s, film, s.pitch * ((i + 0.5) / n - 0.5))) *
+                                 degrees;
             mean += error / n;
             squares += error * error / n;
         }
@@ -159,10 +173,12 @@ BOOST_AUTO_TEST_CASE(profiles_converge_with_the_number_of_rays)
         double before = std::numeric_limits<double>::infinity();
         for (const int points : {5, 20, 80}) {
             const auto beam = full_beam_direction(sheet(kind), 0.4, points);
-            const double apart = std::hypot(beam->mean - direction->mean, beam->spread - direction->spread);
+            const double apart = std::hypot(beam->mean - direction->mean,
+                                            beam->spread - direction->spread);
             BOOST_TEST(apart < 0.2 * before, points);
             before = apart;
-            BOOST_TEST(std::fabs(full_image_width(sheet(kind), 300, 195, points)->at_half - width->at_half) < 0.3 / points);
+            BOOST_TEST(std::fabs(full_image_width(sheet(kind), 300, 195, points)->at_half -
+                                 width->at_half) < 0.3 / points);
         }
         BOOST_TEST(before < 3e-3);
     }

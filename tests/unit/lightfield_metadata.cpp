@@ -110,9 +110,11 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
 BOOST_AUTO_TEST_CASE(views_say_which_they_are)
 {
     const std::string frame = complete;
-    const std::string text = frame.substr(0, frame.rfind('}')) + R"(, "quilt": {"columns": 5, "rows": 9, "view": 44,
+    const std::string text = frame.substr(0, frame.rfind('}')) +
+                             R"(, "quilt": {"columns": 5, "rows": 9, "view": 44,
         "eyes": {"distance_mm": 350, "width_mm": 120.5, "height_mm": 0}}})";
-    const auto read = frame_metadata_from_json(frame_metadata_from_json(text).quilt ? to_json(frame_metadata_from_json(text)) : "");
+    const auto read = frame_metadata_from_json(
+        frame_metadata_from_json(text).quilt ? to_json(frame_metadata_from_json(text)) : "");
     BOOST_REQUIRE(read.quilt);
     BOOST_TEST(read.quilt->grid.columns == 5);
     BOOST_TEST(read.quilt->grid.rows == 9);
@@ -121,13 +123,18 @@ BOOST_AUTO_TEST_CASE(views_say_which_they_are)
     BOOST_TEST(read.quilt->eyes->distance == 350);
     check_equal(read.quilt->eyes->zone, {120.5, 0});
     BOOST_TEST(!frame_metadata_from_json(frame).quilt);
-    const struct { const char *old_text, *new_text, *named; } cases[] = {
-        {"\"view\": 44", "\"view\": 45", "quilt.view is 45"},          {"\"columns\": 5", "\"columns\": 0", "quilt.columns is 0"},
-        {"\"rows\": 9", "\"rows\": 9.5", "quilt.rows must be a whole"}, {"350", "0", "quilt.eyes.distance_mm is 0"},
-        {"120.5", "-1", "quilt.eyes.width_mm is -1"},                     {"\"rows\": 9,", "", "quilt.rows is missing"}};
+    const struct {
+        const char *old_text, *new_text, *named;
+    } cases[] = {{"\"view\": 44", "\"view\": 45", "quilt.view is 45"},
+                 {"\"columns\": 5", "\"columns\": 0", "quilt.columns is 0"},
+                 {"\"rows\": 9", "\"rows\": 9.5", "quilt.rows must be a whole"},
+                 {"350", "0", "quilt.eyes.distance_mm is 0"},
+                 {"120.5", "-1", "quilt.eyes.width_mm is -1"},
+                 {"\"rows\": 9,", "", "quilt.rows is missing"}};
     for (const auto& c : cases) {
         std::string bad = text;
-        bad.replace(bad.find(c.old_text, bad.find("quilt")), std::string(c.old_text).size(), c.new_text);
+        bad.replace(bad.find(c.old_text, bad.find("quilt")), std::string(c.old_text).size(),
+                    c.new_text);
         try {
             frame_metadata_from_json(bad);
             BOOST_ERROR(std::string(c.new_text) + " was read");
@@ -166,15 +173,21 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
         m.sheet.ior = between(1, 4);
         m.sheet.slant = between(-89, 89);
         m.sheet.offset = {between(-1e6, 1e6), between(-1, 1)};
-        m.film = {1 + i, 1000000 - i, {std::pow(10, between(-6, 4)), between(0.001, 1)}, subpixels_numbered(i % 9, [&] { return between(-1, 1); })};
+        m.film = {1 + i,
+                  1000000 - i,
+                  {std::pow(10, between(-6, 4)), between(0.001, 1)},
+                  subpixels_numbered(i % 9, [&] { return between(-1, 1); })};
         m.aperture.distance = std::pow(10, between(-2, 9));
-        m.aperture.width = i % 5 ? std::pow(10, between(-9, 15)) : std::numeric_limits<double>::infinity();
+        m.aperture.width = i % 5 ? std::pow(10, between(-9, 15))
+                                 : std::numeric_limits<double>::infinity();
         m.aperture.height = i % 7 ? between(0, 1) : 0;
         m.aperture.shape = static_cast<ApertureShape>(i % 2);
         m.encoding.kind = static_cast<Encoding::Kind>(i % 3);
         m.encoding.gamma = between(1, 3);
         if (i % 2) {
-            const auto v = [&] { return Vec3{between(-1, 1) * 1e-9, between(-1e9, 1e9), between(-1, 1)}; };
+            const auto v = [&] {
+                return Vec3{between(-1, 1) * 1e-9, between(-1e9, 1e9), between(-1, 1)};
+            };
             m.placement = Placement{v(), v(), v(), v(), between(1e-6, 1e6)};
         }
         if (i % 3) {
@@ -189,9 +202,16 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
             record.display_prefilter = i % 7 == 0;
             record.seconds = between(0, 1e6);
             if (i % 2)
-                record.error = ErrorEstimate{between(0, 1), between(0, 1), between(0, 1), between(0, 1),
-                                             i % 4 == 1 ? ErrorMethod::audit : ErrorMethod::split_halves, 1000LL * i,
-                                             1000000LL * i, i, between(0, 1e6)};
+                record.error = ErrorEstimate{between(0, 1),
+                                             between(0, 1),
+                                             between(0, 1),
+                                             between(0, 1),
+                                             i % 4 == 1 ? ErrorMethod::audit
+                                                        : ErrorMethod::split_halves,
+                                             1000LL * i,
+                                             1000000LL * i,
+                                             i,
+                                             between(0, 1e6)};
             m.render = record;
         }
 
@@ -267,7 +287,8 @@ BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)
     const struct {
         const char *old_text, *new_text, *named;
     } cases[] = {
-        {R"("hexagonal")", R"("round")", "sheet.arrangement must be lenticular, square or hexagonal"},
+        {R"("hexagonal")", R"("round")",
+         "sheet.arrangement must be lenticular, square or hexagonal"},
         {R"("hexagonal")", "3", "sheet.arrangement must be a string"},
         {R"("pitch_mm": 1.5)", R"("pitch": 1.5)", "sheet.pitch_mm is missing"},
         {"1.5", "\"1.5\"", "sheet.pitch_mm must be a number"},
@@ -304,7 +325,8 @@ BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)
         {R"("units_per_mm": 0.5)", R"("units_per_mm": 0)", "camera.units_per_mm"},
         {"\"power\"", "\"log\"", "encoding.kind must be linear, srgb or power"},
         {"1.8", "0", "encoding.gamma"},
-        {"\"accurate\"", "\"best\"", "render.mapping must be auto, closest, accurate or exhaustive"},
+        {"\"accurate\"", "\"best\"",
+         "render.mapping must be auto, closest, accurate or exhaustive"},
         {"\"s.pov\"", "7", "render.scene must be a string"},
         {"\"seconds\": 7", "\"seconds\": -7", "render.seconds"},
         {"0.01", "\"small\"", "render.error.rms"},
@@ -316,10 +338,14 @@ BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)
         {"\"bgr\"", "\"brg\"", "film.subpixels must be rgb, bgr, vrgb, vbgr, cells or none"},
         {"\"bgr\"", "\"cells\"", "film.subpixels must be an object of pattern and cells"},
         {"\"bgr\"", "{\"cells\": []}", "film.subpixels.pattern is missing"},
-        {"\"bgr\"", "{\"pattern\": \"rows\", \"cells\": []}", "film.subpixels.cells must be a list of 1 to 4 cells"},
-        {"\"bgr\"", "{\"pattern\": \"row\", \"cells\": []}", "film.subpixels.pattern must be same, checkerboard, columns, rows or staggered"},
-        {"\"bgr\"", "{\"pattern\": \"rows\", \"cells\": [[[0,0],[0,0]]]}", "film.subpixels.cells[0] must be a list of three places"},
-        {"\"bgr\"", "{\"pattern\": \"rows\", \"cells\": [[[0,0],[0,0],[0,1.5]]]}", "film.subpixels.cells[0][2][1] is 1.5"},
+        {"\"bgr\"", "{\"pattern\": \"rows\", \"cells\": []}",
+         "film.subpixels.cells must be a list of 1 to 4 cells"},
+        {"\"bgr\"", "{\"pattern\": \"row\", \"cells\": []}",
+         "film.subpixels.pattern must be same, checkerboard, columns, rows or staggered"},
+        {"\"bgr\"", "{\"pattern\": \"rows\", \"cells\": [[[0,0],[0,0]]]}",
+         "film.subpixels.cells[0] must be a list of three places"},
+        {"\"bgr\"", "{\"pattern\": \"rows\", \"cells\": [[[0,0],[0,0],[0,1.5]]]}",
+         "film.subpixels.cells[0][2][1] is 1.5"},
         {"\"sheet\"", "\"sheets\"", "sheet is missing"},
         {"\"film\": {", "\"film\": 3, \"fil\": {", "film must be an object"},
         {"1.5", "1e999", "out of range"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which rays make up a pixel: how many, where they start and leave, and what becomes of those that do not.
+// Which rays make up a pixel: how many, where they start and leave, and what becomes of those that
+// do not.
 #include "tests/unit/optics_sheets.h"
 #include "tests/unit/pixel_origins.h"
 
@@ -12,12 +13,21 @@ BOOST_AUTO_TEST_SUITE(lightfield_pixel_sampler)
 
 BOOST_AUTO_TEST_CASE(numbers_of_rays)
 {
-    const struct { LensModel model; Subpixels subpixels; int pixel, beam; int lenticular, other; } cases[] = {
-        {LensModel::extended_pinhole, Subpixels::none, 1, 1, 1, 1},  {LensModel::extended_pinhole, Subpixels::none, 5, 1, 5, 5},
-        {LensModel::extended_pinhole, Subpixels::none, 1, 7, 7, 7},  {LensModel::pinhole, Subpixels::none, 3, 4, 12, 12},
-        {LensModel::full, Subpixels::none, 2, 9, 18, 18},            {LensModel::hybrid, Subpixels::none, 1, 0, 3, 5},
-        {LensModel::hybrid, Subpixels::none, 4, 0, 12, 20},          {LensModel::extended_pinhole, Subpixels::rgb, 1, 1, 3, 3},
-        {LensModel::extended_pinhole, Subpixels::bgr, 3, 4, 36, 36}, {LensModel::hybrid, Subpixels::rgb, 2, 0, 18, 30}};
+    const struct {
+        LensModel model;
+        Subpixels subpixels;
+        int pixel, beam;
+        int lenticular, other;
+    } cases[] = {{LensModel::extended_pinhole, Subpixels::none, 1, 1, 1, 1},
+                 {LensModel::extended_pinhole, Subpixels::none, 5, 1, 5, 5},
+                 {LensModel::extended_pinhole, Subpixels::none, 1, 7, 7, 7},
+                 {LensModel::pinhole, Subpixels::none, 3, 4, 12, 12},
+                 {LensModel::full, Subpixels::none, 2, 9, 18, 18},
+                 {LensModel::hybrid, Subpixels::none, 1, 0, 3, 5},
+                 {LensModel::hybrid, Subpixels::none, 4, 0, 12, 20},
+                 {LensModel::extended_pinhole, Subpixels::rgb, 1, 1, 3, 3},
+                 {LensModel::extended_pinhole, Subpixels::bgr, 3, 4, 36, 36},
+                 {LensModel::hybrid, Subpixels::rgb, 2, 0, 18, 30}};
     for (const Arrangement arrangement : arrangements)
         for (const auto& c : cases) {
             CameraParameters p = parameters_of(arrangement, c.pixel);
@@ -31,14 +41,18 @@ BOOST_AUTO_TEST_CASE(numbers_of_rays)
             const Vec2 centre{23.5, 18.5}; // 3 pixels from the pole of a lens
             BOOST_REQUIRE(whole(camera, centre));
             const auto rays = rays_at(sampler, centre);
-            BOOST_TEST(rays.size() == unsigned(arrangement == Arrangement::lenticular ? c.lenticular : c.other));
+            BOOST_TEST(rays.size() ==
+                       unsigned(arrangement == Arrangement::lenticular ? c.lenticular : c.other));
             double weight[2] = {};
             for (const PixelRay& ray : rays)
                 weight[ray.half] += ray.weight;
-            const int channels = c.subpixels == Subpixels::none ? 1 : 3, samples = c.pixel * std::max(1, c.beam);
-            BOOST_TEST(weight[0] + weight[1] == channels * samples, boost::test_tools::tolerance(1e-12));
+            const int channels = c.subpixels == Subpixels::none ? 1 : 3,
+                      samples = c.pixel * std::max(1, c.beam);
+            BOOST_TEST(weight[0] + weight[1] == channels * samples,
+                       boost::test_tools::tolerance(1e-12));
             if (samples > 1)
-                BOOST_TEST(weight[0] == channels * (samples / 2), boost::test_tools::tolerance(1e-12));
+                BOOST_TEST(weight[0] == channels * (samples / 2),
+                           boost::test_tools::tolerance(1e-12));
             BOOST_TEST(sampler.halves_tell_error() == (c.pixel > 1 && c.beam > 1 && samples >= 16));
         }
 }
@@ -46,7 +60,8 @@ BOOST_AUTO_TEST_CASE(numbers_of_rays)
 BOOST_AUTO_TEST_CASE(one_sample_is_the_pole_ray)
 {
     for (const Arrangement arrangement : arrangements)
-        for (const LensModel model : {LensModel::pinhole, LensModel::extended_pinhole, LensModel::full})
+        for (const LensModel model :
+             {LensModel::pinhole, LensModel::extended_pinhole, LensModel::full})
             for (const Subpixels subpixels : {Subpixels::none, Subpixels::bgr}) {
                 CameraParameters p = parameters_of(arrangement);
                 p.model = model;
@@ -56,9 +71,11 @@ BOOST_AUTO_TEST_CASE(one_sample_is_the_pole_ray)
                 int rays_seen = 0;
                 for_each_pixel(camera, false, [&](Vec2 centre) {
                     std::vector<BeamRay> expected;
-                    for (int channel = 0; channel < (subpixels == Subpixels::none ? 1 : 3); ++channel) {
+                    for (int channel = 0; channel < (subpixels == Subpixels::none ? 1 : 3);
+                         ++channel) {
                         const Vec2 at = centre + subpixel_shift(subpixels, centre, channel);
-                        const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, at), camera.mapping);
+                        const MappedPoint mapped = camera.optics.map(
+                            film_from_pixel(camera.film, at), camera.mapping);
                         if (mapped.ray)
                             expected.push_back(pole_beam(*mapped.ray));
                     }
@@ -68,7 +85,8 @@ BOOST_AUTO_TEST_CASE(one_sample_is_the_pole_ray)
                     for (std::size_t i = 0; i < rays.size(); ++i) {
                         BOOST_TEST(length(rays[i].ray.direction - expected[i].direction) <= error);
                         BOOST_TEST(length(rays[i].ray.point - expected[i].point) <= error);
-                        BOOST_TEST(length(rays[i].ray.aperture_point - expected[i].aperture_point) <= 1000 * error);
+                        BOOST_TEST(length(rays[i].ray.aperture_point -
+                                          expected[i].aperture_point) <= 1000 * error);
                         ++rays_seen;
                     }
                 });
@@ -91,21 +109,28 @@ BOOST_AUTO_TEST_CASE(samples_lie_in_the_pixel_and_in_the_cell_of_its_lens)
                 for_each_pixel(camera, false, [&](Vec2 centre) {
                     const auto rays = rays_at(sampler, centre);
                     for (const PixelRay& ray : rays) {
-                        const double shift = ray.channel < 0 ? 0 : subpixel_shift(p.film.subpixels, centre, ray.channel).x;
+                        const double shift = ray.channel < 0 ? 0
+                                                             : subpixel_shift(p.film.subpixels,
+                                                                              centre, ray.channel)
+                                                                   .x;
                         const Vec2 own{centre.x + shift, centre.y};
                         const LensIndex lens = lens_at(camera, own);
                         const Origin at = origin_of(camera, own, ray.ray, lens);
-                        BOOST_TEST(std::fabs(at.film.x) <= (ray.channel < 0 ? 0.5 : 1 / 6.0) + 1e-9);
+                        BOOST_TEST(std::fabs(at.film.x) <=
+                                   (ray.channel < 0 ? 0.5 : 1 / 6.0) + 1e-9);
                         BOOST_TEST(std::fabs(at.film.y) <= 0.5 + 1e-9);
                         BOOST_TEST(std::fabs(at.lens.x) <= 0.5 + 1e-9);
                         const Vec2 leaves{ray.ray.point.x, ray.ray.point.y};
                         const Lattice& lattice = camera.optics.lattice();
-                        BOOST_TEST(lattice.distance(leaves, lens)
-                                   < lattice.distance(leaves, lattice.nearest(leaves)) + 1e-9);
-                        // ... and the pole ray of its film point passes the aperture through that lens.
-                        const auto mapped = camera.optics.map(film_from_pixel(camera.film, own + at.film), camera.mapping);
+                        BOOST_TEST(lattice.distance(leaves, lens) <
+                                   lattice.distance(leaves, lattice.nearest(leaves)) + 1e-9);
+                        // ... and the pole ray of its film point passes the aperture through that
+                        // lens.
+                        const auto mapped = camera.optics.map(
+                            film_from_pixel(camera.film, own + at.film), camera.mapping);
                         BOOST_TEST((mapped.ray && mapped.ray->lens == lens));
-                        far_film = {std::max(far_film.x, std::fabs(at.film.x)), std::max(far_film.y, std::fabs(at.film.y))};
+                        far_film = {std::max(far_film.x, std::fabs(at.film.x)),
+                                    std::max(far_film.y, std::fabs(at.film.y))};
                         far_lens.x = std::max(far_lens.x, std::fabs(at.lens.x));
                     }
                 });
@@ -123,14 +148,16 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
             CameraParameters p = parameters_of(arrangement, samples);
             p.sheet.slant = 8;
             // Of three samples two lie to either side of the centre: seldom are all another lens's.
-            const IntegralCamera camera = samples == 3 ? camera_of(p, 500, 400) : camera_of(p, 90, 70);
+            const IntegralCamera camera = samples == 3 ? camera_of(p, 500, 400)
+                                                       : camera_of(p, 90, 70);
             const PixelSampler sampler(camera, 2);
             int at_centre = 0, fewer = 0;
             double kept = 0, expected = 0;
             for_each_pixel(camera, false, [&](Vec2 centre) {
                 std::vector<PixelRay> rays;
                 const PixelOutcome outcome = sampler.append_rays(centre, rays);
-                const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, centre), camera.mapping);
+                const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, centre),
+                                                             camera.mapping);
                 BOOST_TEST(outcome.imaged == int(mapped.ray.has_value()));
                 BOOST_TEST(rays.empty() != mapped.ray.has_value());
                 if (rays.empty() || whole(camera, centre))
@@ -141,12 +168,15 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
                 kept += rays.size();
                 for (int k = 0; k < 256; ++k) { // the part of its area that its lens images
                     const Vec2 at{centre.x + (k % 16 - 7.5) / 16, centre.y + (k / 16 - 7.5) / 16};
-                    const MappedPoint there = camera.optics.map(film_from_pixel(camera.film, at), camera.mapping);
-                    expected += there.ray && there.ray->lens == mapped.ray->lens ? samples / 256.0 : 0;
+                    const MappedPoint there = camera.optics.map(film_from_pixel(camera.film, at),
+                                                                camera.mapping);
+                    expected += there.ray && there.ray->lens == mapped.ray->lens ? samples / 256.0
+                                                                                 : 0;
                 }
             });
             BOOST_TEST(fewer > 100);
-            BOOST_TEST((at_centre > 0) == (samples < 64)); // all samples another's: the centre itself
+            BOOST_TEST((at_centre > 0) == (samples < 64)); // all samples another's: the centre
+                                                           // itself
             if (samples == 64)
                 BOOST_TEST(std::fabs(kept / expected - 1) < 0.01);
         }
@@ -173,16 +203,21 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
                         const LensIndex lens = lens_at(camera, at);
                         const Origin origin = origin_of(camera, at, ray.ray, lens);
                         ++taken[channel];
-                        BOOST_TEST(std::fabs(origin.film.x) <= (subpixels == Subpixels::none ? 0.5 : 1 / 6.0) + 1e-9);
+                        BOOST_TEST(std::fabs(origin.film.x) <=
+                                   (subpixels == Subpixels::none ? 0.5 : 1 / 6.0) + 1e-9);
                         BOOST_TEST(std::fabs(origin.film.y) <= 0.5 + 1e-9);
-                        const auto mapped = camera.optics.map(film_from_pixel(camera.film, at + origin.film), camera.mapping).ray;
+                        const auto mapped = camera.optics
+                                                .map(film_from_pixel(camera.film, at + origin.film),
+                                                     camera.mapping)
+                                                .ray;
                         BOOST_TEST((mapped && mapped->lens == lens));
                     }
                 }
                 int imaged = 0; // channels
                 for (int channel = 0; channel < (subpixels == Subpixels::none ? 1 : 3); ++channel) {
                     const Vec2 at = centre + subpixel_shift(subpixels, centre, channel);
-                    imaged += camera.optics.map(film_from_pixel(camera.film, at), camera.mapping).ray.has_value();
+                    imaged += camera.optics.map(film_from_pixel(camera.film, at), camera.mapping)
+                                  .ray.has_value();
                 }
                 BOOST_TEST(beam.number == imaged);
                 for (int k = 0; k < beam.number; ++k) {
@@ -208,14 +243,16 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
         for_each_pixel(camera, true, [&](Vec2 centre) {
             if (++pixels % 97)
                 return;
-            // Each prefix of 4^k points has each coordinate once in each of its 4^k parts: those of the cell at the sheet, those of the
-            // pixel far away. Of a hexagon, whose coordinates are not those of a square, the pixel's alone.
+            // Each prefix of 4^k points has each coordinate once in each of its 4^k parts: those of
+            // the cell at the sheet, those of the pixel far away. Of a hexagon, whose coordinates
+            // are not those of a square, the pixel's alone.
             for (const bool far : {false, true})
                 for (const int count : {4, 16, 64}) {
                     if (!far && arrangement == Arrangement::hexagonal)
                         continue;
                     std::vector<PixelRay> rays;
-                    const PixelBeam beam = sampler.beam(centre, false, far ? std::numeric_limits<double>::infinity() : 0);
+                    const PixelBeam beam = sampler.beam(
+                        centre, false, far ? std::numeric_limits<double>::infinity() : 0);
                     for (int index = 0; index < count; ++index)
                         sampler.append_sample(beam, index, rays);
                     BOOST_REQUIRE(int(rays.size()) == count);
@@ -225,8 +262,10 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
                     for (const int dimension : dimensions) {
                         std::vector<int> parts(count);
                         for (const Origin& at : origins(camera, centre, rays))
-                            ++parts[std::min(count - 1, std::max(0, int(unit_of(at)[dimension] * count)))];
-                        BOOST_TEST(*std::max_element(parts.begin(), parts.end()) <= 2); // a rounding may move one over
+                            ++parts[std::min(count - 1,
+                                             std::max(0, int(unit_of(at)[dimension] * count)))];
+                        BOOST_TEST(*std::max_element(parts.begin(), parts.end()) <=
+                                   2); // a rounding may move one over
                         BOOST_TEST(std::count(parts.begin(), parts.end(), 1) >= count - 2);
                     }
                 }
@@ -234,21 +273,28 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
         BOOST_TEST(pixels > 97);
         const auto first = [&](Vec2 centre, bool alike, const PixelSampler& by) {
             std::vector<PixelRay> rays;
-            by.append_sample(by.beam(centre, alike, 0), 0, rays); // at the sheet, where every pixel has the same share in what is seen
+            by.append_sample(by.beam(centre, alike, 0), 0, rays); // at the sheet, where every pixel
+                                                                  // has the same share in what is
+                                                                  // seen
             return origin_of(camera, centre, rays.at(0).ray, lens_at(camera, centre));
         };
         std::vector<Vec2> whole_ones;
         for_each_pixel(camera, true, [&](Vec2 centre) { whole_ones.push_back(centre); });
         const Vec2 here = whole_ones.at(100), there = whole_ones.at(101);
-        BOOST_TEST(first(here, false, sampler).film.x == first(here, false, PixelSampler(camera, 7)).film.x);
-        BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(here, false, PixelSampler(camera, 8)).film.x) > 1e-6);
-        BOOST_TEST(std::fabs(first(here, false, sampler).film.x - first(there, false, sampler).film.x) > 1e-6);
-        BOOST_TEST(std::fabs(first(here, true, sampler).film.x - first(there, true, sampler).film.x) < 1e-6);
+        BOOST_TEST(first(here, false, sampler).film.x ==
+                   first(here, false, PixelSampler(camera, 7)).film.x);
+        BOOST_TEST(std::fabs(first(here, false, sampler).film.x -
+                             first(here, false, PixelSampler(camera, 8)).film.x) > 1e-6);
+        BOOST_TEST(std::fabs(first(here, false, sampler).film.x -
+                             first(there, false, sampler).film.x) > 1e-6);
+        BOOST_TEST(std::fabs(first(here, true, sampler).film.x -
+                             first(there, true, sampler).film.x) < 1e-6);
     }
 }
 
-/// The mean squared error with which 16 samples of a beam tell how much of it lies on one side of a straight edge, seen at a depth, of
-/// many pixels and edges of all directions. The truth is 2048 random rays'.
+/// The mean squared error with which 16 samples of a beam tell how much of it lies on one side of a
+/// straight edge, seen at a depth, of many pixels and edges of all directions. The truth is 2048
+/// random rays'.
 static double error_of_edges(const IntegralCamera& camera, double depth, double aimed_at)
 {
     const PixelSampler sampler(camera, 3);
@@ -286,9 +332,17 @@ static double error_of_edges(const IntegralCamera& camera, double depth, double 
 
 BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_what_the_beam_covers)
 {
-    struct Case { Arrangement arrangement; double slant; bool mirrored; double tall; };
-    for (const Case c : {Case{Arrangement::lenticular, 0, false, 0}, {Arrangement::lenticular, 80, false, 0},
-                         {Arrangement::lenticular, 0, false, 100}, {Arrangement::square, 0, false, 0}, {Arrangement::square, 85, false, 0},
+    struct Case {
+        Arrangement arrangement;
+        double slant;
+        bool mirrored;
+        double tall;
+    };
+    for (const Case c : {Case{Arrangement::lenticular, 0, false, 0},
+                         {Arrangement::lenticular, 80, false, 0},
+                         {Arrangement::lenticular, 0, false, 100},
+                         {Arrangement::square, 0, false, 0},
+                         {Arrangement::square, 85, false, 0},
                          {Arrangement::square, 0, true, 0}}) {
         CameraParameters p = parameters_of(c.arrangement);
         p.sheet.slant = c.slant;
@@ -296,7 +350,8 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_what_the_beam_cover
         if (c.tall > 0)
             p.capture_aperture = Vec2{100, c.tall};
         const IntegralCamera camera = camera_of(p, 110, 90);
-        // The wrong side of the sheet is as wrong an aim as there is; but for a tall slit, which covers about as much there: not the sheet.
+        // The wrong side of the sheet is as wrong an aim as there is; but for a tall slit, which
+        // covers about as much there: not the sheet.
         double well = 0, wrongly = 0;
         for (const double depth : {-20.0, 15.0, 60.0}) {
             well += error_of_edges(camera, depth, depth);
@@ -313,15 +368,18 @@ BOOST_AUTO_TEST_CASE(seed_and_pixel_alone_decide)
     const PixelSampler one(camera, 1), again(camera, 1), other(camera, 2);
     const auto places = [&](const PixelSampler& sampler, Vec2 centre, bool random) {
         std::vector<double> list;
-        for (const PixelRay& ray : random ? random_rays_at(sampler, centre, 4) : rays_at(sampler, centre)) {
-            const Vec2 from = Vec2{ray.ray.point.x, ray.ray.point.y} - camera.optics.lattice().pole(lens_at(camera, centre));
+        for (const PixelRay& ray :
+             random ? random_rays_at(sampler, centre, 4) : rays_at(sampler, centre)) {
+            const Vec2 from = Vec2{ray.ray.point.x, ray.ray.point.y} -
+                              camera.optics.lattice().pole(lens_at(camera, centre));
             list.insert(list.end(), {from.x, from.y});
         }
         return list;
     };
     for (const bool random : {false, true}) {
         std::vector<std::vector<double>> seen;
-        for (const Vec2 centre : {Vec2{70.5, 60.5}, Vec2{71.5, 60.5}, Vec2{70.5, 61.5}, Vec2{60.5, 70.5}, Vec2{70.25, 60.5}}) {
+        for (const Vec2 centre : {Vec2{70.5, 60.5}, Vec2{71.5, 60.5}, Vec2{70.5, 61.5},
+                                  Vec2{60.5, 70.5}, Vec2{70.25, 60.5}}) {
             BOOST_CHECK(places(one, centre, random) == places(again, centre, random));
             BOOST_CHECK(places(one, centre, random) == places(one, centre, random));
             seen.push_back(places(one, centre, random));
@@ -359,15 +417,19 @@ BOOST_AUTO_TEST_CASE(pseudoscopic_rays_go_the_mirrored_way)
                 const LensIndex lens = lens_at(straight, centre);
                 const Vec2 film_point = film_from_pixel(straight.film, centre);
                 const Vec2 other = mirrored_in_lens(straight.optics, film_point, lens);
-                BOOST_TEST(length(mirrored_in_lens(straight.optics, other, lens) - film_point) < 1e-12);
-                // the sideways part turns round; on a lenticular sheet only that across the lens does
+                BOOST_TEST(length(mirrored_in_lens(straight.optics, other, lens) - film_point) <
+                           1e-12);
+                // the sideways part turns round; on a lenticular sheet only that across the lens
+                // does
                 const double along = arrangement == Arrangement::lenticular ? 1 : -1;
                 const Vec3 d = before[0].ray.direction, turned_round{-d.x, along * d.y, d.z};
                 BOOST_TEST(length(after[0].ray.direction - turned_round) < 1e-12);
                 BOOST_TEST(length(after[0].ray.point - before[0].ray.point) < 1e-12);
                 for (const PixelRay& ray : rays_at(many, centre)) {
-                    const Origin at = origin_of(sampled, pixel_from_film(sampled.film, other), ray.ray, lens);
-                    BOOST_TEST((std::fabs(at.film.x) <= 0.5 + 1e-9 && std::fabs(at.film.y) <= 0.5 + 1e-9));
+                    const Origin at = origin_of(sampled, pixel_from_film(sampled.film, other),
+                                                ray.ray, lens);
+                    BOOST_TEST(
+                        (std::fabs(at.film.x) <= 0.5 + 1e-9 && std::fabs(at.film.y) <= 0.5 + 1e-9));
                     ++judged;
                 }
             });
@@ -384,18 +446,22 @@ BOOST_AUTO_TEST_CASE(what_becomes_of_film_points_adds_up)
         p.sheet = random.sheet();
         p.model = LensModel(trial % 4);
         p.mapping = LensMapping(trial / 4 % 3);
-        if (refracts_at_surface(p.model)) { // steep towards its edge, so that some rays are totally reflected
+        if (refracts_at_surface(p.model)) { // steep towards its edge, so that some rays are totally
+                                            // reflected
             p.sheet.ior = random.between(1.3, 4);
-            p.sheet.thickness = cell_circumradius(p.sheet) * random.between(1, 1.5) * p.sheet.ior / (p.sheet.ior - 1);
+            p.sheet.thickness = cell_circumradius(p.sheet) * random.between(1, 1.5) * p.sheet.ior /
+                                (p.sheet.ior - 1);
         }
         p.film.units_per_mm = 1;
         p.film.subpixels = random.one_in(3) ? Subpixels::bgr : Subpixels::none;
-        p.film.pixel_pitch = {p.sheet.pitch * random.log_between(0.01, 3), p.sheet.pitch * random.log_between(0.01, 3)};
+        p.film.pixel_pitch = {p.sheet.pitch * random.log_between(0.01, 3),
+                              p.sheet.pitch * random.log_between(0.01, 3)};
         p.pixel_samples = random.one_in(2) ? 1 : 5;
         if (p.model != LensModel::hybrid)
             p.beam_samples = random.one_in(2) ? 1 : 3;
         p.pseudoscopic = random.one_in(4);
-        const double d = p.sheet.thickness * random.log_between(1, 1e4), w = d * random.log_between(0.01, 20);
+        const double d = p.sheet.thickness * random.log_between(1, 1e4),
+                     w = d * random.log_between(0.01, 20);
         p.capture_aperture = Vec2{w, w};
         ViewFrame view;
         view.direction = {0, 0, d};
@@ -409,33 +475,41 @@ BOOST_AUTO_TEST_CASE(what_becomes_of_film_points_adds_up)
         }
         ++cameras;
         const PixelSampler sampler(*camera, trial);
-        const std::size_t most = *p.pixel_samples * (p.model == LensModel::hybrid ? 5 : *p.beam_samples);
+        const std::size_t most = *p.pixel_samples *
+                                 (p.model == LensModel::hybrid ? 5 : *p.beam_samples);
         std::vector<PixelRay> rays;
         for_each_pixel(*camera, false, [&](Vec2 centre) {
             rays.clear();
             const PixelOutcome o = sampler.append_rays(centre, rays);
             const int points = p.film.subpixels == Subpixels::none ? 1 : 3;
-            const bool adds_up = o.film_points == points && o.imaged + o.outside_aperture + o.total_reflection == points
-                              && o.searched <= o.imaged && (o.imaged > 0) == !rays.empty() && rays.size() <= o.imaged * most
-                              && o.imaged >= 0 && o.outside_aperture >= 0 && o.total_reflection >= 0;
-            BOOST_TEST(adds_up, p.sheet << " model " << int(p.model) << " pixel " << centre.x << ',' << centre.y);
-            fell_short += o.imaged > 0 && p.pixel_samples == 1 && p.model == LensModel::full
-                       && rays.size() < o.imaged * most;
+            const bool adds_up = o.film_points == points &&
+                                 o.imaged + o.outside_aperture + o.total_reflection == points &&
+                                 o.searched <= o.imaged && (o.imaged > 0) == !rays.empty() &&
+                                 rays.size() <= o.imaged * most && o.imaged >= 0 &&
+                                 o.outside_aperture >= 0 && o.total_reflection >= 0;
+            BOOST_TEST(adds_up, p.sheet << " model " << int(p.model) << " pixel " << centre.x << ','
+                                        << centre.y);
+            fell_short += o.imaged > 0 && p.pixel_samples == 1 && p.model == LensModel::full &&
+                          rays.size() < o.imaged * most;
             reflected += o.total_reflection;
             outside += o.outside_aperture;
             searched += o.searched;
             // light that one ray in the middle finds is also found at random
             const bool found = sampler.append_random_ray(centre, 0, rays);
-            BOOST_TEST((found || o.imaged == 0 || p.model == LensModel::full || p.model == LensModel::hybrid));
+            BOOST_TEST((found || o.imaged == 0 || p.model == LensModel::full ||
+                        p.model == LensModel::hybrid));
             for (const PixelRay& ray : rays) {
-                const double sum = length(ray.ray.point) + length(ray.ray.aperture_point) + ray.weight;
+                const double sum = length(ray.ray.point) + length(ray.ray.aperture_point) +
+                                   ray.weight;
                 BOOST_TEST(std::isfinite(sum));
-                BOOST_TEST((std::fabs(length(ray.ray.direction) - 1) < 1e-9 && ray.ray.direction.z < 0));
+                BOOST_TEST(
+                    (std::fabs(length(ray.ray.direction) - 1) < 1e-9 && ray.ray.direction.z < 0));
             }
         });
     }
-    BOOST_TEST_MESSAGE(cameras << " cameras; points with rays totally reflected " << fell_short << ", without any "
-                       << reflected << ", outside " << outside << ", searched " << searched);
+    BOOST_TEST_MESSAGE(cameras << " cameras; points with rays totally reflected " << fell_short
+                               << ", without any " << reflected << ", outside " << outside
+                               << ", searched " << searched);
     BOOST_TEST(cameras > 1000);
     BOOST_TEST(fell_short > 1000);
     BOOST_TEST(reflected > 1000);

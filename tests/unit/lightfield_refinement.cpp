@@ -13,15 +13,17 @@ namespace {
 
 constexpr int width = 120, height = 90;
 
-/// A frame of 300 dpi behind lenses whose pitch is 15 pixels, or other, coloured by colour(place behind the lens in
-/// pitches, lens); pixels for which it returns nothing are empty.
-FirstSamples coloured(Arrangement arrangement, const std::function<std::optional<double>(Vec2, LensIndex)>& colour,
+/// A frame of 300 dpi behind lenses whose pitch is 15 pixels, or other, coloured by colour(place
+/// behind the lens in pitches, lens); pixels for which it returns nothing are empty.
+FirstSamples coloured(Arrangement arrangement,
+                      const std::function<std::optional<double>(Vec2, LensIndex)>& colour,
                       IntegralCamera* made = nullptr, double pitch = 1.27)
 {
     CameraParameters p = parameters_of(arrangement);
     p.sheet.pitch = pitch;
     p.film.pixel_pitch = {25.4 / 300, 25.4 / 300};
-    p.sheet.offset = 0.25 * p.film.pixel_pitch; // with 15 pixels a lens, no pixel's middle is on a border
+    p.sheet.offset = 0.25 *
+                     p.film.pixel_pitch; // with 15 pixels a lens, no pixel's middle is on a border
     p.mapping = LensMapping::closest;
     p.capture_aperture = Vec2{1e4, 1e4};
     const IntegralCamera camera = camera_of(p, width, height);
@@ -65,13 +67,14 @@ BOOST_AUTO_TEST_CASE(even_colours_have_no_contrast)
 
 BOOST_AUTO_TEST_CASE(lens_borders_do_not_count)
 {
-    // Each lens has the same ramp from 0.1 to 0.9: neighbours across a border differ by 0.8, and each pixel is what its
-    // neighbours behind the lens and in its direction let expect. Away from the frame's edge, where a ramp has one
-    // side.
+    // Each lens has the same ramp from 0.1 to 0.9: neighbours across a border differ by 0.8, and
+    // each pixel is what its neighbours behind the lens and in its direction let expect. Away from
+    // the frame's edge, where a ramp has one side.
     for (const Arrangement arrangement : arrangements)
         for (const double pitch : {1.27, 1.124, 0.845}) {
             const auto ramp = [](Vec2 place, LensIndex) { return 0.5 + 0.8 * place.x; };
-            BOOST_TEST(largest(coloured(arrangement, ramp, nullptr, pitch), 20) < 3 * 2 * 0.8 * (25.4 / 300) / pitch,
+            BOOST_TEST(largest(coloured(arrangement, ramp, nullptr, pitch), 20) <
+                           3 * 2 * 0.8 * (25.4 / 300) / pitch,
                        int(arrangement) << " " << pitch);
         }
 }
@@ -81,7 +84,9 @@ BOOST_AUTO_TEST_CASE(neighbours_of_either_kind_count)
     const auto is_between = [](const FirstSamples& samples, double low, double high) {
         for (int y = 20; y < height - 20; ++y)
             for (int x = 20; x < width - 20; ++x)
-                BOOST_TEST_REQUIRE((samples.contrast(x, y) >= low && samples.contrast(x, y) <= high), x << ", " << y);
+                BOOST_TEST_REQUIRE(
+                    (samples.contrast(x, y) >= low && samples.contrast(x, y) <= high),
+                    x << ", " << y);
     };
     for (const Arrangement arrangement : arrangements) {
         // every other lens: a double step of 3 times 0.4 between a lens and both of its neighbours
@@ -91,7 +96,9 @@ BOOST_AUTO_TEST_CASE(neighbours_of_either_kind_count)
     // one odd lens, pixel or row among others
     for (const Arrangement arrangement : arrangements) {
         IntegralCamera camera = camera_of(parameters_of(arrangement));
-        const auto odd_lens = [](Vec2, LensIndex lens) { return lens == LensIndex{1, 0} ? 1.0 : 0.5; };
+        const auto odd_lens = [](Vec2, LensIndex lens) {
+            return lens == LensIndex{1, 0} ? 1.0 : 0.5;
+        };
         const auto one = coloured(arrangement, odd_lens, &camera);
         for (int y = 20; y < height - 20; ++y)
             for (int x = 20; x < width - 20; ++x) {
@@ -100,11 +107,13 @@ BOOST_AUTO_TEST_CASE(neighbours_of_either_kind_count)
                 if (lens == LensIndex{1, 0})
                     BOOST_TEST((one.contrast(x, y) > 2.9 && one.contrast(x, y) < 3.1));
                 else
-                    BOOST_TEST((one.contrast(x, y) < 0.01 || std::fabs(one.contrast(x, y) - 1.5) < 0.01));
+                    BOOST_TEST(
+                        (one.contrast(x, y) < 0.01 || std::fabs(one.contrast(x, y) - 1.5) < 0.01));
             }
     }
     // an edge behind each lens: those two pixels beside it depart from a straight line
-    const auto edge = coloured(Arrangement::square, [](Vec2 place, LensIndex) { return place.x < 0.03 ? 0.0 : 1.0; });
+    const auto edge = coloured(Arrangement::square,
+                               [](Vec2 place, LensIndex) { return place.x < 0.03 ? 0.0 : 1.0; });
     int beside = 0;
     for (int x = 20; x < width - 20; ++x)
         beside += edge.contrast(x, 45) > 2.9;
@@ -128,7 +137,8 @@ BOOST_AUTO_TEST_CASE(empty_pixels_are_nobody_s_neighbours)
     }
     // a pixel without a neighbour
     const FirstSamples alone = coloured(Arrangement::square, [](Vec2 place, LensIndex lens) {
-        const bool lit = lens == LensIndex{0, 0} && std::fabs(place.x) < 0.02 && std::fabs(place.y) < 0.02;
+        const bool lit = lens == LensIndex{0, 0} && std::fabs(place.x) < 0.02 &&
+                         std::fabs(place.y) < 0.02;
         return lit ? std::optional<double>(0.5) : std::nullopt;
     });
     BOOST_TEST(std::isinf(largest(alone)));
@@ -136,7 +146,8 @@ BOOST_AUTO_TEST_CASE(empty_pixels_are_nobody_s_neighbours)
 
 BOOST_AUTO_TEST_CASE(hostile_colours_are_kept_in_range)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
     for (const double hostile : {nan, infinity, -infinity, 1e300, -1.0}) {
         const auto every_other = [&](Vec2, LensIndex lens) { return lens.i & 1 ? hostile : 0.5; };
         const FirstSamples samples = coloured(Arrangement::square, every_other);
@@ -177,7 +188,8 @@ BOOST_AUTO_TEST_CASE(first_samples_may_be_kept_in_memory_from_outside)
 
 BOOST_AUTO_TEST_CASE(method_2_goes_on_while_samples_are_worth_it)
 {
-    double before_last = 0, last = 0; // a sample's worth after all rounds but the last, and after all
+    double before_last = 0,
+           last = 0; // a sample's worth after all rounds but the last, and after all
     const auto samples_taken = [&](const RefinementRule& rule, double contrast, auto next) {
         Refinement refinement(rule, contrast);
         int taken = 0;
@@ -192,9 +204,13 @@ BOOST_AUTO_TEST_CASE(method_2_goes_on_while_samples_are_worth_it)
     };
     std::mt19937 random(1);
     const auto even = [] { return ComparedColour{0.4, 0.4, 0.4, 0}; };
-    const auto coin = [&] { const double grey = random() & 1; return ComparedColour{grey, grey, grey, 0}; };
+    const auto coin = [&] {
+        const double grey = random() & 1;
+        return ComparedColour{grey, grey, grey, 0};
+    };
     BOOST_TEST(samples_taken({2, 0.1, 4}, 0.1, even) == 4);
-    BOOST_TEST(samples_taken({2, 0.01, 4}, 3, even) > 4); // there must be something that the first 4 have not seen
+    BOOST_TEST(samples_taken({2, 0.01, 4}, 3, even) > 4); // there must be something that the first
+                                                          // 4 have not seen
     int before = 0;
     for (const double threshold : {1.0, 0.3, 0.1, 0.03}) {
         const int taken = samples_taken({2, threshold, 9}, 3, coin);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Points at which light is sampled: evenly spread, each set unlike the others, and sums that are spread evenly.
+// Points at which light is sampled: evenly spread, each set unlike the others, and sums that are
+// spread evenly.
 #include "integral/lightfield/sample_points.h"
 #include "integral/lightfield/tabulated_curve.h"
 
@@ -37,18 +38,22 @@ BOOST_AUTO_TEST_CASE(points_are_a_digital_net)
                     }
                     ++together[part(point[0], side) * side + part(point[1], side)];
                 }
-                BOOST_TEST((std::count(alone.begin(), alone.end(), 1) == point_dimensions * count), count << " from " << start);
-                BOOST_TEST((std::count(together.begin(), together.end(), 1) == count), count << " from " << start);
+                BOOST_TEST((std::count(alone.begin(), alone.end(), 1) == point_dimensions * count),
+                           count << " from " << start);
+                BOOST_TEST((std::count(together.begin(), together.end(), 1) == count),
+                           count << " from " << start);
             }
 }
 
 BOOST_AUTO_TEST_CASE(scramblings_are_uniform_and_independent)
 {
-    // The first point alone is anywhere; so are two scramblings' first points together, and two coordinates of one.
+    // The first point alone is anywhere; so are two scramblings' first points together, and two
+    // coordinates of one.
     constexpr int keys = 40000, parts = 10;
     std::vector<int> keys_apart(parts * parts), dimensions_apart(parts * parts);
     for (int key = 0; key < keys; ++key) {
-        const auto one = scrambled_point(point_seeds(key), 0), next = scrambled_point(point_seeds(key + 1), 0);
+        const auto one = scrambled_point(point_seeds(key), 0),
+                   next = scrambled_point(point_seeds(key + 1), 0);
         ++keys_apart[part(one[0], parts) * parts + part(next[0], parts)];
         ++dimensions_apart[part(one[1], parts) * parts + part(one[2], parts)];
     }
@@ -63,7 +68,8 @@ BOOST_AUTO_TEST_CASE(scramblings_are_uniform_and_independent)
 
 BOOST_AUTO_TEST_CASE(means_have_the_error_of_owen_s_scrambling)
 {
-    // Of x + y + z + w over n = 256 scrambled points: the variance is at most that of points jittered in each coordinate's n parts, n^-3/12 each.
+    // Of x + y + z + w over n = 256 scrambled points: the variance is at most that of points
+    // jittered in each coordinate's n parts, n^-3/12 each.
     constexpr int n = 256, keys = 2000;
     double squares = 0;
     for (int key = 0; key < keys; ++key) {
@@ -75,20 +81,26 @@ BOOST_AUTO_TEST_CASE(means_have_the_error_of_owen_s_scrambling)
     }
     const double jittered = point_dimensions / (12.0 * n * n * n);
     BOOST_TEST(squares / keys < 1.2 * jittered);
-    BOOST_TEST(squares / keys > 0.8 * jittered); // and no less: bits below the 8 that the points fill are random
+    BOOST_TEST(squares / keys > 0.8 * jittered); // and no less: bits below the 8 that the points
+                                                 // fill are random
 }
 
 BOOST_AUTO_TEST_CASE(a_split_sum_preserves_area)
 {
     constexpr int fine = 600, coarse = 10;
-    for (const double ratio : {0.0, 0.1, -0.5, 1.0, -1.0, 3.0, -20.0, infinity, -infinity, 1e-300, 1e300}) {
+    for (const double ratio :
+         {0.0, 0.1, -0.5, 1.0, -1.0, 3.0, -20.0, infinity, -infinity, 1e-300, 1e300}) {
         const SumSplit split(ratio);
         std::vector<double> density(coarse * coarse);
         for (int i = 0; i < fine; ++i)
             for (int j = 0; j < fine; ++j) {
                 const auto at = split((i + 0.5) / fine, (j + 0.5) / fine);
-                BOOST_TEST_REQUIRE((at.first >= 0 && at.first <= 1 && at.second >= 0 && at.second <= 1));
-                density[part(at.first, coarse) * coarse + part(at.second, coarse)] += double(coarse * coarse) / (fine * fine);
+                BOOST_TEST_REQUIRE(
+                    (at.first >= 0 && at.first <= 1 && at.second >= 0 && at.second <= 1));
+                density[part(at.first, coarse) * coarse + part(at.second, coarse)] += double(
+                                                                                          coarse *
+                                                                                          coarse) /
+                                                                                      (fine * fine);
             }
         for (const double d : density)
             BOOST_TEST(std::fabs(d - 1) < 0.04, "ratio " << ratio << ": " << d);
@@ -103,7 +115,8 @@ BOOST_AUTO_TEST_CASE(a_split_sum_follows_from_the_first_coordinate)
             const auto at = split(u, v);
             return std::isinf(ratio) ? at.second - 0.5 : at.first - 0.5 + ratio * (at.second - 0.5);
         };
-        const double sense = sum(0.9, 0.5) > sum(0.1, 0.5) ? 1 : -1, size = std::isinf(ratio) ? 1 : 1 + std::fabs(ratio);
+        const double sense = sum(0.9, 0.5) > sum(0.1, 0.5) ? 1 : -1,
+                     size = std::isinf(ratio) ? 1 : 1 + std::fabs(ratio);
         for (double u = 0.001; u < 0.999; u += 0.001) {
             BOOST_TEST(sense * (sum(u + 0.001, 0.5) - sum(u, 0.5)) > 0);
             for (const double v : {0.0, 0.001, 0.3, 0.999})
@@ -124,7 +137,8 @@ BOOST_AUTO_TEST_CASE(a_tabulated_curve_is_the_curve)
         BOOST_TEST(tabulated(std::numeric_limits<float>::quiet_NaN()) == 0);
         BOOST_TEST(std::fabs(tabulated(0x1p-21f) - 0.5 * curve(0x1p-20f)) < 1e-9);
         BOOST_TEST(std::fabs(tabulated(1e30f) / curve(128) - 1) < 1e-6);
-        BOOST_TEST(std::fabs(tabulated(std::numeric_limits<float>::infinity()) / curve(128) - 1) < 1e-6);
+        BOOST_TEST(std::fabs(tabulated(std::numeric_limits<float>::infinity()) / curve(128) - 1) <
+                   1e-6);
     }
 }
 

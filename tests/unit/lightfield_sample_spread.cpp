@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How a pixel's samples are spread over its area and its lens's cell: evenly or at random, and independently where they
-// should be.
+// How a pixel's samples are spread over its area and its lens's cell: evenly or at random, and
+// independently where they should be.
 #include "tests/unit/optics_sheets.h"
 #include "tests/unit/pixel_origins.h"
 
@@ -45,7 +45,8 @@ BOOST_AUTO_TEST_CASE(samples_are_spread_evenly_over_all_four_dimensions)
                         sum[k] += u;
                         squares[k] += (u - 0.5) * (u - 0.5);
                     }
-                uneven += std::count_if(parts.begin(), parts.end(), [](int n) { return n != 1; }) > 0;
+                uneven += std::count_if(parts.begin(), parts.end(), [](int n) { return n != 1; }) >
+                          0;
             }
         even_error += error_of(list);
         random_error += error_of(origins(camera, centre, random_rays_at(sampler, centre, 64)));
@@ -63,8 +64,8 @@ BOOST_AUTO_TEST_CASE(samples_are_spread_evenly_over_all_four_dimensions)
 
 BOOST_AUTO_TEST_CASE(halves_predict_the_error_of_their_mean)
 {
-    // Integrands over the four dimensions: smooth ones, and edges, of which the Irwin-Hall distribution tells the part
-    // where the coordinates' sum is below 1.6.
+    // Integrands over the four dimensions: smooth ones, and edges, of which the Irwin-Hall
+    // distribution tells the part where the coordinates' sum is below 1.6.
     const std::function<double(const std::array<double, 4>&)> integrands[] = {
         [](const auto& u) { return u[0] * u[1] + u[2] * u[3]; },
         [](const auto& u) { return u[0] + u[1] + u[2] + u[3] < 1.6 ? 1.0 : 0.0; },
@@ -72,7 +73,8 @@ BOOST_AUTO_TEST_CASE(halves_predict_the_error_of_their_mean)
         [](const auto& u) { return u[1] + u[3] < 0.8 ? 1.0 : 0.0; }};
     const double exact[] = {0.5, (std::pow(1.6, 4) - 4 * std::pow(0.6, 4)) / 24, 0.32, 0.32};
     for (const int samples : {2, 4}) {
-        const IntegralCamera camera = camera_of(parameters_of(Arrangement::square, samples, samples), 150, 120);
+        const IntegralCamera camera = camera_of(
+            parameters_of(Arrangement::square, samples, samples), 150, 120);
         const PixelSampler sampler(camera, 11);
         double told[4] = {}, found[4] = {}, together[4] = {}, audit[4] = {}, audit_squares[4] = {};
         for_each_pixel(camera, true, [&](Vec2 centre) {
@@ -95,8 +97,10 @@ BOOST_AUTO_TEST_CASE(halves_predict_the_error_of_their_mean)
         });
         for (int k = 0; k < 4; ++k) {
             const double correlation = audit[k] / std::sqrt(found[k] * audit_squares[k]);
-            BOOST_TEST_MESSAGE(samples << "x" << samples << " integrand " << k << ": told / found " << told[k] / found[k]
-                               << ", halves together " << together[k] / found[k] << ", audit's correlation " << correlation);
+            BOOST_TEST_MESSAGE(samples << "x" << samples << " integrand " << k << ": told / found "
+                                       << told[k] / found[k] << ", halves together "
+                                       << together[k] / found[k] << ", audit's correlation "
+                                       << correlation);
             BOOST_TEST(std::fabs(told[k] / found[k] - 1) < 0.06);
             BOOST_TEST(std::fabs(together[k] / found[k]) < 0.03);
             // the audit's random rays know nothing of the pixel's own
@@ -118,8 +122,10 @@ BOOST_AUTO_TEST_CASE(random_rays_are_even_and_independent_over_the_lens_s_part)
     Vec2 border{0, 0};
     for_each_pixel(camera, false, [&](Vec2 centre) {
         const auto part = [&](Vec2 shift) {
-            const MappedPoint there = camera.optics.map(film_from_pixel(camera.film, centre + shift), camera.mapping);
-            const MappedPoint own = camera.optics.map(film_from_pixel(camera.film, centre), camera.mapping);
+            const MappedPoint there = camera.optics.map(
+                film_from_pixel(camera.film, centre + shift), camera.mapping);
+            const MappedPoint own = camera.optics.map(film_from_pixel(camera.film, centre),
+                                                      camera.mapping);
             return there.ray && own.ray && there.ray->lens == own.ray->lens;
         };
         if (part({0, 0}) && part({-0.5, -0.5}) && part({-0.5, 0.5}) && !part({0.45, 0}))
@@ -135,17 +141,21 @@ BOOST_AUTO_TEST_CASE(random_rays_are_even_and_independent_over_the_lens_s_part)
     for (const Origin& at : list) {
         const auto u = unit_of(at);
         ++film[int(u[1] * cells) * cells + int(u[0] * cells)];
-        ++lens[std::min(cells - 1, int(u[3] * cells)) * cells + std::min(cells - 1, int(u[2] * cells))];
+        ++lens[std::min(cells - 1, int(u[3] * cells)) * cells +
+               std::min(cells - 1, int(u[2] * cells))];
         for (int k = 0; k < 4; ++k)
             mean[k] += u[k] / count;
     }
-    std::vector<int> whole_cells; // counts of the cells of the pixel's area that are the lens's altogether
+    std::vector<int> whole_cells; // counts of the cells of the pixel's area that are the lens's
+                                  // altogether
     int others = 0;
     for (int cell = 0; cell < cells * cells; ++cell) {
         int own = 0;
         for (int corner = 0; corner < 4; ++corner) {
-            const Vec2 at{double(cell % cells + corner % 2) / cells - 0.5, 0.5 - double(cell / cells + corner / 2) / cells};
-            const MappedPoint there = camera.optics.map(film_from_pixel(camera.film, border + at), camera.mapping);
+            const Vec2 at{double(cell % cells + corner % 2) / cells - 0.5,
+                          0.5 - double(cell / cells + corner / 2) / cells};
+            const MappedPoint there = camera.optics.map(film_from_pixel(camera.film, border + at),
+                                                        camera.mapping);
             own += there.ray && there.ray->lens == lens_at(camera, border);
         }
         if (own == 4)
@@ -178,7 +188,8 @@ BOOST_AUTO_TEST_CASE(random_rays_are_even_and_independent_over_the_lens_s_part)
                 b += v * v;
             }
             const double limit = 4 * std::sqrt(a * b / count);
-            if (j != k && !(j < 2 && k < 2)) // x and y are not independent over a part with a slanted border
+            if (j != k && !(j < 2 && k < 2)) // x and y are not independent over a part with a
+                                             // slanted border
                 BOOST_TEST(std::fabs(same) < limit);
             BOOST_TEST(std::fabs(next) < limit);
         }
@@ -197,14 +208,17 @@ BOOST_AUTO_TEST_CASE(slit_heights_are_spread_over_the_aperture_s_chord)
                 const PixelSampler sampler(camera, 9);
                 double count = 0, sum = 0, squares = 0, farthest = 0;
                 for_each_pixel(camera, true, [&](Vec2 centre) {
-                    const auto rays = random ? random_rays_at(sampler, centre, 8) : rays_at(sampler, centre);
+                    const auto rays = random ? random_rays_at(sampler, centre, 8)
+                                             : rays_at(sampler, centre);
                     for (const Origin& at : origins(camera, centre, rays)) {
                         const Vec2 film_point = film_from_pixel(camera.film, centre + at.film);
                         const MappedPoint pole = camera.optics.map(film_point, camera.mapping);
                         BOOST_REQUIRE(pole.ray);
                         const Vec2 a = pole.ray->aperture_point;
                         const double along = (slant < 45 ? a.x : a.y) / 90;
-                        const double chord = shape == ApertureShape::rectangle ? 60 : 60 * std::sqrt(1 - along * along);
+                        const double chord = shape == ApertureShape::rectangle
+                                                 ? 60
+                                                 : 60 * std::sqrt(1 - along * along);
                         const double part = at.slit / chord; // -1/2 to 1/2
                         farthest = std::max(farthest, std::fabs(part));
                         sum += part;

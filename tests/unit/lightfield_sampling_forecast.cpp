@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The foretold sampling error, against limits that can be worked out by hand and against pictures made at random.
+// The foretold sampling error, against limits that can be worked out by hand and against pictures
+// made at random.
 #include "integral/lightfield/sampling_forecast.h"
 
 #include "integral/lightfield/pixel_sampler.h"
@@ -25,11 +26,18 @@ IntegralCamera camera(Arrangement arrangement, double scale = 1)
     sheet.pitch *= scale;
     sheet.thickness *= scale;
     const double pixel = mm_per_inch / 300 * scale;
-    return {SheetOptics(sheet, *filling_aperture(sheet, 300 * scale)), {901, 601, {pixel, pixel}, Subpixels::none}, {},
-            LensMapping::automatic, {}, 1, 1, false};
+    return {SheetOptics(sheet, *filling_aperture(sheet, 300 * scale)),
+            {901, 601, {pixel, pixel}, Subpixels::none},
+            {},
+            LensMapping::automatic,
+            {},
+            1,
+            1,
+            false};
 }
 
-std::vector<SamplingForecast> forecast(const IntegralCamera& c, std::vector<double> depths, double detail,
+std::vector<SamplingForecast> forecast(const IntegralCamera& c, std::vector<double> depths,
+                                       double detail,
                                        std::vector<SamplingForecast> settings = sampling_ladder())
 {
     BOOST_REQUIRE(forecast_errors(c, depths, detail, settings));
@@ -42,8 +50,8 @@ Vec2 seen_at(const PixelRay& r, double depth)
     return {r.ray.point.x + way * r.ray.direction.x, r.ray.point.y + way * r.ray.direction.y};
 }
 
-std::vector<Vec2> points_of(IntegralCamera c, int beam_samples, int pixel_samples, Vec2 centre, std::uint64_t seed,
-                            double depth)
+std::vector<Vec2> points_of(IntegralCamera c, int beam_samples, int pixel_samples, Vec2 centre,
+                            std::uint64_t seed, double depth)
 {
     c.beam_samples = beam_samples;
     c.pixel_samples = pixel_samples;
@@ -55,10 +63,13 @@ std::vector<Vec2> points_of(IntegralCamera c, int beam_samples, int pixel_sample
     return points;
 }
 
-/// Straight edges at random within a circle, `detail` apart on average along any line: as many as a Poisson process of
-/// lines has that meet the circle, pi radius/detail on average.
+/// Straight edges at random within a circle, `detail` apart on average along any line: as many as a
+/// Poisson process of lines has that meet the circle, pi radius/detail on average.
 struct RandomEdges {
-    struct Edge { Vec2 normal; double distance; };
+    struct Edge {
+        Vec2 normal;
+        double distance;
+    };
     std::vector<Edge> edges;
     RandomEdges(Vec2 centre, double radius, double detail, std::mt19937_64& random)
     {
@@ -99,11 +110,13 @@ BOOST_AUTO_TEST_CASE(one_ray_through_a_narrow_footprint)
 
 BOOST_AUTO_TEST_CASE(n_rays_across_a_narrow_footprint)
 {
-    // N rays, each at random in its own N-th: (p/E)/(6 N^2). The sampler's two independent halves, each an even row
-    // shifted at random: 4 * half of that, (p/E)/(3 N^2). Even rows without a shift would have (p/E)/(12 N^2).
+    // N rays, each at random in its own N-th: (p/E)/(6 N^2). The sampler's two independent halves,
+    // each an even row shifted at random: 4 * half of that, (p/E)/(3 N^2). Even rows without a
+    // shift would have (p/E)/(12 N^2).
     const double detail = 1000;
     for (const int n : {4, 8, 16}) {
-        const double square = std::pow(forecast(camera(Arrangement::lenticular), {1e-3}, detail, {{n, 1, {}}})[0].rms[0], 2);
+        const double square = std::pow(
+            forecast(camera(Arrangement::lenticular), {1e-3}, detail, {{n, 1, {}}})[0].rms[0], 2);
         const double stratified = 1.27 / detail / (6.0 * n * n);
         BOOST_TEST(square > 0.5 * stratified, n << " rays: " << square / stratified);
         BOOST_TEST(square < 2.6 * stratified, n << " rays: " << square / stratified);
@@ -113,15 +126,18 @@ BOOST_AUTO_TEST_CASE(n_rays_across_a_narrow_footprint)
 BOOST_AUTO_TEST_CASE(fine_detail_is_all_error_for_one_ray_and_noise_for_many)
 {
     // Far apart points of fine detail have nothing in common: 1/4 for one ray, 1/4N for N.
-    const auto errors = forecast(camera(Arrangement::square), {1e5}, 0.5, {{1, 1, {}}, {2, 2, {}}, {4, 4, {}}});
+    const auto errors = forecast(camera(Arrangement::square), {1e5}, 0.5,
+                                 {{1, 1, {}}, {2, 2, {}}, {4, 4, {}}});
     for (const SamplingForecast& setting : errors)
-        BOOST_TEST(std::fabs(setting.rms[0] / std::sqrt(0.25 / setting.rays()) - 1) < 0.05, setting.rays());
+        BOOST_TEST(std::fabs(setting.rms[0] / std::sqrt(0.25 / setting.rays()) - 1) < 0.05,
+                   setting.rays());
 }
 
 BOOST_AUTO_TEST_CASE(forecast_agrees_with_random_pictures)
 {
     const double detail = 5;
-    for (const Arrangement kind : {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
+    for (const Arrangement kind :
+         {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
         for (const double depth : {5.0, 100.0}) {
             const IntegralCamera c = camera(kind);
             const auto settings = forecast(c, {depth}, detail);
@@ -140,8 +156,9 @@ BOOST_AUTO_TEST_CASE(forecast_agrees_with_random_pictures)
                     const RandomEdges edges(whole[0], radius, detail, random);
                     const double right = edges.mean(whole);
                     for (std::size_t i = 0; i < settings.size(); ++i) {
-                        const auto points = points_of(c, settings[i].beam_samples, settings[i].pixel_samples, centre,
-                                                      random(), depth);
+                        const auto points = points_of(c, settings[i].beam_samples,
+                                                      settings[i].pixel_samples, centre, random(),
+                                                      depth);
                         squares[i] += points.empty() ? 0 : std::pow(edges.mean(points) - right, 2);
                     }
                 }
@@ -150,8 +167,10 @@ BOOST_AUTO_TEST_CASE(forecast_agrees_with_random_pictures)
             for (std::size_t i = 0; i < settings.size(); ++i) {
                 const double found = std::sqrt(squares[i] / count);
                 BOOST_TEST(std::fabs(settings[i].rms[0] / found - 1) < 0.1,
-                           "sheet " << int(kind) << ", depth " << depth << ", " << settings[i].beam_samples << " x "
-                           << settings[i].pixel_samples << ": " << settings[i].rms[0] << " foretold, " << found << " found");
+                           "sheet " << int(kind) << ", depth " << depth << ", "
+                                    << settings[i].beam_samples << " x "
+                                    << settings[i].pixel_samples << ": " << settings[i].rms[0]
+                                    << " foretold, " << found << " found");
             }
         }
 }
@@ -159,7 +178,8 @@ BOOST_AUTO_TEST_CASE(forecast_agrees_with_random_pictures)
 BOOST_AUTO_TEST_CASE(more_rays_of_both_kinds_leave_less)
 {
     for (const Arrangement kind : {Arrangement::lenticular, Arrangement::square}) {
-        const auto errors = forecast(camera(kind), {2, 20, 200}, 5, {{1, 1, {}}, {2, 2, {}}, {4, 4, {}}, {8, 8, {}}});
+        const auto errors = forecast(camera(kind), {2, 20, 200}, 5,
+                                     {{1, 1, {}}, {2, 2, {}}, {4, 4, {}}, {8, 8, {}}});
         for (std::size_t i = 1; i < errors.size(); ++i)
             for (int k = 0; k < 3; ++k)
                 BOOST_TEST(errors[i].rms[k] < 0.75 * errors[i - 1].rms[k]);

@@ -55,14 +55,16 @@ BOOST_AUTO_TEST_CASE(equation_3_5_filling_distance)
     BOOST_TEST(std::fabs(*exact / w - 1) < 0.04);
     // Nearly flat lenses: the two agree.
     const LensSheet flat = sheet(0.01);
-    BOOST_TEST(std::fabs(*filling_width(flat, filling_distance(flat, w, 0.01), 0.01) / w - 1) < 1e-5);
+    BOOST_TEST(std::fabs(*filling_width(flat, filling_distance(flat, w, 0.01), 0.01) / w - 1) <
+               1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(equation_3_8_pinhole_spread)
 {
     check_printed(pinhole_spread(sheet(), 300, 195), 2.002, 0.001);
     // "a difference of 0.8 mm" between the two models, nine pixels at 300 dpi
-    const double difference = pinhole_spread(sheet(), 300, 195) - micro_image_width(sheet(), 300, 195);
+    const double difference = pinhole_spread(sheet(), 300, 195) -
+                              micro_image_width(sheet(), 300, 195);
     check_printed(difference, 0.8, 0.1);
     check_printed(difference / dpi_300, 9, 1);
 }
@@ -73,21 +75,21 @@ BOOST_AUTO_TEST_CASE(equation_3_9_extended_pinhole_spread)
     // as printed there: 2 f w / sqrt(4 N^2 d^2 + N^2 w^2 - w^2)
     for (const double d : {50.0, 300.0, 4000.0})
         check_printed(micro_image_width(sheet(), d, 195),
-                      2 * 3.08 * 195 / std::sqrt(4 * 1.6 * 1.6 * d * d + 1.6 * 1.6 * 195 * 195 - 195 * 195), 1e-9);
+                      2 * 3.08 * 195 /
+                          std::sqrt(4 * 1.6 * 1.6 * d * d + 1.6 * 1.6 * 195 * 195 - 195 * 195),
+                      1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(equation_4_1_figure_4_8_pixels_seen)
 {
     // (300/25.4) 3.08 * 5/d for an eye of 5 mm: 181.89/d. "Quickly tends towards zero."
-    const double figure[][2] = {{100, 1.8189}, {181.89, 1}, {250, 0.7276}, {500, 0.3638}, {1000, 0.1819}, {2000, 0.0909}};
+    const double figure[][2] = {{100, 1.8189}, {181.89, 1},    {250, 0.7276},
+                                {500, 0.3638}, {1000, 0.1819}, {2000, 0.0909}};
     for (const auto& at : figure)
         check_printed(pixels_seen(sheet(), dpi_300, 5, at[0]), at[1], 0.0001);
 }
 
-BOOST_AUTO_TEST_CASE(equation_4_3_pixel_size)
-{
-    check_printed(dpi_300, 0.085, 0.001);
-}
+BOOST_AUTO_TEST_CASE(equation_4_3_pixel_size) { check_printed(dpi_300, 0.085, 0.001); }
 
 BOOST_AUTO_TEST_CASE(equation_4_4_pixel_angle)
 {
@@ -97,7 +99,8 @@ BOOST_AUTO_TEST_CASE(equation_4_4_pixel_angle)
 
 BOOST_AUTO_TEST_CASE(equation_4_5_pixel_spread)
 {
-    // The thesis prints 13.197 mm at 300 mm, which is that of its rounded angle, the pixel centred on the axis.
+    // The thesis prints 13.197 mm at 300 mm, which is that of its rounded angle, the pixel centred
+    // on the axis.
     check_printed(pixel_spread(2.52, 300), 13.197, 0.001);
     check_printed(pixel_spread(*pixel_angle(sheet(), dpi_300), 300), 13.197, 0.002);
     check_printed(pixel_spread(2.52, 300), 13, 1); // "at a point distance of 300mm it is 13mm"
@@ -106,11 +109,14 @@ BOOST_AUTO_TEST_CASE(equation_4_5_pixel_spread)
 BOOST_AUTO_TEST_CASE(equation_4_6_figure_4_12_resolution_against_depth)
 {
     // 150/(2 * 1.6 d) times the root of 4 * 3.08^2 + 1.27^2 - 1.6^2 * 1.27^2 = 35.429476: 279.01/d.
-    const double figure[][2] = {{10, 27.901}, {20, 13.951}, {50, 5.580}, {100, 2.790}, {200, 1.395}, {300, 0.930}};
+    const double figure[][2] = {{10, 27.901}, {20, 13.951}, {50, 5.580},
+                                {100, 2.790}, {200, 1.395}, {300, 0.930}};
     for (const auto& at : figure)
         check_printed(*depth_resolution(sheet(), dpi_300, at[0]), at[1], 0.001);
     // "proportional to 1/d"
-    check_printed(*depth_resolution(sheet(), dpi_300, 50) / *depth_resolution(sheet(), dpi_300, 100), 2, 1e-12);
+    check_printed(*depth_resolution(sheet(), dpi_300, 50) /
+                      *depth_resolution(sheet(), dpi_300, 100),
+                  2, 1e-12);
     check_printed(*depth_resolution(sheet(), dpi_300, *depth_budget(sheet(), dpi_300)),
                   observer_resolution(1.27, 500, 0), 1e-9);
     BOOST_CHECK(!depth_resolution(sheet(10, 1, 1.6), dpi_300, 50));
@@ -120,7 +126,8 @@ BOOST_AUTO_TEST_CASE(equation_4_6_figure_4_12_resolution_against_depth)
 BOOST_AUTO_TEST_CASE(equation_4_7_figure_4_15_observer_resolution)
 {
     // An observer at 500 mm: 5000/(500 - object).
-    const double figure[][2] = {{-500, 5}, {-250, 6.6667}, {0, 10}, {100, 12.5}, {250, 20}, {300, 25}, {400, 50}};
+    const double figure[][2] = {{-500, 5}, {-250, 6.6667}, {0, 10},  {100, 12.5},
+                                {250, 20}, {300, 25},      {400, 50}};
     for (const auto& at : figure)
         check_printed(observer_resolution(1.27, 500, at[0]), at[1], 0.0001);
 }
@@ -136,7 +143,8 @@ BOOST_AUTO_TEST_CASE(moire_of_lenses_and_pixels)
     // repeats after pixel n d/t on the sheet.
     check_printed(*moire_pitch(1.27, sheet(), dpi_300, 300), dpi_300 * 1.6 * 300 / 3.08, 1e-6);
     // Far away only the odd part of a pixel per lens is left: 7.087 pixels, 0.6/0.087.
-    check_printed(*moire_pitch(0.6, sheet(0.6, 2.65, 1.52), dpi_300, 1e9), 0.6 / (0.6 / dpi_300 - 7), 1e-4);
+    check_printed(*moire_pitch(0.6, sheet(0.6, 2.65, 1.52), dpi_300, 1e9),
+                  0.6 / (0.6 / dpi_300 - 7), 1e-4);
     BOOST_CHECK(!moire_pitch(1.27, sheet(), 1.27 / 15, 1e12));
     // The pitch itself, against the exact place of an eye's image behind a lens near the axis.
     const double x = 1e-3, t = 3.08, n = 1.6, d = 300;

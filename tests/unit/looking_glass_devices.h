@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The nominal figures of every Looking Glass display, as their maker's list of devices has them: cells by rows from the bottom.
+// The nominal figures of every Looking Glass display, as their maker's list of devices has them:
+// cells by rows from the bottom.
 #ifndef TESTS_UNIT_LOOKING_GLASS_DEVICES_H
 #define TESTS_UNIT_LOOKING_GLASS_DEVICES_H
 
@@ -13,7 +14,7 @@ namespace looking_glass_devices {
 struct Device {
     std::string name; ///< of the panel of known_panels
     double pitch, slope, center, view_cone, dpi;
-    int width, height, mode;                 ///< CellPatternMode
+    int width, height, mode;                  ///< CellPatternMode
     std::vector<std::array<double, 6>> cells; ///< of each: R x, R y, G x, G y, B x, B y; +y up
 };
 
@@ -23,7 +24,8 @@ struct Flips {
 
 inline const std::vector<Device>& devices()
 {
-    static const std::vector<std::array<double, 6>> lying{{-0.31, 0.25, 0.28, 0.25, 0, -0.25}, {-0.31, -0.25, 0.28, -0.25, 0, 0.25}},
+    static const std::vector<std::array<double, 6>> lying{{-0.31, 0.25, 0.28, 0.25, 0, -0.25},
+                                                          {-0.31, -0.25, 0.28, -0.25, 0, 0.25}},
         standing{{-0.25, -0.31, -0.25, 0.28, 0.25, 0}, {0.25, -0.31, 0.25, 0.28, -0.25, 0}};
     static const std::vector<Device> all{
         {"looking-glass-8-9", 49.79978561401367, 5.48, 0, 40, 338, 2560, 1600, 0, {}},
@@ -42,16 +44,19 @@ inline const std::vector<Device>& devices()
     return all;
 }
 
-/// Those, and displays with every pattern and number of cells and with sides of either parity, which nobody makes.
+/// Those, and displays with every pattern and number of cells and with sides of either parity,
+/// which nobody makes.
 inline std::vector<Device> variants()
 {
     std::vector<Device> all = devices();
     for (int mode = 0; mode <= 4; ++mode)
         for (int number = 1; number <= 5; ++number)
             for (int size = 0; size < 4; ++size) {
-                Device device{"made up", 44.7, -6.9, 0.4, 50, 283, 1000 + size % 2, 700 + size / 2, mode, {}};
+                Device device{"made up",       44.7,           -6.9, 0.4, 50, 283,
+                              1000 + size % 2, 700 + size / 2, mode, {}};
                 for (int k = 0; k < number; ++k)
-                    device.cells.push_back({0.1 * k, 0.3 - 0.2 * k, -0.2 * k, 0.1, 0.4 - 0.15 * k, -0.25 + 0.05 * k});
+                    device.cells.push_back(
+                        {0.1 * k, 0.3 - 0.2 * k, -0.2 * k, 0.1, 0.4 - 0.15 * k, -0.25 + 0.05 * k});
                 all.push_back(device);
             }
     return all;
@@ -62,7 +67,9 @@ inline std::string file_of(const Device& device, const Flips& flips)
 {
     std::ostringstream text;
     text.precision(16);
-    const auto field = [&](const char* name, double value) { text << ", \"" << name << "\": {\"value\": " << value << "}"; };
+    const auto field = [&](const char* name, double value) {
+        text << ", \"" << name << "\": {\"value\": " << value << "}";
+    };
     text << "{\"configVersion\": \"3.0\", \"serial\": \"LKG-" << device.name << "\"";
     field("pitch", device.pitch);
     field("slope", device.slope);
@@ -77,10 +84,14 @@ inline std::string file_of(const Device& device, const Flips& flips)
     field("flipSubp", flips.subpixels);
     field("CellPatternMode", device.mode);
     text << ", \"subpixelCells\": [";
-    const char* const names[] = {"ROffsetX", "ROffsetY", "GOffsetX", "GOffsetY", "BOffsetX", "BOffsetY"};
+    const char* const names[] = {"ROffsetX", "ROffsetY", "GOffsetX",
+                                 "GOffsetY", "BOffsetX", "BOffsetY"};
     for (std::size_t cell = 0; cell < device.cells.size(); ++cell)
         for (int k = 0; k < 6; ++k)
-            text << (k > 0 ? ", " : cell > 0 ? "}, {" : "{") << "\"" << names[k] << "\": " << device.cells[cell][k];
+            text << (k > 0      ? ", "
+                     : cell > 0 ? "}, {"
+                                : "{")
+                 << "\"" << names[k] << "\": " << device.cells[cell][k];
     text << (device.cells.empty() ? "]}" : "}]}");
     return text.str();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What this run measured against what doc/numerics.md states. With NUMERICS_TABLE=FILE in the environment the table of
-// this run goes to that file, in Markdown.
+// What this run measured against what doc/numerics.md states. With NUMERICS_TABLE=FILE in the
+// environment the table of this run goes to that file, in Markdown.
 #include "tests/unit/numerics_table.h"
 
 #include <boost/test/unit_test.hpp>
@@ -18,9 +18,15 @@ namespace {
 constexpr int columns = 4;
 
 /// The largest error, and the largest share of what was allowed; nothing measured where count is 0.
-struct Cell { long count = 0; double error = 0, share = 0; };
+struct Cell {
+    long count = 0;
+    double error = 0, share = 0;
+};
 
-struct Row { std::string what, quantity; std::array<Cell, columns> cells; };
+struct Row {
+    std::string what, quantity;
+    std::array<Cell, columns> cells;
+};
 
 /// In the order in which the tests met them.
 std::vector<Row>& rows()
@@ -54,7 +60,8 @@ std::string text_of(const Cell& cell)
 
 void write_table(std::ostream& out)
 {
-    out << "| what | quantity | usual sheets | 1e-12 allowed | to 1e-6 | to 0.1 |\n|---|---|---|---|---|---|\n";
+    out << "| what | quantity | usual sheets | 1e-12 allowed | to 1e-6 | to 0.1 "
+           "|\n|---|---|---|---|---|---|\n";
     for (const Row& row : rows()) {
         out << "| " << row.what << " | " << row.quantity << " |";
         for (const Cell& cell : row.cells)
@@ -79,7 +86,8 @@ struct TableFile {
 std::string trimmed(const std::string& text)
 {
     const auto first = text.find_first_not_of(' ');
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+    return first == std::string::npos ? ""
+                                      : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 /// The rows of the document's table: what and quantity, then the columns' texts.
@@ -106,7 +114,8 @@ std::map<std::string, std::vector<std::string>> documented(std::istream& documen
 
 } // namespace
 
-void numerics::record(const std::string& what, const std::string& quantity, bool usual, double error, double allowed)
+void numerics::record(const std::string& what, const std::string& quantity, bool usual,
+                      double error, double allowed)
 {
     if (!(allowed <= 0.1))
         return;
@@ -124,8 +133,8 @@ void numerics::record(const std::string& what, const std::string& quantity, bool
 BOOST_TEST_GLOBAL_FIXTURE(TableFile);
 
 // After the suites that record.
-BOOST_AUTO_TEST_SUITE(optics_numerics,
-                      *boost::unit_test::depends_on("optics_rays") * boost::unit_test::depends_on("optics_beam"))
+BOOST_AUTO_TEST_SUITE(optics_numerics, *boost::unit_test::depends_on("optics_rays") *
+                                           boost::unit_test::depends_on("optics_beam"))
 
 BOOST_AUTO_TEST_CASE(figures_are_rounded_up_to_two_digits)
 {
@@ -140,12 +149,14 @@ BOOST_AUTO_TEST_CASE(the_document_states_what_is_measured)
 {
     const char* top = std::getenv("TOP");
     std::ifstream document(std::string(top ? top : ".") + "/doc/numerics.md");
-    BOOST_REQUIRE_MESSAGE(document, "doc/numerics.md cannot be read; TOP names the folder that holds doc");
+    BOOST_REQUIRE_MESSAGE(document,
+                          "doc/numerics.md cannot be read; TOP names the folder that holds doc");
     auto table = documented(document);
     for (const Row& row : rows()) {
         const std::string name = row.what + ": " + row.quantity;
         const auto stated = table.find(name);
-        BOOST_TEST((stated != table.end()), name << " is not in doc/numerics.md; LONG=1 make numerics writes it");
+        BOOST_TEST((stated != table.end()),
+                   name << " is not in doc/numerics.md; LONG=1 make numerics writes it");
         if (stated == table.end())
             continue;
         for (int column = 0; column < columns; ++column) {
@@ -155,7 +166,8 @@ BOOST_AUTO_TEST_CASE(the_document_states_what_is_measured)
             double error = -1, share = -1;
             char bracket;
             std::istringstream(stated->second[column]) >> error >> bracket >> share;
-            const auto where = name + ", column " + std::to_string(column + 1) + ": stated " + stated->second[column];
+            const auto where = name + ", column " + std::to_string(column + 1) + ": stated " +
+                               stated->second[column];
             BOOST_TEST(cell.error <= error * (1 + 1e-9), where << ", measured " << text_of(cell));
             BOOST_TEST(cell.share <= share * (1 + 1e-9), where << ", measured " << text_of(cell));
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The largest errors that a run of the unit tests meets: recorded here by whichever test measures them, written as the
-// table of doc/numerics.md (`make numerics`), and held against it by numerics_table.cpp.
+// The largest errors that a run of the unit tests meets: recorded here by whichever test measures
+// them, written as the table of doc/numerics.md (`make numerics`), and held against it by
+// numerics_table.cpp.
 #ifndef TESTS_UNIT_NUMERICS_TABLE_H
 #define TESTS_UNIT_NUMERICS_TABLE_H
 
@@ -8,10 +9,11 @@
 
 namespace numerics {
 
-/// A row of the table, by what is computed and which of its quantities. `error` and `allowed` are in the same unit:
-/// relative, or of a unit vector. The columns: `usual` sheets, and the others by what is allowed, 1e-12, up to 1e-6, up
-/// to 0.1 (beyond that nothing is recorded).
-void record(const std::string& what, const std::string& quantity, bool usual, double error, double allowed);
+/// A row of the table, by what is computed and which of its quantities. `error` and `allowed` are
+/// in the same unit: relative, or of a unit vector. The columns: `usual` sheets, and the others by
+/// what is allowed, 1e-12, up to 1e-6, up to 0.1 (beyond that nothing is recorded).
+void record(const std::string& what, const std::string& quantity, bool usual, double error,
+            double allowed);
 
 } // namespace numerics
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Every lens model, forward and inverse, against 100-digit arithmetic over optics.md section 7's ranges and in
-// named worst cases. What is measured goes to doc/numerics.md's table.
+// Every lens model, forward and inverse, against 100-digit arithmetic over optics.md section 7's
+// ranges and in named worst cases. What is measured goes to doc/numerics.md's table.
 #include "tests/unit/numerics_table.h"
 #include "tests/unit/optics_beam_oracle.h"
 #include "tests/unit/optics_sheets.h"
@@ -30,37 +30,42 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, const Case& c)
 {
     out.precision(17);
-    return out << "model " << int(c.system.model) << ' ' << c.system.sheet << " distance " << c.system.distance
-               << " lens " << c.lens.i << ", " << c.lens.j << " offset " << c.at.offset.x << ", " << c.at.offset.y
-               << " slit " << c.at.slit << " film " << c.film.x << ", " << c.film.y;
+    return out << "model " << int(c.system.model) << ' ' << c.system.sheet << " distance "
+               << c.system.distance << " lens " << c.lens.i << ", " << c.lens.j << " offset "
+               << c.at.offset.x << ", " << c.at.offset.y << " slit " << c.at.slit << " film "
+               << c.film.x << ", " << c.film.y;
 }
 
 Vector vector(Vec3 v) { return {v.x, v.y, v.z}; }
 double size(const Vec3& v) { return std::sqrt(dot(v, v)); }
 Real planar(const Real& x, const Real& y) { return sqrt(x * x + y * y); }
 
-/// Errors of a ray's direction, of where it leaves (relative to how far from the sheet's centre and from the
-/// film point that is) and of the aperture point (relative to |point| + d/c).
-struct Errors { double direction = 0, point = 0, aperture = 0; };
+/// Errors of a ray's direction, of where it leaves (relative to how far from the sheet's centre and
+/// from the film point that is) and of the aperture point (relative to |point| + d/c).
+struct Errors {
+    double direction = 0, point = 0, aperture = 0;
+};
 
-Errors errors(const oracle::Beam& want, const Vector& point, const Vector& direction, const oracle::Point& aperture,
-              double distance)
+Errors errors(const oracle::Beam& want, const Vector& point, const Vector& direction,
+              const oracle::Point& aperture, double distance)
 {
     const Real far = length(want.point);
-    return {double(length(direction - want.direction)), double(length(point - want.point) / (far + want.length)),
-            double(planar(aperture.x - want.aperture.x, aperture.y - want.aperture.y)
-                   / (far - distance / want.direction.z))};
+    return {double(length(direction - want.direction)),
+            double(length(point - want.point) / (far + want.length)),
+            double(planar(aperture.x - want.aperture.x, aperture.y - want.aperture.y) /
+                   (far - distance / want.direction.z))};
 }
 
 bool has_ray(const Case& c) { return oracle::beam(c.system, c.film, c.lens, c.at).has_value(); }
 
-/// The case with its inputs, one after another, `units` in the last place away. (Rounding n as such is not
-/// among them: n - 1 is exact.)
+/// The case with its inputs, one after another, `units` in the last place away. (Rounding n as such
+/// is not among them: n - 1 is exact.)
 template <class Visit> void for_each_neighbour(const Case& c, double units, Visit visit)
 {
     const double by = units * epsilon;
     for (double sign : {-by, by}) {
-        const double film = sign * (length(c.film) + length(Lattice(c.system.sheet).pole(c.lens)) + c.system.sheet.pitch);
+        const double film = sign * (length(c.film) + length(Lattice(c.system.sheet).pole(c.lens)) +
+                                    c.system.sheet.pitch);
         Case moved[] = {c, c, c, c, c, c, c, c};
         moved[0].film.x += film;
         moved[1].film.y += film;
@@ -76,7 +81,8 @@ template <class Visit> void for_each_neighbour(const Case& c, double units, Visi
     }
 }
 
-/// What two units in the last place of each input do to the ray, added up. Nothing if they decide whether there is one.
+/// What two units in the last place of each input do to the ray, added up. Nothing if they decide
+/// whether there is one.
 std::optional<Errors> sensitivity(const Case& c, const std::optional<oracle::Beam>& want)
 {
     Errors sum;
@@ -86,14 +92,16 @@ std::optional<Errors> sensitivity(const Case& c, const std::optional<oracle::Bea
         decided = decided && other.has_value() == want.has_value();
         if (!other || !want)
             return;
-        const Errors e = errors(*want, other->point, other->direction, other->aperture, c.system.distance);
+        const Errors e = errors(*want, other->point, other->direction, other->aperture,
+                                c.system.distance);
         sum = {sum.direction + e.direction, sum.point + e.point, sum.aperture + e.aperture};
     });
     return decided ? std::optional(sum) : std::nullopt;
 }
 
-/// optics.md section 7: 16 eps kappa, kappa = (cosine inside / cosine outside)^2 = t^2/(t^2 - m rho^2) and the same with
-/// the cosine to the sheet's normal where the surface is curved, and the film point's rounding. At least 1e-12.
+/// optics.md section 7: 16 eps kappa, kappa = (cosine inside / cosine outside)^2 = t^2/(t^2 - m
+/// rho^2) and the same with the cosine to the sheet's normal where the surface is curved, and the
+/// film point's rounding. At least 1e-12.
 double allowed_forward(const Case& c, const oracle::Beam& want)
 {
     const double least = double((std::min)(want.cos_outside, Real(-want.direction.z)));
@@ -107,8 +115,8 @@ void judge(const Case& c, const std::string& quantity, double error, double allo
 {
     BOOST_TEST(error <= allowed, quantity);
     if (c.worst.empty())
-        numerics::record(std::string(c.system.curved() ? "curved surface, " : "ideal beam, ")
-                             + (c.system.lenticular() ? "lenticular" : "square, hexagonal"),
+        numerics::record(std::string(c.system.curved() ? "curved surface, " : "ideal beam, ") +
+                             (c.system.lenticular() ? "lenticular" : "square, hexagonal"),
                          quantity, c.usual, error, allowed);
     else
         numerics::record(c.worst, quantity == inverse ? inverse : "ray", c.usual, error, allowed);
@@ -120,17 +128,20 @@ std::optional<BeamRay> check_forward(const Case& c)
     const auto got = beam_ray(optics, c.film, c.lens, c.at);
     const auto want = oracle::beam(c.system, c.film, c.lens, c.at);
     if (got) {
-        for (double value : {got->point.x, got->point.y, got->point.z, got->aperture_point.x, got->aperture_point.y})
+        for (double value : {got->point.x, got->point.y, got->point.z, got->aperture_point.x,
+                             got->aperture_point.y})
             BOOST_TEST(std::isfinite(value));
         BOOST_TEST(std::fabs(size(got->direction) - 1) <= 1e-12);
         BOOST_TEST(got->direction.z < 0);
     }
     if (got.has_value() != want.has_value()) {
-        // Only where rounding decides: sixteen units of the input, or where the ray leaves the lens or the sheet
-        // so flat that its error, by the same bound, is no longer small.
+        // Only where rounding decides: sixteen units of the input, or where the ray leaves the lens
+        // or the sheet so flat that its error, by the same bound, is no longer small.
         bool decided = want ? allowed_forward(c, *want) < 1e-3
-                            : 16 * epsilon * (1 + (length(c.film) + size(got->point)) / c.system.sheet.thickness)
-                                  < 1e-3 * std::pow(got->direction.z, 2);
+                            : 16 * epsilon *
+                                      (1 + (length(c.film) + size(got->point)) /
+                                               c.system.sheet.thickness) <
+                                  1e-3 * std::pow(got->direction.z, 2);
         for_each_neighbour(c, 16, [&](const Case& moved) {
             decided = decided && has_ray(moved) == want.has_value();
         });
@@ -149,7 +160,8 @@ std::optional<BeamRay> check_forward(const Case& c)
         const auto inherent = sensitivity(c, want);
         if (!inherent)
             return got;
-        allowed = {bound + inherent->direction, bound + inherent->point, bound + inherent->aperture};
+        allowed = {bound + inherent->direction, bound + inherent->point,
+                   bound + inherent->aperture};
     }
     judge(c, "direction", error.direction, allowed.direction);
     judge(c, "point of the lens", error.point, allowed.point);
@@ -157,10 +169,12 @@ std::optional<BeamRay> check_forward(const Case& c)
     return got;
 }
 
-/// Error of a film point, relative to how far it is from the sheet's centre and from the lens's point.
+/// Error of a film point, relative to how far it is from the sheet's centre and from the lens's
+/// point.
 double film_error(const oracle::Inverse& want, const oracle::Point& film)
 {
-    return double(planar(film.x - want.film.x, film.y - want.film.y) / (length(want.from) + want.length));
+    return double(planar(film.x - want.film.x, film.y - want.film.y) /
+                  (length(want.from) + want.length));
 }
 
 void check_inverse(const Case& c, Vec3 scene)
@@ -176,13 +190,15 @@ void check_inverse(const Case& c, Vec3 scene)
         bool decided = true;
         const auto neighbours = [&](double units) {
             const auto visit = [&](const Case& moved, Vec3 point) {
-                const auto other = oracle::imaging(moved.system, vector(point), moved.lens, moved.at);
+                const auto other = oracle::imaging(moved.system, vector(point), moved.lens,
+                                                   moved.at);
                 decided = decided && other.has_value() == want.has_value();
                 if (other && want)
                     inherent += film_error(*want, other->film);
             };
             for_each_neighbour(c, units, [&](const Case& moved) { visit(moved, scene); });
-            const double far = units * epsilon * (size(scene) + length(Lattice(c.system.sheet).pole(c.lens)));
+            const double far = units * epsilon *
+                               (size(scene) + length(Lattice(c.system.sheet).pole(c.lens)));
             for (double sign : {-far, far}) {
                 visit(c, scene + Vec3{sign, 0, 0});
                 visit(c, scene + Vec3{0, sign, 0});
@@ -195,21 +211,24 @@ void check_inverse(const Case& c, Vec3 scene)
             Case back = c;
             back.film = got ? *got : Vec2{double(want->film.x), double(want->film.y)};
             const bool lit = has_ray(back);
-            for_each_neighbour(back, 16, [&](const Case& moved) { decided = decided && has_ray(moved) == lit; });
+            for_each_neighbour(
+                back, 16, [&](const Case& moved) { decided = decided && has_ray(moved) == lit; });
             BOOST_TEST(!decided, "a film point for one, none for the other");
             return;
         }
         if (!want)
             return;
-        // The direction's rounding, grown by the way inside; kappa is that way over the depth. Lenticular: and the
-        // rounding of the point of the axis, which is found from the slit.
+        // The direction's rounding, grown by the way inside; kappa is that way over the depth.
+        // Lenticular: and the rounding of the point of the axis, which is found from the slit.
         const double kappa = double(want->length / want->depth), from = double(length(want->from));
         const double near = double(length(vector(scene) - want->from));
         double relative = kappa * (1 + (size(scene) + from) / near);
         if (c.system.lenticular()) {
-            const double g = std::fabs(dot(optics.slit().normal, optics.slit().axis)), d = c.system.distance;
+            const double g = std::fabs(dot(optics.slit().normal, optics.slit().axis)),
+                         d = c.system.distance;
             const double way = std::fabs(scene.z + d);
-            const double slit = ((std::fabs(c.at.slit * scene.z) + size(scene) * d) / way + from) / g;
+            const double slit = ((std::fabs(c.at.slit * scene.z) + size(scene) * d) / way + from) /
+                                g;
             relative += slit * (1 / (from + double(want->length)) + kappa / near);
         }
         const double bound = std::max(1e-12, 16 * epsilon * relative);
@@ -225,7 +244,8 @@ void check_inverse(const Case& c, Vec3 scene)
     }
 }
 
-/// Forward; then back from points of the ray in front of and behind the sheet, and from a point anywhere.
+/// Forward; then back from points of the ray in front of and behind the sheet, and from a point
+/// anywhere.
 void check(const Case& c, random_sheets::Generator& random)
 {
     BOOST_TEST_CONTEXT(c)
@@ -277,7 +297,8 @@ Case random_case(random_sheets::Generator& random, bool usual)
     const double reach = usual ? 300 : random.log_between(1, 1e6) * sheet.pitch;
     c.lens = lattice.nearest({random.between(-reach, reach), random.between(-reach, reach)});
     const Vec2 unit{random.between(0, 1), random.between(0, 1)};
-    c.at = cell_point(lattice, unit, random.one_in(2) ? c.system.distance * random.between(0, 1) : 0);
+    c.at = cell_point(lattice, unit,
+                      random.one_in(2) ? c.system.distance * random.between(0, 1) : 0);
     const double near = sheet.pitch * (usual || !random.one_in(3) ? 0.7 : 2);
     c.film = lattice.pole(c.lens) + Vec2{random.between(-near, near), random.between(-near, near)};
     if (c.system.lenticular())
@@ -299,17 +320,22 @@ BOOST_AUTO_TEST_CASE(all_models_agree_with_100_digits)
 
 BOOST_AUTO_TEST_CASE(at_the_edge_of_what_a_lens_images)
 {
-    // From a film point that has a ray outwards to where there is none: total reflection, the slit's end, or
-    // away from the viewer. On the edge, and 1e-12 to 1e-2 of the way before and behind it.
+    // From a film point that has a ray outwards to where there is none: total reflection, the
+    // slit's end, or away from the viewer. On the edge, and 1e-12 to 1e-2 of the way before and
+    // behind it.
     random_sheets::Generator random(3432);
     const int most = random_sheets::count(400, 20000);
     for (int k = 0; k < most; ++k) {
         Case c = random_case(random, false);
         c.worst = "edge of what a lens images";
         const SheetOptics optics(c.system.sheet, Aperture{c.system.distance, 1, 1}, c.system.model);
-        const double angle = random.between(0, 6.28318), far = 1e3 * (c.system.sheet.thickness + c.system.sheet.pitch);
-        const Vec2 start = optics.lattice().pole(c.lens), way{far * std::cos(angle), far * std::sin(angle)};
-        const auto lit = [&](double part) { return beam_ray(optics, start + part * way, c.lens, c.at).has_value(); };
+        const double angle = random.between(0, 6.28318),
+                     far = 1e3 * (c.system.sheet.thickness + c.system.sheet.pitch);
+        const Vec2 start = optics.lattice().pole(c.lens),
+                   way{far * std::cos(angle), far * std::sin(angle)};
+        const auto lit = [&](double part) {
+            return beam_ray(optics, start + part * way, c.lens, c.at).has_value();
+        };
         if (!lit(0) || lit(1))
             continue;
         double low = 0, high = 1;
@@ -337,7 +363,8 @@ BOOST_AUTO_TEST_CASE(named_worst_cases)
                         continue;
                     const Lattice lattice(sheet);
                     const Vec2 pole = lattice.pole(c.lens);
-                    const Vec2 p = sheet.pitch * lattice.across(), q = sheet.pitch * lattice.along();
+                    const Vec2 p = sheet.pitch * lattice.across(),
+                               q = sheet.pitch * lattice.along();
                     for (double u : {0.0, 0.5, 1 - epsilon})
                         for (double v : {0.0, 0.5})
                             for (double x : {-0.5, 0.3})
@@ -354,9 +381,11 @@ BOOST_AUTO_TEST_CASE(named_worst_cases)
     for (double ior : {1.0, 1 + 1e-12})
         check_all("n = 1 and 1 + 1e-12", {Arrangement::lenticular, 1.27, 3.08, ior, 10, {0, 0}});
     for (double slant : {-89.99, 89.99, 45.0, 45.0000001})
-        check_all("slants of 45 and 89.99 degrees", {Arrangement::lenticular, 1.27, 3.08, 1.6, slant, {0, 0}});
+        check_all("slants of 45 and 89.99 degrees",
+                  {Arrangement::lenticular, 1.27, 3.08, 1.6, slant, {0, 0}});
     for (double ratio : {0.02, 1e4})
-        check_all("t/p of 0.02 and 10 000", {Arrangement::lenticular, 1.27, 1.27 * ratio, 1.6, 30, {0, 0}});
+        check_all("t/p of 0.02 and 10 000",
+                  {Arrangement::lenticular, 1.27, 1.27 * ratio, 1.6, 30, {0, 0}});
 }
 
 BOOST_AUTO_TEST_CASE(surface_that_just_reaches_the_edge)
@@ -375,7 +404,12 @@ BOOST_AUTO_TEST_CASE(surface_that_just_reaches_the_edge)
                 for (double u : {0.0, 1e-12, 0.01, 0.3, 0.5, 1 - epsilon})
                     for (double v : {0.0, 0.5, 0.99999})
                         for (double x : {-0.6, -0.1, 0.0, 0.4}) {
-                            Case c{{sheet, LensModel::full, 300}, {}, cell_point(lattice, {u, v}), {}, false, name};
+                            Case c{{sheet, LensModel::full, 300},
+                                   {},
+                                   cell_point(lattice, {u, v}),
+                                   {},
+                                   false,
+                                   name};
                             c.film = sheet.pitch * (x * lattice.across() + 0.1 * lattice.along());
                             check(c, random);
                         }
@@ -384,8 +418,8 @@ BOOST_AUTO_TEST_CASE(surface_that_just_reaches_the_edge)
 
 BOOST_AUTO_TEST_CASE(light_through_the_edge_of_the_aperture)
 {
-    // Film points found for points of the aperture's edge send their light to that edge. (A slit's own plane
-    // does not tell where along it the light came from; there, points just behind it.)
+    // Film points found for points of the aperture's edge send their light to that edge. (A slit's
+    // own plane does not tell where along it the light came from; there, points just behind it.)
     random_sheets::Generator random(3435);
     const int most = random_sheets::count(1000, 100000);
     for (int k = 0; k < most; ++k) {

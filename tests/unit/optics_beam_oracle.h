@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The lens models of optics.md section 3, forward and inverse, in 100-digit arithmetic: Snell's law with
-// vectors in space, and roots found by bracketing. Shares nothing with integral/optics but the parameter structs.
+// The lens models of optics.md section 3, forward and inverse, in 100-digit arithmetic: Snell's law
+// with vectors in space, and roots found by bracketing. Shares nothing with integral/optics but the
+// parameter structs.
 #ifndef TESTS_UNIT_OPTICS_BEAM_ORACLE_H
 #define TESTS_UNIT_OPTICS_BEAM_ORACLE_H
 
@@ -8,10 +9,18 @@
 
 namespace oracle {
 
-struct Vector { Real x, y, z; };
+struct Vector {
+    Real x, y, z;
+};
 
-inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vector operator+(const Vector& a, const Vector& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector operator-(const Vector& a, const Vector& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 inline Vector operator*(const Real& s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
 inline Real dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Real length(const Vector& a) { return sqrt(dot(a, a)); }
@@ -20,8 +29,8 @@ inline Vector cross(const Vector& a, const Vector& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// One ray of a film point's light beyond the lens; for the error bound, the cosines of incidence and
-/// refraction at the surface and the way's length inside.
+/// One ray of a film point's light beyond the lens; for the error bound, the cosines of incidence
+/// and refraction at the surface and the way's length inside.
 struct Beam {
     Vector point, direction;
     Point aperture;
@@ -35,7 +44,10 @@ struct System {
     integral::LensModel model;
     double distance;
     Real ior() const { return model == integral::LensModel::pinhole ? Real(1) : Real(sheet.ior); }
-    bool curved() const { return model == integral::LensModel::hybrid || model == integral::LensModel::full; }
+    bool curved() const
+    {
+        return model == integral::LensModel::hybrid || model == integral::LensModel::full;
+    }
     bool lenticular() const { return sheet.arrangement == integral::Arrangement::lenticular; }
 };
 
@@ -46,7 +58,8 @@ struct Surface {
     Vector shift;         ///< the ideal beam's parallel displacement, otherwise 0
 };
 
-inline std::optional<Surface> surface(const System& system, integral::LensIndex lens, const integral::LensPoint& at)
+inline std::optional<Surface> surface(const System& system, integral::LensIndex lens,
+                                      const integral::LensPoint& at)
 {
     Point b, a;
     axes(system.sheet, b, a);
@@ -74,9 +87,10 @@ inline std::optional<Surface> surface(const System& system, integral::LensIndex 
     return out;
 }
 
-/// The refracted ray of light that goes from `film` to the surface; nothing on total reflection, from the
-/// outer side, or away from the viewer.
-inline std::optional<Beam> refract(const System& system, const Vector& film, const Vector& point, const Vector& normal)
+/// The refracted ray of light that goes from `film` to the surface; nothing on total reflection,
+/// from the outer side, or away from the viewer.
+inline std::optional<Beam> refract(const System& system, const Vector& film, const Vector& point,
+                                   const Vector& normal)
 {
     const Real n = system.ior();
     Beam beam;
@@ -104,20 +118,22 @@ inline bool to_80_digits(const Real& a, const Real& b)
     return abs(a - b) <= size * Real("1e-80") || size < Real("1e-120");
 }
 
-template <class Function> Real root_between(const Function& function, const Real& low, const Real& high)
+template <class Function>
+Real root_between(const Function& function, const Real& low, const Real& high)
 {
     const Real at_low = function(low), at_high = function(high);
     if (at_low == 0 || at_high == 0)
         return at_low == 0 ? low : high;
     boost::uintmax_t most = 400;
     const Tolerance tolerance = to_80_digits;
-    const auto found = boost::math::tools::toms748_solve(function, low, high, at_low, at_high, tolerance, most);
+    const auto found = boost::math::tools::toms748_solve(function, low, high, at_low, at_high,
+                                                         tolerance, most);
     return (found.first + found.second) / 2;
 }
 
-/// Light from a film point through a generating line of a cylinder and through the slit: along the line, the way from
-/// the slit to where the light meets its plane, times the cosine there, has opposite signs at both ends of what can leave
-/// towards the viewer.
+/// Light from a film point through a generating line of a cylinder and through the slit: along the
+/// line, the way from the slit to where the light meets its plane, times the cosine there, has
+/// opposite signs at both ends of what can leave towards the viewer.
 class ThroughSlit {
 public:
     ThroughSlit(const System& system, const Vector& film, const Surface& line, double height)
@@ -135,7 +151,8 @@ public:
     std::optional<Real> end() const
     {
         // total reflection: n^2 (L^2 - (D.N)^2) = L^2
-        const Real room = normal_way_ * normal_way_ * n_ * n_ - dot(to_foot_, to_foot_) * (n_ * n_ - 1);
+        const Real room = normal_way_ * normal_way_ * n_ * n_ -
+                          dot(to_foot_, to_foot_) * (n_ * n_ - 1);
         const auto towards_viewer = [&](const Real& tau) { return Real(-refracted(tau).z); };
         if (normal_way_ <= 0 || room <= 0 || towards_viewer(0) <= 0)
             return std::nullopt;
@@ -152,7 +169,9 @@ public:
         const auto limit = end();
         if (!limit)
             return std::nullopt;
-        return foot_ + root_between([&](const Real& tau) { return beside_slit(tau); }, -*limit, *limit) * line_.along;
+        return foot_ +
+               root_between([&](const Real& tau) { return beside_slit(tau); }, -*limit, *limit) *
+                   line_.along;
     }
 
 private:
@@ -161,13 +180,15 @@ private:
         const Vector way = to_foot_ + tau * line_.along;
         const Real reach = length(way), cos_inside = normal_way_ / reach;
         const Real cos2 = 1 - n_ * n_ * (1 - cos_inside * cos_inside);
-        return (n_ / reach) * way + ((cos2 > 0 ? Real(sqrt(cos2)) : Real(0)) - n_ * cos_inside) * line_.normal;
+        return (n_ / reach) * way +
+               ((cos2 > 0 ? Real(sqrt(cos2)) : Real(0)) - n_ * cos_inside) * line_.normal;
     }
     Real beside_slit(const Real& tau) const
     {
         const Vector out = refracted(tau), at = foot_ + tau * line_.along;
         const auto& [e, eta] = slit_;
-        return (e.x * at.x + e.y * at.y - eta) * -out.z + (system_.distance + at.z) * (e.x * out.x + e.y * out.y);
+        return (e.x * at.x + e.y * at.y - eta) * -out.z +
+               (system_.distance + at.z) * (e.x * out.x + e.y * out.y);
     }
 
     const System& system_;
@@ -179,8 +200,8 @@ private:
 };
 
 /// What beam_ray computes.
-inline std::optional<Beam> beam(const System& system, integral::Vec2 film_point, integral::LensIndex lens,
-                                const integral::LensPoint& at)
+inline std::optional<Beam> beam(const System& system, integral::Vec2 film_point,
+                                integral::LensIndex lens, const integral::LensPoint& at)
 {
     const auto where = surface(system, lens, at);
     if (!where)
@@ -207,11 +228,16 @@ inline std::optional<Beam> beam(const System& system, integral::Vec2 film_point,
     return out;
 }
 
-/// What film_point_imaging computes; `from` is where the light leaves the lens, `film` where it comes from.
-struct Inverse { Vector from; Point film; Real length, depth; };
+/// What film_point_imaging computes; `from` is where the light leaves the lens, `film` where it
+/// comes from.
+struct Inverse {
+    Vector from;
+    Point film;
+    Real length, depth;
+};
 
-inline std::optional<Inverse> imaging(const System& system, const Vector& scene, integral::LensIndex lens,
-                                      const integral::LensPoint& at)
+inline std::optional<Inverse> imaging(const System& system, const Vector& scene,
+                                      integral::LensIndex lens, const integral::LensPoint& at)
 {
     const auto where = surface(system, lens, at);
     if (!where)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A lens's cell: the points of it that the models send light through, and whether its surface reaches its edge.
+// A lens's cell: the points of it that the models send light through, and whether its surface
+// reaches its edge.
 #include "integral/optics/lens_model.h"
 
 #include <boost/test/unit_test.hpp>
@@ -11,7 +12,8 @@ using namespace integral;
 
 namespace {
 
-const Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal};
+const Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square,
+                                    Arrangement::hexagonal};
 
 } // namespace
 
@@ -19,7 +21,8 @@ BOOST_AUTO_TEST_SUITE(optics_cells)
 
 BOOST_AUTO_TEST_CASE(cells_are_filled_evenly)
 {
-    // mean, second moments and area of the cell; (1/2, 1/2) is the pole; every point belongs to its own lens
+    // mean, second moments and area of the cell; (1/2, 1/2) is the pole; every point belongs to its
+    // own lens
     constexpr int n = 300;
     for (Arrangement arrangement : arrangements)
         for (double slant : {0.0, 20.0, -67.0}) {
@@ -41,23 +44,27 @@ BOOST_AUTO_TEST_CASE(cells_are_filled_evenly)
                     farthest = std::fmax(farthest, length(point.offset));
                     const LensIndex lens{-4, lenticular ? 0 : 3};
                     const Vec2 where = lattice.pole(lens) + point.offset;
-                    BOOST_TEST(lattice.distance(where, lens) <= lattice.distance(where, lattice.nearest(where)) + 1e-12);
+                    BOOST_TEST(lattice.distance(where, lens) <=
+                               lattice.distance(where, lattice.nearest(where)) + 1e-12);
                     // area: the map's determinant, away from where the cell is folded together
                     const double step = 1e-6;
                     const LensPoint right = cell_point(lattice, unit + Vec2{step, 0}, 7);
                     const LensPoint up = cell_point(lattice, unit + Vec2{0, step}, 7);
                     const Vec2 u = right.offset - point.offset, v = up.offset - point.offset;
-                    const double area = lenticular ? length(u) * (up.slit - point.slit) : u.x * v.y - u.y * v.x;
+                    const double area = lenticular ? length(u) * (up.slit - point.slit)
+                                                   : u.x * v.y - u.y * v.x;
                     const double rows = arrangement == Arrangement::square ? 1 : std::sqrt(0.75);
                     const double cell = lenticular ? 0.8 * 7 : 0.64 * rows;
                     if (length(u) < 0.1 && length(v) < 0.1)
-                        BOOST_TEST(area / (step * step) == cell, boost::test_tools::tolerance(1e-6));
+                        BOOST_TEST(area / (step * step) == cell,
+                                   boost::test_tools::tolerance(1e-6));
                 }
             const double moment = arrangement == Arrangement::hexagonal ? 5.0 / 72 : 1.0 / 12;
             BOOST_TEST(std::fabs(sums[0]) < 1e-3);
             BOOST_TEST(std::fabs(sums[1]) < 1e-3);
             BOOST_TEST(sums[2] == 0.64 * moment, boost::test_tools::tolerance(1e-3));
-            BOOST_TEST(sums[3] == (lenticular ? 49.0 : 0.64) * moment, boost::test_tools::tolerance(1e-3));
+            BOOST_TEST(sums[3] == (lenticular ? 49.0 : 0.64) * moment,
+                       boost::test_tools::tolerance(1e-3));
             BOOST_TEST(std::fabs(sums[4]) < 1e-3);
             BOOST_TEST(std::fabs(sums[5]) < 1e-3);
             BOOST_TEST(farthest <= cell_circumradius(sheet));
@@ -80,12 +87,18 @@ BOOST_AUTO_TEST_CASE(tents_of_all_lenses_add_up_to_one)
             for (int i = 0; i < n; ++i)
                 for (int j = 0; j < n; ++j) {
                     const Vec2 at = tent_point(lattice, {(i + 0.5) / n, (j + 0.5) / n}, 7).offset;
-                    const double part[2] = {dot(at, lattice.across()) / size[0], dot(at, lattice.along()) / size[1]};
-                    // The lenses' lattice taken out, what is left is where in a cell: odd rows are shifted.
+                    const double part[2] = {dot(at, lattice.across()) / size[0],
+                                            dot(at, lattice.along()) / size[1]};
+                    // The lenses' lattice taken out, what is left is where in a cell: odd rows are
+                    // shifted.
                     const double j_row = std::floor(part[1]);
-                    const double shift = arrangement == Arrangement::hexagonal && std::fmod(std::fabs(j_row), 2) == 1 ? 0.5 : 0;
+                    const double shift = arrangement == Arrangement::hexagonal &&
+                                                 std::fmod(std::fabs(j_row), 2) == 1
+                                             ? 0.5
+                                             : 0;
                     const double x = part[0] - shift, y = part[1];
-                    ++found[{int(std::floor((x - std::floor(x)) * grid)), int(std::floor((y - j_row) * grid))}];
+                    ++found[{int(std::floor((x - std::floor(x)) * grid)),
+                             int(std::floor((y - j_row) * grid))}];
                     for (int k = 0; k < 2; ++k) {
                         outermost[k] = std::fmax(outermost[k], std::fabs(part[k]));
                         moments[k] += part[k] * part[k] / (n * n);
@@ -93,7 +106,8 @@ BOOST_AUTO_TEST_CASE(tents_of_all_lenses_add_up_to_one)
                 }
             BOOST_TEST(found.size() == std::size_t(grid * grid));
             for (const auto& [square, number] : found)
-                BOOST_TEST(number / (n * n) == 1.0 / (grid * grid), boost::test_tools::tolerance(0.02));
+                BOOST_TEST(number / (n * n) == 1.0 / (grid * grid),
+                           boost::test_tools::tolerance(0.02));
             for (int k = 0; k < 2; ++k) {
                 BOOST_TEST(moments[k] == 1.0 / 6, boost::test_tools::tolerance(1e-3)); // a tent's
                 BOOST_TEST(outermost[k] <= 1);
@@ -101,7 +115,8 @@ BOOST_AUTO_TEST_CASE(tents_of_all_lenses_add_up_to_one)
             }
         }
     const Lattice cylinders({Arrangement::lenticular, 0.8, 3, 1.6, 12, {0, 0}});
-    BOOST_TEST(dot(tent_point(cylinders, {0.125, 0.75}, 7).offset, cylinders.across()) == -0.4, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(dot(tent_point(cylinders, {0.125, 0.75}, 7).offset, cylinders.across()) == -0.4,
+               boost::test_tools::tolerance(1e-12));
     BOOST_TEST(tent_point(cylinders, {0.125, 0.75}, 7).slit == 1.75);
 }
 
@@ -125,8 +140,10 @@ BOOST_AUTO_TEST_CASE(hybrid_weights)
         BOOST_TEST(std::fabs(points[0].weight - (lenticular ? 0.6734 : 0.5076)) < 5e-5);
         for (std::size_t k = 1; k < points.size(); ++k) {
             BOOST_TEST(std::fabs(points[k].weight - (lenticular ? 0.1633 : 0.1231)) < 5e-5);
-            BOOST_TEST(length(points[k].point.offset) == 0.635, boost::test_tools::tolerance(1e-14));
-            BOOST_TEST(std::fabs(dot(points[k].point.offset, k < 3 ? lattice.along() : lattice.across())) < 1e-15);
+            BOOST_TEST(length(points[k].point.offset) == 0.635,
+                       boost::test_tools::tolerance(1e-14));
+            BOOST_TEST(std::fabs(dot(points[k].point.offset,
+                                     k < 3 ? lattice.along() : lattice.across())) < 1e-15);
         }
     }
 }
@@ -151,8 +168,10 @@ BOOST_AUTO_TEST_CASE(which_sheets_have_a_surface)
         sheet.ior = 1;
         BOOST_TEST(!has_surface(sheet));
     }
-    for (LensModel model : {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid, LensModel::full})
-        BOOST_TEST(modelled_sheet(LensSheet(), model).ior == (model == LensModel::pinhole ? 1 : 1.6));
+    for (LensModel model :
+         {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid, LensModel::full})
+        BOOST_TEST(modelled_sheet(LensSheet(), model).ior ==
+                   (model == LensModel::pinhole ? 1 : 1.6));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

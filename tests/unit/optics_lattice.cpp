@@ -16,9 +16,12 @@ BOOST_AUTO_TEST_CASE(nearest_is_the_nearest_of_all)
         const Lattice lattice(sheet);
         const Vec2 point{random.between(-4, 4) * sheet.pitch, random.between(-4, 4) * sheet.pitch};
         const LensIndex found = lattice.nearest(point);
-        for (int j = sheet.arrangement == Arrangement::lenticular ? 0 : -14; j <= (sheet.arrangement == Arrangement::lenticular ? 0 : 14); ++j)
+        for (int j = sheet.arrangement == Arrangement::lenticular ? 0 : -14;
+             j <= (sheet.arrangement == Arrangement::lenticular ? 0 : 14); ++j)
             for (int i = -14; i <= 14; ++i)
-                BOOST_REQUIRE_MESSAGE(lattice.distance(point, found) <= lattice.distance(point, {i, j}) + 1e-8 * sheet.pitch, sheet);
+                BOOST_REQUIRE_MESSAGE(lattice.distance(point, found) <=
+                                          lattice.distance(point, {i, j}) + 1e-8 * sheet.pitch,
+                                      sheet);
     }
 }
 
@@ -35,11 +38,11 @@ BOOST_AUTO_TEST_CASE(ties_go_to_the_centre_then_left_then_down)
     const Lattice lines(LensSheet{Arrangement::lenticular, 2, 3, 1.5, 0, {0, 0}});
     BOOST_TEST(lines.nearest({3, 0}).i == 1);
     BOOST_TEST(lines.nearest({-3, 0}).i == -1);
-    BOOST_TEST(lines.nearest({3 + 1e-10, 0}).i == 1);  // tied: within 1e-9 pitches
+    BOOST_TEST(lines.nearest({3 + 1e-10, 0}).i == 1); // tied: within 1e-9 pitches
     BOOST_TEST(lines.nearest({3 + 1e-8, 0}).i == 2);
 
     const Lattice shifted(LensSheet{Arrangement::lenticular, 2, 3, 1.5, 0, {1, 0}});
-    BOOST_TEST(shifted.nearest({0, 7}).i == -1);       // x = -1 and x = +1 are equally central
+    BOOST_TEST(shifted.nearest({0, 7}).i == -1); // x = -1 and x = +1 are equally central
 
     const Lattice squares(LensSheet{Arrangement::square, 2, 3, 1.5, 0, {0, 0}});
     BOOST_TEST((squares.nearest({3, 3}) == LensIndex{1, 1}));
@@ -92,7 +95,8 @@ BOOST_AUTO_TEST_CASE(every_lens_within_a_radius_is_visited)
 BOOST_AUTO_TEST_CASE(slant_turns_anticlockwise_as_the_viewer_sees_it)
 {
     const Lattice lattice(LensSheet{Arrangement::square, 1, 3, 1.5, 90 - 1e-9, {5, 0}});
-    const Vec2 right = lattice.pole({1, 0}); // the lens to the right of the centre has turned upwards
+    const Vec2 right = lattice.pole({1, 0}); // the lens to the right of the centre has turned
+                                             // upwards
     BOOST_TEST(std::fabs(right.x - 5) < 1e-8);
     BOOST_TEST(std::fabs(right.y - 1) < 1e-8);
 }

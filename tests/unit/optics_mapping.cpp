@@ -10,7 +10,10 @@ using namespace integral;
 namespace {
 
 /// A sheet and an aperture of any fill, such that a search of all lenses stays small.
-struct System { LensSheet sheet; Aperture aperture; };
+struct System {
+    LensSheet sheet;
+    Aperture aperture;
+};
 
 System random_system(random_sheets::Generator& random)
 {
@@ -45,10 +48,12 @@ BOOST_AUTO_TEST_CASE(accurate_equals_exhaustive)
         const System s = random_system(random);
         const SheetOptics optics(s.sheet, s.aperture);
         for (int i = 0; i < 20; ++i) {
-            const Vec2 point{random.between(-40, 40) * s.sheet.pitch, random.between(-40, 40) * s.sheet.pitch};
+            const Vec2 point{random.between(-40, 40) * s.sheet.pitch,
+                             random.between(-40, 40) * s.sheet.pitch};
             const MappedPoint accurate = optics.map(point, LensMapping::accurate);
             imaged += accurate.ray.has_value();
-            BOOST_REQUIRE_MESSAGE(same(accurate, optics.map(point, LensMapping::exhaustive)), s.sheet);
+            BOOST_REQUIRE_MESSAGE(same(accurate, optics.map(point, LensMapping::exhaustive)),
+                                  s.sheet);
         }
     }
     BOOST_TEST(imaged > systems); // the test has looked at points that image something
@@ -62,7 +67,8 @@ BOOST_AUTO_TEST_CASE(closest_is_part_of_automatic)
         const System s = random_system(random);
         const SheetOptics optics(s.sheet, s.aperture);
         for (int i = 0; i < 20; ++i) {
-            const Vec2 point{random.between(-40, 40) * s.sheet.pitch, random.between(-40, 40) * s.sheet.pitch};
+            const Vec2 point{random.between(-40, 40) * s.sheet.pitch,
+                             random.between(-40, 40) * s.sheet.pitch};
             const MappedPoint closest = optics.map(point, LensMapping::closest);
             const MappedPoint automatic = optics.map(point, LensMapping::automatic);
             if (closest.ray) {
@@ -88,11 +94,14 @@ BOOST_AUTO_TEST_CASE(mirrored_sheets_image_mirrored_points)
         mirrored.sheet.offset.x = -s.sheet.offset.x;
         const SheetOptics optics(s.sheet, s.aperture), mirror(mirrored.sheet, mirrored.aperture);
         for (int i = 0; i < 10; ++i) {
-            const Vec2 point{random.between(-20, 20) * s.sheet.pitch, random.between(-20, 20) * s.sheet.pitch};
-            const auto a = optics.map(point, LensMapping::accurate), b = mirror.map({-point.x, point.y}, LensMapping::accurate);
+            const Vec2 point{random.between(-20, 20) * s.sheet.pitch,
+                             random.between(-20, 20) * s.sheet.pitch};
+            const auto a = optics.map(point, LensMapping::accurate),
+                       b = mirror.map({-point.x, point.y}, LensMapping::accurate);
             BOOST_REQUIRE_MESSAGE(a.ray.has_value() == b.ray.has_value(), s.sheet);
             if (a.ray)
-                BOOST_TEST(std::fabs(a.ray->aperture_point.x + b.ray->aperture_point.x) <= 1e-6 * (1 + s.aperture.distance));
+                BOOST_TEST(std::fabs(a.ray->aperture_point.x + b.ray->aperture_point.x) <=
+                           1e-6 * (1 + s.aperture.distance));
         }
     }
 }
@@ -134,9 +143,11 @@ BOOST_AUTO_TEST_CASE(scene_and_units_scale_together)
     CameraParameters parameters;
     parameters.sheet.arrangement = Arrangement::square;
     for (double scale : {1e-5, 1.0, 1e5}) {
-        const ViewFrame view{{0, scale, -10 * scale}, {0, 0, 3}, {1.5, 0, 0}, {0, 1, 0}, 10 * scale / 3};
+        const ViewFrame view{
+            {0, scale, -10 * scale}, {0, 0, 3}, {1.5, 0, 0}, {0, 1, 0}, 10 * scale / 3};
         const IntegralCamera camera = make_camera(parameters, view, 600, 400);
-        BOOST_TEST(camera.optics.aperture().distance == 10 / (5 / (600 * mm_per_inch / 300)), boost::test_tools::tolerance(1e-12));
+        BOOST_TEST(camera.optics.aperture().distance == 10 / (5 / (600 * mm_per_inch / 300)),
+                   boost::test_tools::tolerance(1e-12));
         BOOST_TEST(camera.placement.origin.y == scale, boost::test_tools::tolerance(1e-12));
     }
 }
@@ -152,24 +163,29 @@ BOOST_AUTO_TEST_CASE(sight_lines_start_at_the_aperture_and_pass_the_pole)
     const IntegralCamera reaching = make_camera(parameters, view, 600, 400);
     const double k = camera.placement.units_per_mm;
     for (int i = 0; i < 600; i += 7) {
-        const auto mapped = camera.optics.map(film_from_pixel(camera.film, {i + 0.5, 100.5}), LensMapping::automatic);
+        const auto mapped = camera.optics.map(film_from_pixel(camera.film, {i + 0.5, 100.5}),
+                                              LensMapping::automatic);
         if (!mapped.ray)
             continue;
-        const SightLine line = sight_line(camera, pole_beam(*mapped.ray)), short_line = sight_line(limited, pole_beam(*mapped.ray));
+        const SightLine line = sight_line(camera, pole_beam(*mapped.ray)),
+                        short_line = sight_line(limited, pole_beam(*mapped.ray));
         // in the plane of the aperture, and on through the pole in the plane of the sheet
         BOOST_TEST(std::fabs(line.origin.z - 3) < 1e-12);
         BOOST_TEST(line.length == 0);
         const double way = (11 - 3) / line.direction.z;
-        const Vec3 pole = scene_from_sheet(camera.placement, {mapped.ray->pole.x, mapped.ray->pole.y, 0});
+        const Vec3 pole = scene_from_sheet(camera.placement,
+                                           {mapped.ray->pole.x, mapped.ray->pole.y, 0});
         BOOST_TEST(length(line.origin + way * line.direction - pole) < 1e-11);
         // the limited line is the same line, from 20 mm before the sheet to 50 mm behind it
         BOOST_TEST(short_line.origin.z == 11 - 20 * k, boost::test_tools::tolerance(1e-12));
-        BOOST_TEST((short_line.origin + short_line.length * short_line.direction).z == 11 + 50 * k, boost::test_tools::tolerance(1e-12));
+        BOOST_TEST((short_line.origin + short_line.length * short_line.direction).z == 11 + 50 * k,
+                   boost::test_tools::tolerance(1e-12));
         BOOST_TEST(length(cross(short_line.direction, line.direction)) < 1e-12);
         BOOST_TEST(length(cross(short_line.origin - pole, line.direction)) < 1e-11);
         const SightLine long_line = sight_line(reaching, pole_beam(*mapped.ray));
         BOOST_TEST(length(long_line.origin - line.origin) == 0);
-        BOOST_TEST((long_line.origin + long_line.length * long_line.direction).z == 11 + 50 * k, boost::test_tools::tolerance(1e-12));
+        BOOST_TEST((long_line.origin + long_line.length * long_line.direction).z == 11 + 50 * k,
+                   boost::test_tools::tolerance(1e-12));
     }
 }
 

@@ -13,8 +13,10 @@ using namespace integral;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-const Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal};
-const LensModel models[] = {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid, LensModel::full};
+const Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square,
+                                    Arrangement::hexagonal};
+const LensModel models[] = {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid,
+                            LensModel::full};
 
 /// A sheet that one could buy, a lens of it, a point of that and a film point behind it.
 struct System {
@@ -44,8 +46,10 @@ System random_system(random_sheets::Generator& random)
     s.lens.i = int(random.between(-60, 60));
     s.lens.j = s.lenticular() ? 0 : int(random.between(-60, 60));
     const Lattice lattice(s.sheet);
-    s.at = cell_point(lattice, {random.between(0, 1), random.between(0, 1)}, random.one_in(2) ? 50 : 0);
-    s.film = lattice.pole(s.lens) + s.sheet.pitch * Vec2{random.between(-0.7, 0.7), random.between(-0.7, 0.7)};
+    s.at = cell_point(lattice, {random.between(0, 1), random.between(0, 1)},
+                      random.one_in(2) ? 50 : 0);
+    s.film = lattice.pole(s.lens) +
+             s.sheet.pitch * Vec2{random.between(-0.7, 0.7), random.between(-0.7, 0.7)};
     if (s.lenticular())
         s.film = s.film + random.between(-60, 60) * lattice.along();
     return s;
@@ -53,8 +57,8 @@ System random_system(random_sheets::Generator& random)
 
 double apart(const BeamRay& a, const BeamRay& b, double distance)
 {
-    return length(a.direction - b.direction) + length(a.point - b.point) / distance
-         + length(a.aperture_point - b.aperture_point) / (distance + length(a.aperture_point));
+    return length(a.direction - b.direction) + length(a.point - b.point) / distance +
+           length(a.aperture_point - b.aperture_point) / (distance + length(a.aperture_point));
 }
 
 /// Compares a system's ray, moved as `move` does, with another's.
@@ -64,8 +68,10 @@ template <class Move> void check_same(const System& s, const System& other, Move
     BOOST_TEST_REQUIRE(a.has_value() == b.has_value(), s.sheet);
     if (!a)
         return;
-    const Vec2 point = move(Vec2{a->point.x, a->point.y}), way = move(Vec2{a->direction.x, a->direction.y});
-    const BeamRay moved{{point.x, point.y, a->point.z}, {way.x, way.y, a->direction.z}, move(a->aperture_point)};
+    const Vec2 point = move(Vec2{a->point.x, a->point.y}),
+               way = move(Vec2{a->direction.x, a->direction.y});
+    const BeamRay moved{
+        {point.x, point.y, a->point.z}, {way.x, way.y, a->direction.z}, move(a->aperture_point)};
     BOOST_TEST(apart(moved, *b, s.distance) <= 1e-11, s.sheet << " model " << int(s.model));
 }
 
@@ -95,7 +101,8 @@ BOOST_AUTO_TEST_CASE(every_model_agrees_at_the_pole)
             if (!ray)
                 continue;
             ++rays;
-            const BeamRay same{{plain->pole.x, plain->pole.y, 0}, plain->direction, plain->aperture_point};
+            const BeamRay same{
+                {plain->pole.x, plain->pole.y, 0}, plain->direction, plain->aperture_point};
             BOOST_TEST(apart(same, *ray, s.distance) <= 1e-12);
         }
         // the pinhole's film point, pole and aperture point are on one straight line
@@ -137,7 +144,8 @@ BOOST_AUTO_TEST_CASE(an_ideal_beam_is_parallel)
         if (!ray)
             continue;
         BOOST_TEST(length(ray->direction - pole_ray->direction) <= 1e-12);
-        BOOST_TEST(length(ray->point - pole_ray->point - Vec3{s.at.offset.x, s.at.offset.y, 0}) <= 1e-10);
+        BOOST_TEST(length(ray->point - pole_ray->point - Vec3{s.at.offset.x, s.at.offset.y, 0}) <=
+                   1e-10);
         BOOST_TEST(length(ray->aperture_point - pole_ray->aperture_point - s.at.offset) <= 1e-10);
     }
 }
@@ -150,13 +158,17 @@ BOOST_AUTO_TEST_CASE(rays_meet_the_slit)
         s.sheet.arrangement = Arrangement::lenticular;
         s.lens.j = 0;
         s.at = cell_point(Lattice(s.sheet), {random.between(0, 1), random.between(0, 1)}, 80);
-        s.film = Lattice(s.sheet).pole(s.lens) + Vec2{random.between(-0.3, 0.3), random.between(-0.3, 0.3)};
+        s.film = Lattice(s.sheet).pole(s.lens) +
+                 Vec2{random.between(-0.3, 0.3), random.between(-0.3, 0.3)};
         const auto ray = s.ray();
         if (!ray)
             continue;
         const bool horizontal = slit_is_horizontal(s.sheet);
-        const double beside = refracts_at_surface(s.model) ? 0 : horizontal ? s.at.offset.y : s.at.offset.x;
-        BOOST_TEST(std::fabs((horizontal ? ray->aperture_point.y : ray->aperture_point.x) - beside - s.at.slit) <= 1e-13);
+        const double beside = refracts_at_surface(s.model) ? 0
+                              : horizontal                 ? s.at.offset.y
+                                                           : s.at.offset.x;
+        BOOST_TEST(std::fabs((horizontal ? ray->aperture_point.y : ray->aperture_point.x) - beside -
+                             s.at.slit) <= 1e-13);
     }
 }
 
@@ -171,20 +183,24 @@ BOOST_AUTO_TEST_CASE(rays_go_there_and_back)
         if (!ray || ray->direction.z > -0.05)
             continue;
         ++rays;
-        // from any point of the ray, in front of and behind the sheet, the film point is found again
+        // from any point of the ray, in front of and behind the sheet, the film point is found
+        // again
         for (double z : {-3 * s.distance, -0.4 * s.distance, -1.0, 2.5, 4000.0}) {
-            const Vec3 scene = ray->point + ((z - ray->point.z) / ray->direction.z) * ray->direction;
+            const Vec3 scene = ray->point +
+                               ((z - ray->point.z) / ray->direction.z) * ray->direction;
             const auto film = film_point_imaging(optics, scene, s.lens, s.at);
             BOOST_TEST_REQUIRE(film.has_value(), s.sheet);
-            BOOST_TEST(length(*film - s.film) <= 1e-10, s.sheet << " model " << int(s.model) << " z " << z);
+            BOOST_TEST(length(*film - s.film) <= 1e-10,
+                       s.sheet << " model " << int(s.model) << " z " << z);
         }
         // and a scene point's film point has a ray through it
-        const Vec3 scene{random.between(-200, 200), random.between(-200, 200), random.between(-40, 400)};
+        const Vec3 scene{random.between(-200, 200), random.between(-200, 200),
+                         random.between(-40, 400)};
         const auto film = film_point_imaging(optics, scene, s.lens, s.at);
         const auto there = film ? beam_ray(optics, *film, s.lens, s.at) : std::nullopt;
         if (film && there)
             BOOST_TEST(length(cross(scene - there->point, there->direction)) <= 1e-9, s.sheet);
-BOOST_TEST(film.has_value() == there.has_value(), s.sheet);
+        BOOST_TEST(film.has_value() == there.has_value(), s.sheet);
     }
     BOOST_TEST(rays > 10000);
 }
@@ -222,8 +238,11 @@ BOOST_AUTO_TEST_CASE(symmetries)
         }
         // lenses with a pole, turned by any angle
         if (!s.lenticular()) {
-            const double angle = random.between(-9, 9), c = std::cos(angle * pi / 180), sine = std::sin(angle * pi / 180);
-            const auto turn = [&](Vec2 v) { return Vec2{c * v.x - sine * v.y, sine * v.x + c * v.y}; };
+            const double angle = random.between(-9, 9), c = std::cos(angle * pi / 180),
+                         sine = std::sin(angle * pi / 180);
+            const auto turn = [&](Vec2 v) {
+                return Vec2{c * v.x - sine * v.y, sine * v.x + c * v.y};
+            };
             System other = s;
             other.sheet.slant += angle;
             other.sheet.offset = turn(s.sheet.offset);
@@ -264,7 +283,8 @@ BOOST_AUTO_TEST_CASE(common_scaling_of_all_lengths)
 
 BOOST_AUTO_TEST_CASE(light_of_the_focus_leaves_parallel_to_third_order)
 {
-    // the film is at the paraxial focus: halving the distance from the axis leaves an eighth of the error
+    // the film is at the paraxial focus: halving the distance from the axis leaves an eighth of the
+    // error
     for (Arrangement arrangement : arrangements)
         for (double ior : {1.3, 1.6, 2.0}) {
             System s;
@@ -274,7 +294,8 @@ BOOST_AUTO_TEST_CASE(light_of_the_focus_leaves_parallel_to_third_order)
                 const auto ray = s.ray();
                 BOOST_TEST_REQUIRE(ray.has_value());
                 // lenticular: the light that meets the slit leaves along the axis a little
-                return std::fabs(dot(Lattice(s.sheet).across(), Vec2{ray->direction.x, ray->direction.y}));
+                return std::fabs(
+                    dot(Lattice(s.sheet).across(), Vec2{ray->direction.x, ray->direction.y}));
             };
             BOOST_TEST(bend(0) == 0);
             BOOST_TEST(bend(0.2) > 0);
@@ -301,7 +322,8 @@ BOOST_AUTO_TEST_CASE(a_cylinder_s_section_is_a_sphere_s)
 
 BOOST_AUTO_TEST_CASE(directions_move_steadily_with_the_film_point)
 {
-    // the farther right the film point, the farther left its light, up to rounding, at every step size
+    // the farther right the film point, the farther left its light, up to rounding, at every step
+    // size
     for (LensModel model : models)
         for (double v : {-0.5, 0.0, 0.3})
             for (double step : {1e-3, 1e-9, 1e-15}) {
@@ -321,7 +343,8 @@ BOOST_AUTO_TEST_CASE(directions_move_steadily_with_the_film_point)
 
 BOOST_AUTO_TEST_CASE(no_light_is_no_value)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
     for (Arrangement arrangement : arrangements)
         for (LensModel model : models) {
             System s;
@@ -337,7 +360,8 @@ BOOST_AUTO_TEST_CASE(no_light_is_no_value)
                 BOOST_TEST(!beam_ray(optics, {0, 0}, {}, {{2, 0}, 0}).has_value()); // R is 1.155
                 BOOST_TEST(!film_point_imaging(optics, {0, 0, 100}, {}, {{2, 0}, 0}).has_value());
                 // seen so much from the side that the surface hides the point
-                BOOST_TEST(!film_point_imaging(optics, {-1000, 0, -1}, {}, {{0.6, 0}, 0}).has_value());
+                BOOST_TEST(
+                    !film_point_imaging(optics, {-1000, 0, -1}, {}, {{0.6, 0}, 0}).has_value());
             }
             for (double bad : {0.0, nan, infinity}) {
                 BOOST_TEST(!film_point_imaging(optics, {5, 0, bad}, {}).has_value());

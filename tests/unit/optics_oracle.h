@@ -14,15 +14,17 @@ namespace oracle {
 
 using Real = boost::multiprecision::cpp_dec_float_100;
 
-struct Point { Real x, y; };
+struct Point {
+    Real x, y;
+};
 
 /// What one lens makes of one film point; the error bound's condition number with it.
 struct Ray {
-    Point pole;          ///< mm
-    Real s_x, s_y, c;    ///< direction (s_x, s_y, -c)
-    Point aperture;      ///< mm
-    Real kappa;          ///< t^2 / (t^2 - m rho^2)
-    Real offset_ratio;   ///< (|film point| + |pole|) / L
+    Point pole;        ///< mm
+    Real s_x, s_y, c;  ///< direction (s_x, s_y, -c)
+    Point aperture;    ///< mm
+    Real kappa;        ///< t^2 / (t^2 - m rho^2)
+    Real offset_ratio; ///< (|film point| + |pole|) / L
 };
 
 /// The lattice's axes at the sheet's slant: across (b) and along (a).
@@ -46,7 +48,8 @@ inline Point pole(const integral::LensSheet& sheet, integral::LensIndex lens)
         if (lens.j % 2 != 0)
             u += p / 2;
     }
-    return {Real(sheet.offset.x) + u * across.x + v * along.x, Real(sheet.offset.y) + u * across.y + v * along.y};
+    return {Real(sheet.offset.x) + u * across.x + v * along.x,
+            Real(sheet.offset.y) + u * across.y + v * along.y};
 }
 
 /// The root of G by bisection on [-T, T], or nothing where |h| >= t g/sqrt(m).
@@ -61,7 +64,8 @@ inline std::optional<Real> slit_root(Real alpha, Real beta, Real g, Real e, Real
         return std::nullopt;
     const auto value = [&](const Real& tau) {
         const Real inside = e - m * tau * tau;
-        return (alpha + g * tau) * (inside > 0 ? Real(sqrt(inside)) : Real(0)) + nd * (g * tau + beta);
+        return (alpha + g * tau) * (inside > 0 ? Real(sqrt(inside)) : Real(0)) +
+               nd * (g * tau + beta);
     };
     Real low = -t_end, high = t_end;
     for (int step = 0; step < 200; ++step) {
@@ -72,7 +76,10 @@ inline std::optional<Real> slit_root(Real alpha, Real beta, Real g, Real e, Real
 }
 
 /// The slit's normal e, signed so that e.a > 0, and e.A of a slit at `height`.
-struct SlitFrame { Point e; Real eta; };
+struct SlitFrame {
+    Point e;
+    Real eta;
+};
 inline SlitFrame slit_frame(const integral::LensSheet& sheet, Point along, double height)
 {
     const bool horizontal = std::fabs(sheet.slant) <= 45;
@@ -83,10 +90,11 @@ inline SlitFrame slit_frame(const integral::LensSheet& sheet, Point along, doubl
 }
 
 /// Steps 2 to 4 of optics.md section 3; nothing on total reflection or with the slit out of reach.
-inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance, integral::Vec2 film, integral::LensIndex lens,
-                              double slit_height = 0)
+inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance,
+                              integral::Vec2 film, integral::LensIndex lens, double slit_height = 0)
 {
-    const Real t = sheet.thickness, n = sheet.ior, m = (n - 1) * (n + 1), d = distance, x = film.x, y = film.y;
+    const Real t = sheet.thickness, n = sheet.ior, m = (n - 1) * (n + 1), d = distance, x = film.x,
+               y = film.y;
     Ray out;
     out.pole = pole(sheet, lens);
     if (sheet.arrangement == integral::Arrangement::lenticular) {
@@ -96,12 +104,14 @@ inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance,
         const Point foot{x + h * b.x, y + h * b.y};
         const auto [e, eta] = slit_frame(sheet, a, slit_height);
         const Real g = e.x * a.x + e.y * a.y;
-        const auto tau = slit_root(e.x * foot.x + e.y * foot.y - eta, h * (e.x * b.x + e.y * b.y), g, t * t - m * h * h, m, n * d);
+        const auto tau = slit_root(e.x * foot.x + e.y * foot.y - eta, h * (e.x * b.x + e.y * b.y),
+                                   g, t * t - m * h * h, m, n * d);
         if (!tau)
             return std::nullopt;
         out.pole = {foot.x + *tau * a.x, foot.y + *tau * a.y};
     }
-    const Real qx = out.pole.x - x, qy = out.pole.y - y, rho2 = qx * qx + qy * qy, length = sqrt(rho2 + t * t);
+    const Real qx = out.pole.x - x, qy = out.pole.y - y, rho2 = qx * qx + qy * qy,
+               length = sqrt(rho2 + t * t);
     out.s_x = n * qx / length;
     out.s_y = n * qy / length;
     const Real c2 = 1 - out.s_x * out.s_x - out.s_y * out.s_y;
@@ -110,7 +120,9 @@ inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance,
     out.c = sqrt(c2);
     out.aperture = {out.pole.x + out.s_x * d / out.c, out.pole.y + out.s_y * d / out.c};
     out.kappa = t * t / (t * t - m * rho2);
-    out.offset_ratio = (sqrt(x * x + y * y) + sqrt(out.pole.x * out.pole.x + out.pole.y * out.pole.y)) / length;
+    out.offset_ratio = (sqrt(x * x + y * y) +
+                        sqrt(out.pole.x * out.pole.x + out.pole.y * out.pole.y)) /
+                       length;
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What holds of every lens mapping, over random sheets of optics.md section 7's ranges: accurate = exhaustive,
-// closest is part of auto, the rule of which lens images, and that nothing is too hostile to be answered.
+// What holds of every lens mapping, over random sheets of optics.md section 7's ranges: accurate =
+// exhaustive, closest is part of auto, the rule of which lens images, and that nothing is too
+// hostile to be answered.
 #include "tests/unit/optics_properties.h"
 
 #include <boost/test/unit_test.hpp>
@@ -38,7 +39,8 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
                 const MappedPoint closest = optics.map(point, LensMapping::closest);
                 const MappedPoint automatic = optics.map(point, LensMapping::automatic);
                 const MappedPoint accurate = optics.map(point, LensMapping::accurate);
-                // where all light is within rounding of total reflection, the reason for none is anybody's guess
+                // where all light is within rounding of total reflection, the reason for none is
+                // anybody's guess
                 const bool grazing = length(point) > 1e4 * s.aperture.distance;
                 if (farthest_lens(s, point) < 30 * s.sheet.pitch) {
                     const MappedPoint exhaustive = optics.map(point, LensMapping::exhaustive);
@@ -70,7 +72,8 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
 
 BOOST_AUTO_TEST_CASE(exhaustive_is_the_rule_written_down)
 {
-    // of the lenses that pass, the one nearest to the centre; of those within 1e-9 pitches of that, the preferred
+    // of the lenses that pass, the one nearest to the centre; of those within 1e-9 pitches of that,
+    // the preferred
     Generator random(76);
     const int systems = random_sheets::count(2000, 100000);
     int imaged = 0, tied = 0;
@@ -80,11 +83,13 @@ BOOST_AUTO_TEST_CASE(exhaustive_is_the_rule_written_down)
         if (random.one_in(2)) { // the centre of the sheet between lenses: an axis of symmetry
             const Lattice lattice(s.sheet);
             const bool both = random.one_in(2) && !s.lenticular();
-            s.sheet.offset = 0.5 * s.sheet.pitch * (lattice.across() + (both ? 1.0 : 0.0) * lattice.along());
+            s.sheet.offset = 0.5 * s.sheet.pitch *
+                             (lattice.across() + (both ? 1.0 : 0.0) * lattice.along());
         }
         const SheetOptics optics = s.optics();
         const Lattice& lattice = optics.lattice();
-        const double near_0 = random.one_in(2) ? 0 : random.log_between(1e-13, 1e-9) * s.sheet.pitch;
+        const double near_0 = random.one_in(2) ? 0
+                                               : random.log_between(1e-13, 1e-9) * s.sheet.pitch;
         const Vec2 point = random.one_in(2) ? near_0 * direction_at(random.between(0, 6.3))
                                             : random_film_point(random, s, optics);
         if (farthest_lens(s, point) > 20 * s.sheet.pitch)
@@ -92,16 +97,17 @@ BOOST_AUTO_TEST_CASE(exhaustive_is_the_rule_written_down)
         const double tie = lattice.tie_tolerance();
         std::vector<LensRay> passing;
         double least = infinity;
-        lattice.for_each_within(point, farthest_lens(s, point) + 1e-3 * s.sheet.pitch, [&](LensIndex lens) {
-            const auto ray = optics.ray_through(point, lens);
-            Aperture slit = s.aperture;
-            if (s.lenticular())
-                (slit_is_horizontal(s.sheet) ? slit.height : slit.width) = infinity;
-            if (!ray || !contains(slit, ray->aperture_point))
-                return;
-            passing.push_back(*ray);
-            least = std::min(least, length(ray->aperture_point));
-        });
+        lattice.for_each_within(
+            point, farthest_lens(s, point) + 1e-3 * s.sheet.pitch, [&](LensIndex lens) {
+                const auto ray = optics.ray_through(point, lens);
+                Aperture slit = s.aperture;
+                if (s.lenticular())
+                    (slit_is_horizontal(s.sheet) ? slit.height : slit.width) = infinity;
+                if (!ray || !contains(slit, ray->aperture_point))
+                    return;
+                passing.push_back(*ray);
+                least = std::min(least, length(ray->aperture_point));
+            });
         std::optional<LensRay> best;
         int candidates = 0;
         for (const LensRay& ray : passing)
@@ -136,7 +142,8 @@ BOOST_AUTO_TEST_CASE(aperture_points_of_two_lenses_keep_apart)
         const double away = std::min(s.total_reflection(), 1e3 * s.sheet.pitch);
         const Vec2 point = plain_film_point(random, s, 1000);
         const auto lens = [&] {
-            return optics.lattice().nearest(point + random.between(0, away) * direction_at(random.between(0, 6.3)));
+            return optics.lattice().nearest(point + random.between(0, away) *
+                                                        direction_at(random.between(0, 6.3)));
         };
         const LensIndex one = lens();
         const LensIndex two = random.one_in(2) ? lens() : LensIndex{one.i + 1, one.j};
@@ -147,14 +154,16 @@ BOOST_AUTO_TEST_CASE(aperture_points_of_two_lenses_keep_apart)
         const Vec2 way = optics.lattice().pole(two) - optics.lattice().pole(one);
         const Vec2 there = b->aperture_point - a->aperture_point;
         const double far = length(a->aperture_point) + length(b->aperture_point) + length(point);
-        BOOST_TEST_CONTEXT(s << " film point <" << point.x << ", " << point.y << "> lenses " << one.i << ", " << one.j
-                             << " and " << two.i << ", " << two.j)
+        BOOST_TEST_CONTEXT(s << " film point <" << point.x << ", " << point.y << "> lenses "
+                             << one.i << ", " << one.j << " and " << two.i << ", " << two.j)
         {
             if (s.lenticular()) {
                 const double g = dot(optics.slit().normal, optics.slit().axis);
-                BOOST_TEST(length(there) >= s.stretch() * length(way) * 2 / (1 + g) * (1 - 1e-9) - 1e-9 * far);
+                BOOST_TEST(length(there) >=
+                           s.stretch() * length(way) * 2 / (1 + g) * (1 - 1e-9) - 1e-9 * far);
             } else
-                BOOST_TEST(dot(way, there) >= length(way) * (s.stretch() * length(way) * (1 - 1e-9) - 1e-9 * far));
+                BOOST_TEST(dot(way, there) >=
+                           length(way) * (s.stretch() * length(way) * (1 - 1e-9) - 1e-9 * far));
         }
     }
     BOOST_TEST(pairs > systems / 4);
@@ -175,25 +184,33 @@ BOOST_AUTO_TEST_CASE(hostile_values_are_answered)
                                      {distance, extent, extent}};
                             if (extent == 1) // one of them fills, the other is without limit
                                 s.aperture = {distance, s.stretch(), infinity};
-                            s.aperture.shape = random.one_in(2) ? ApertureShape::ellipse : ApertureShape::rectangle;
+                            s.aperture.shape = random.one_in(2) ? ApertureShape::ellipse
+                                                                : ApertureShape::rectangle;
                             const SheetOptics optics = s.optics();
-                            for (double far : {0.0, 1e-300, 0.37, 100.0, 1e6, 1e12, 1e13, 1e300, infinity, nan}) {
-                                const Vec2 point{far, random.one_in(2) ? 0.3 * far : random.between(-1, 1)};
+                            for (double far : {0.0, 1e-300, 0.37, 100.0, 1e6, 1e12, 1e13, 1e300,
+                                               infinity, nan}) {
+                                const Vec2 point{far, random.one_in(2) ? 0.3 * far
+                                                                       : random.between(-1, 1)};
                                 const MappedPoint closest = optics.map(point, LensMapping::closest);
-                                const MappedPoint automatic = optics.map(point, LensMapping::automatic);
-                                const MappedPoint accurate = optics.map(point, LensMapping::accurate);
-                                BOOST_TEST_REQUIRE(equal(automatic, closest.ray ? closest : accurate),
-                                                   s << " film point <" << point.x << ", " << point.y << ">");
+                                const MappedPoint automatic = optics.map(point,
+                                                                         LensMapping::automatic);
+                                const MappedPoint accurate = optics.map(point,
+                                                                        LensMapping::accurate);
+                                BOOST_TEST_REQUIRE(
+                                    equal(automatic, closest.ray ? closest : accurate),
+                                    s << " film point <" << point.x << ", " << point.y << ">");
                                 for (const MappedPoint& mapped : {closest, automatic, accurate}) {
                                     ++points;
-                                    BOOST_TEST((mapped.empty == Empty::none) == mapped.ray.has_value());
+                                    BOOST_TEST((mapped.empty == Empty::none) ==
+                                               mapped.ray.has_value());
                                     if (!mapped.ray)
                                         continue;
                                     ++imaged;
                                     BOOST_TEST(far < 1e9);
                                     const LensRay& ray = *mapped.ray;
                                     for (double value :
-                                         {ray.pole.x, ray.pole.y, ray.aperture_point.x, ray.aperture_point.y})
+                                         {ray.pole.x, ray.pole.y, ray.aperture_point.x,
+                                          ray.aperture_point.y})
                                         BOOST_TEST(std::isfinite(value), s);
                                     BOOST_TEST(std::fabs(length(ray.direction) - 1) < 1e-9, s);
                                     BOOST_TEST(ray.direction.z < 0, s);

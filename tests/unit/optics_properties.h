@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the tests of every lens mapping share: random sheets with their apertures, film points where it is hard to
-// decide, and when two answers are the same.
+// What the tests of every lens mapping share: random sheets with their apertures, film points where
+// it is hard to decide, and when two answers are the same.
 #ifndef TESTS_UNIT_OPTICS_PROPERTIES_H
 #define TESTS_UNIT_OPTICS_PROPERTIES_H
 
@@ -26,31 +26,39 @@ struct System {
     bool lenticular() const { return sheet.arrangement == Arrangement::lenticular; }
     /// How much the map of offsets to aperture points stretches at least.
     double stretch() const { return 1 + sheet.ior * aperture.distance / sheet.thickness; }
-    double total_reflection() const { return sheet.thickness / std::sqrt((sheet.ior - 1) * (sheet.ior + 1)); }
+    double total_reflection() const
+    {
+        return sheet.thickness / std::sqrt((sheet.ior - 1) * (sheet.ior + 1));
+    }
 };
 
 inline std::ostream& operator<<(std::ostream& out, const System& s)
 {
-    return out << s.sheet << " aperture " << s.aperture.distance << ": " << s.aperture.width << " x "
-               << s.aperture.height << (s.aperture.shape == ApertureShape::ellipse ? ", ellipse" : "");
+    return out << s.sheet << " aperture " << s.aperture.distance << ": " << s.aperture.width
+               << " x " << s.aperture.height
+               << (s.aperture.shape == ApertureShape::ellipse ? ", ellipse" : "");
 }
 
-/// Apertures from a twentieth of what fills a lens to twenty times that, now and then without limit one way or both.
+/// Apertures from a twentieth of what fills a lens to twenty times that, now and then without limit
+/// one way or both.
 inline System random_system(Generator& random)
 {
     System s;
     s.sheet = random.sheet();
     if (random.one_in(2))
         s.sheet.thickness = s.sheet.pitch * random.log_between(0.3, 30);
-    s.aperture.distance = random.one_in(2) ? random.distance() : s.sheet.thickness * random.log_between(0.5, 3000);
+    s.aperture.distance = random.one_in(2) ? random.distance()
+                                           : s.sheet.thickness * random.log_between(0.5, 3000);
     const double filling = s.sheet.pitch * s.stretch();
     const auto extent = [&] {
-        return filling * (random.one_in(2) ? random.between(0.9, 1.2) : random.log_between(0.05, 20));
+        return filling *
+               (random.one_in(2) ? random.between(0.9, 1.2) : random.log_between(0.05, 20));
     };
     s.aperture.width = extent();
     s.aperture.height = random.one_in(3) ? extent() : s.aperture.width;
     if (random.one_in(12))
-        (random.one_in(2) ? s.aperture.width : s.aperture.height) = random.one_in(2) ? infinity : 1e12;
+        (random.one_in(2) ? s.aperture.width : s.aperture.height) = random.one_in(2) ? infinity
+                                                                                     : 1e12;
     s.aperture.shape = random.one_in(3) ? ApertureShape::ellipse : ApertureShape::rectangle;
     return s;
 }
@@ -74,12 +82,13 @@ inline Vec2 film_point_through(const SheetOptics& optics, Vec2 pole, Vec2 apertu
 {
     const Vec2 way = aperture_point - pole;
     const double d = optics.aperture().distance, length_3 = std::sqrt(dot(way, way) + d * d);
-    return pole - offset_from_direction(optics.medium(), {way.x / length_3, way.y / length_3, -d / length_3});
+    return pole - offset_from_direction(optics.medium(),
+                                        {way.x / length_3, way.y / length_3, -d / length_3});
 }
 
-/// Anywhere up to 1e6 lenses from the centre, as far as a search of all lenses stays small; or within 1e-8 of where a
-/// decision falls: where two lenses are equally near, where the light meets the aperture's edge, and where two lenses'
-/// aperture points are equally near to its centre.
+/// Anywhere up to 1e6 lenses from the centre, as far as a search of all lenses stays small; or
+/// within 1e-8 of where a decision falls: where two lenses are equally near, where the light meets
+/// the aperture's edge, and where two lenses' aperture points are equally near to its centre.
 inline Vec2 random_film_point(Generator& random, const System& s, const SheetOptics& optics)
 {
     const double pitch = s.sheet.pitch, most = 30 * pitch;
@@ -88,15 +97,20 @@ inline Vec2 random_film_point(Generator& random, const System& s, const SheetOpt
         farthest = std::min(farthest, most * s.stretch());
     const double far = random.log_between(1e-3, std::max(1.0, farthest / pitch)) * pitch;
     const Vec2 anywhere = far * direction_at(random.between(0, 6.3));
-    const double near_0 = random.one_in(4) ? 0 : (random.one_in(2) ? -1 : 1) * random.log_between(1e-11, 1e-8);
+    const double near_0 = random.one_in(4)
+                              ? 0
+                              : (random.one_in(2) ? -1 : 1) * random.log_between(1e-11, 1e-8);
     if (random.one_in(2))
         return anywhere;
     const Lattice& lattice = optics.lattice();
-    const LensIndex lens = lattice.nearest(anywhere), other{lens.i + 1, lens.j - (!s.lenticular() && random.one_in(2))};
+    const LensIndex lens = lattice.nearest(anywhere),
+                    other{lens.i + 1, lens.j - (!s.lenticular() && random.one_in(2))};
     const Vec2 pole = lattice.pole(lens), way = lattice.pole(other) - pole;
     if (random.one_in(3))
-        return pole + (0.5 + near_0) * way + (random.one_in(2) ? 0 : random.between(-0.6, 0.6)) * Vec2{-way.y, way.x};
-    const double widest = 1e6 * pitch, x = std::min(s.aperture.width, widest), y = std::min(s.aperture.height, widest);
+        return pole + (0.5 + near_0) * way +
+               (random.one_in(2) ? 0 : random.between(-0.6, 0.6)) * Vec2{-way.y, way.x};
+    const double widest = 1e6 * pitch, x = std::min(s.aperture.width, widest),
+                 y = std::min(s.aperture.height, widest);
     if (random.one_in(2)) {
         Vec2 edge{0.5 * x * (1 + near_0), y * random.between(-0.5, 0.5)};
         if (!slit_is_horizontal(s.sheet) || (!s.lenticular() && random.one_in(2)))
@@ -105,7 +119,8 @@ inline Vec2 random_film_point(Generator& random, const System& s, const SheetOpt
             (slit_is_horizontal(s.sheet) ? edge.y : edge.x) = 0;
         return film_point_through(optics, pole, edge);
     }
-    Vec2 low = film_point_through(optics, pole, {0, 0}), high = film_point_through(optics, pole + way, {0, 0});
+    Vec2 low = film_point_through(optics, pole, {0, 0}),
+         high = film_point_through(optics, pole + way, {0, 0});
     for (int step = 0; step < 60; ++step) {
         const Vec2 middle = 0.5 * (low + high);
         const auto a = optics.ray_through(middle, lens), b = optics.ray_through(middle, other);
@@ -127,8 +142,9 @@ inline bool equal(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
 /// The same lens, and bit for bit the same ray.
 inline bool equal(const LensRay& a, const LensRay& b)
 {
-    return a.lens == b.lens && equal(a.pole, b.pole) && equal(a.aperture_point, b.aperture_point)
-        && a.direction.x == b.direction.x && a.direction.y == b.direction.y && a.direction.z == b.direction.z;
+    return a.lens == b.lens && equal(a.pole, b.pole) && equal(a.aperture_point, b.aperture_point) &&
+           a.direction.x == b.direction.x && a.direction.y == b.direction.y &&
+           a.direction.z == b.direction.z;
 }
 
 inline bool equal(const MappedPoint& a, const MappedPoint& b)
@@ -136,15 +152,17 @@ inline bool equal(const MappedPoint& a, const MappedPoint& b)
     return a.ray.has_value() == b.ray.has_value() && (!a.ray || equal(*a.ray, *b.ray));
 }
 
-/// Whether two systems make the same of corresponding film points, but for rounding: `b`'s rays, taken back by
-/// `undo`, are `a`'s.
-template <class Undo> bool alike(const MappedPoint& a, const MappedPoint& b, const System& s, Undo undo)
+/// Whether two systems make the same of corresponding film points, but for rounding: `b`'s rays,
+/// taken back by `undo`, are `a`'s.
+template <class Undo>
+bool alike(const MappedPoint& a, const MappedPoint& b, const System& s, Undo undo)
 {
     if (!a.ray || !b.ray)
         return a.ray.has_value() == b.ray.has_value();
-    const Vec2 pole = a.ray->pole - undo(b.ray->pole), there = a.ray->aperture_point - undo(b.ray->aperture_point);
-    return length(pole) <= 1e-6 * s.sheet.pitch
-        && length(there) <= 1e-6 * (s.sheet.pitch * s.stretch() + length(a.ray->aperture_point));
+    const Vec2 pole = a.ray->pole - undo(b.ray->pole),
+               there = a.ray->aperture_point - undo(b.ray->aperture_point);
+    return length(pole) <= 1e-6 * s.sheet.pitch &&
+           length(there) <= 1e-6 * (s.sheet.pitch * s.stretch() + length(a.ray->aperture_point));
 }
 
 } // namespace random_systems

@@ -13,12 +13,15 @@ namespace {
 
 constexpr double epsilon = 2.220446049250313e-16;
 
-/// Error of a direction (of unit length), and of the aperture point relative to |pole| + |film point| + d/c
-/// (optics.md section 7).
-struct Error { double direction = 0, aperture = 0; };
+/// Error of a direction (of unit length), and of the aperture point relative to |pole| + |film
+/// point| + d/c (optics.md section 7).
+struct Error {
+    double direction = 0, aperture = 0;
+};
 
-template <class Got> Error difference_of(const Got& dx, const Got& dy, const Got& dz, const Got& ax, const Got& ay,
-                                         const oracle::Ray& want, Vec2 film_point, double distance)
+template <class Got>
+Error difference_of(const Got& dx, const Got& dy, const Got& dz, const Got& ax, const Got& ay,
+                    const oracle::Ray& want, Vec2 film_point, double distance)
 {
     const oracle::Real px = want.pole.x, py = want.pole.y;
     const oracle::Real scale = sqrt(px * px + py * py) + length(film_point) + distance / want.c;
@@ -27,13 +30,15 @@ template <class Got> Error difference_of(const Got& dx, const Got& dy, const Got
 
 Error difference(const LensRay& got, const oracle::Ray& want, Vec2 film_point, double distance)
 {
-    return difference_of<oracle::Real>(got.direction.x - want.s_x, got.direction.y - want.s_y, got.direction.z + want.c,
-                                       got.aperture_point.x - want.aperture.x, got.aperture_point.y - want.aperture.y, want, film_point,
-                                       distance);
+    return difference_of<oracle::Real>(
+        got.direction.x - want.s_x, got.direction.y - want.s_y, got.direction.z + want.c,
+        got.aperture_point.x - want.aperture.x, got.aperture_point.y - want.aperture.y, want,
+        film_point, distance);
 }
 
 /// What four units in the last place of the film point, and of the turn of the axes, do to the ray.
-Error sensitivity(const LensSheet& sheet, double distance, Vec2 film_point, LensIndex lens, const oracle::Ray& want)
+Error sensitivity(const LensSheet& sheet, double distance, Vec2 film_point, LensIndex lens,
+                  const oracle::Ray& want)
 {
     Error most;
     const Vec2 p = Lattice(sheet).pole(lens);
@@ -45,8 +50,10 @@ Error sensitivity(const LensSheet& sheet, double distance, Vec2 film_point, Lens
             const auto other = oracle::ray(sheet, distance, moved, lens);
             if (!other)
                 return {1, 1};
-            const Error e = difference_of<oracle::Real>(other->s_x - want.s_x, other->s_y - want.s_y, other->c - want.c,
-                                                        other->aperture.x - want.aperture.x, other->aperture.y - want.aperture.y, want, film_point, distance);
+            const Error e = difference_of<oracle::Real>(
+                other->s_x - want.s_x, other->s_y - want.s_y, other->c - want.c,
+                other->aperture.x - want.aperture.x, other->aperture.y - want.aperture.y, want,
+                film_point, distance);
             most.direction = std::max(most.direction, e.direction);
             most.aperture = std::max(most.aperture, e.aperture);
         }
@@ -55,10 +62,11 @@ Error sensitivity(const LensSheet& sheet, double distance, Vec2 film_point, Lens
 
 /// Compares one ray with the oracle's. Whether there is a ray may differ only next to the border.
 /// `what`: the table's row.
-void check_ray(const char* what, const LensSheet& sheet, double distance, Vec2 film_point, LensIndex lens)
+void check_ray(const char* what, const LensSheet& sheet, double distance, Vec2 film_point,
+               LensIndex lens)
 {
-    BOOST_TEST_CONTEXT(sheet << " distance " << distance << " film <" << film_point.x << ", " << film_point.y << "> lens "
-                             << lens.i << ", " << lens.j)
+    BOOST_TEST_CONTEXT(sheet << " distance " << distance << " film <" << film_point.x << ", "
+                             << film_point.y << "> lens " << lens.i << ", " << lens.j)
     {
         const SheetOptics optics(sheet, Aperture{distance, 1, 1});
         const auto got = optics.ray_through(film_point, lens);
@@ -76,8 +84,10 @@ void check_ray(const char* what, const LensSheet& sheet, double distance, Vec2 f
         const bool slit = sheet.arrangement == Arrangement::lenticular;
         const oracle::Real rounding = 16 * epsilon * (1 + want->offset_ratio);
         const double bound = std::max(1e-12, double(rounding * want->kappa));
-        // Where a slit finds the point of the axis, the aperture point's condition is 1/c^2 (optics.md section 7).
-        const double aperture_bound = slit ? std::max(bound, double(rounding / (want->c * want->c))) : bound;
+        // Where a slit finds the point of the axis, the aperture point's condition is 1/c^2
+        // (optics.md section 7).
+        const double aperture_bound = slit ? std::max(bound, double(rounding / (want->c * want->c)))
+                                           : bound;
         if (aperture_bound > 0.1)
             return;
         const Error error = difference(*got, *want, film_point, distance);
@@ -110,11 +120,14 @@ BOOST_AUTO_TEST_CASE(agree_with_100_digits)
         // 1 to 1e6 lenses from the centre, up to 2 pitches from the pole
         const double reach = random.log_between(1, 1e6) * sheet.pitch;
         const Lattice lattice(sheet);
-        const LensIndex lens = lattice.nearest({random.between(-reach, reach), random.between(-reach, reach)});
+        const LensIndex lens = lattice.nearest(
+            {random.between(-reach, reach), random.between(-reach, reach)});
         const double near = sheet.pitch * (random.one_in(3) ? 2 : 0.7);
-        const Vec2 film_point = lattice.pole(lens) + Vec2{random.between(-near, near), random.between(-near, near)};
+        const Vec2 film_point = lattice.pole(lens) +
+                                Vec2{random.between(-near, near), random.between(-near, near)};
         const bool lenticular = sheet.arrangement == Arrangement::lenticular;
-        check_ray(lenticular ? "pole ray, lenticular" : "pole ray, square, hexagonal", sheet, distance, film_point, lens);
+        check_ray(lenticular ? "pole ray, lenticular" : "pole ray, square, hexagonal", sheet,
+                  distance, film_point, lens);
     }
 }
 
@@ -128,15 +141,18 @@ BOOST_AUTO_TEST_CASE(agree_next_to_total_reflection)
             sheet.ior = random.between(1.01, 4);
         sheet.offset = {0, 0};
         const double border = sheet.thickness / std::sqrt((sheet.ior - 1) * (sheet.ior + 1));
-        const double rho = border * (1 - random.log_between(1e-9, 1e-2)), angle = random.between(0, 6.28318);
+        const double rho = border * (1 - random.log_between(1e-9, 1e-2)),
+                     angle = random.between(0, 6.28318);
         const LensIndex centre;
         const char* what = "pole ray within 1e-2 to 1e-9 of total reflection";
         if (sheet.arrangement == Arrangement::lenticular) {
             const Lattice lattice(sheet);
-            const double limit = std::fabs(slit_is_horizontal(sheet) ? lattice.along().y : lattice.along().x);
+            const double limit = std::fabs(slit_is_horizontal(sheet) ? lattice.along().y
+                                                                     : lattice.along().x);
             check_ray(what, sheet, random.distance(), (rho * limit) * lattice.across(), centre);
         } else
-            check_ray(what, sheet, random.distance(), {rho * std::cos(angle), rho * std::sin(angle)}, centre);
+            check_ray(what, sheet, random.distance(),
+                      {rho * std::cos(angle), rho * std::sin(angle)}, centre);
     }
 }
 
@@ -148,21 +164,25 @@ BOOST_AUTO_TEST_CASE(slit_where_it_is_worst_conditioned)
             for (double distance : {1e-2, 1.0, 300.0, 1e9})
                 for (double height : {0.0, 1e-9, 1.0, 100.0, 1e5})
                     for (double h : {0.0, 1e-12, 0.3, 0.635})
-                        check_ray("pole ray, slit worst conditioned", {Arrangement::lenticular, 1.27, 3.08, ior, slant, {0, 0}}, distance, {h, height}, {0, 0});
+                        check_ray("pole ray, slit worst conditioned",
+                                  {Arrangement::lenticular, 1.27, 3.08, ior, slant, {0, 0}},
+                                  distance, {h, height}, {0, 0});
 }
 
 BOOST_AUTO_TEST_CASE(refraction_and_its_inverse_undo_each_other)
 {
     random_sheets::Generator random(99);
     for (int k = 0; k < 20000; ++k) {
-        const Medium medium(random.log_between(1e-3, 1e3), random.one_in(5) ? 1 : random.between(1, 4));
+        const Medium medium(random.log_between(1e-3, 1e3),
+                            random.one_in(5) ? 1 : random.between(1, 4));
         const double limit = medium.m > 0 ? medium.t / medium.root_m : 10 * medium.t;
         const double rho = limit * random.between(0, 0.999), angle = random.between(0, 6.28318);
         const Vec2 q{rho * std::cos(angle), rho * std::sin(angle)};
         const auto direction = direction_from_offset(medium, q);
         BOOST_REQUIRE(direction);
         BOOST_TEST(std::fabs(length(*direction) - 1) < 1e-12 * 1000);
-        BOOST_TEST(length(offset_from_direction(medium, *direction) - q) <= 1e-12 * (length(q) + medium.t));
+        BOOST_TEST(length(offset_from_direction(medium, *direction) - q) <=
+                   1e-12 * (length(q) + medium.t));
     }
 }
 
@@ -187,7 +207,8 @@ BOOST_AUTO_TEST_CASE(an_eye_sees_the_film_point_that_sends_to_it)
         if (!aperture)
             continue;
         const SheetOptics optics(sheet, *aperture);
-        const Vec2 film_point{random.between(-30, 30) * sheet.pitch, random.between(-30, 30) * sheet.pitch};
+        const Vec2 film_point{random.between(-30, 30) * sheet.pitch,
+                              random.between(-30, 30) * sheet.pitch};
         const MappedPoint mapped = optics.map(film_point, LensMapping::accurate);
         if (!mapped.ray)
             continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Subpixels: hand values of stripes and cells, and the nearest one against a search of the whole film.
+// Subpixels: hand values of stripes and cells, and the nearest one against a search of the whole
+// film.
 #include "integral/optics/subpixels.h"
 
 #include <boost/test/unit_test.hpp>
@@ -27,10 +28,16 @@ Subpixels cells_of(CellPattern pattern, int number)
 
 const std::vector<Subpixels>& layouts()
 {
-    static const std::vector<Subpixels> all{
-        Subpixels::none, Subpixels::rgb, Subpixels::bgr, Subpixels::vrgb, Subpixels::vbgr,
-        cells_of(CellPattern::same, 1), cells_of(CellPattern::columns, 2), cells_of(CellPattern::rows, 2),
-        cells_of(CellPattern::checkerboard, 2), cells_of(CellPattern::staggered, 4)};
+    static const std::vector<Subpixels> all{Subpixels::none,
+                                            Subpixels::rgb,
+                                            Subpixels::bgr,
+                                            Subpixels::vrgb,
+                                            Subpixels::vbgr,
+                                            cells_of(CellPattern::same, 1),
+                                            cells_of(CellPattern::columns, 2),
+                                            cells_of(CellPattern::rows, 2),
+                                            cells_of(CellPattern::checkerboard, 2),
+                                            cells_of(CellPattern::staggered, 4)};
     return all;
 }
 
@@ -38,13 +45,16 @@ const std::vector<Subpixels>& layouts()
 
 BOOST_AUTO_TEST_CASE(stripes_stand_from_left_to_right_or_from_top_to_bottom)
 {
-    const auto at = [](Subpixels::Order order, int channel) { return subpixel_shift(order, {7.5, 3.5}, channel); };
+    const auto at = [](Subpixels::Order order, int channel) {
+        return subpixel_shift(order, {7.5, 3.5}, channel);
+    };
     BOOST_TEST(at(Subpixels::rgb, 0).x == -1 / 3.0);
     BOOST_TEST(at(Subpixels::rgb, 2).x == 1 / 3.0);
     BOOST_TEST(at(Subpixels::bgr, 0).x == 1 / 3.0);
     BOOST_TEST(at(Subpixels::vrgb, 0).y == -1 / 3.0); // pixel coordinates run down: red is above
     BOOST_TEST(at(Subpixels::vbgr, 0).y == 1 / 3.0);
-    for (const Subpixels::Order order : {Subpixels::none, Subpixels::rgb, Subpixels::bgr, Subpixels::vrgb, Subpixels::vbgr})
+    for (const Subpixels::Order order :
+         {Subpixels::none, Subpixels::rgb, Subpixels::bgr, Subpixels::vrgb, Subpixels::vbgr})
         BOOST_TEST(length(at(order, 1)) == 0);
     BOOST_TEST(length(at(Subpixels::rgb, 0) + at(Subpixels::rgb, 2)) == 0);
 }
@@ -52,7 +62,11 @@ BOOST_AUTO_TEST_CASE(stripes_stand_from_left_to_right_or_from_top_to_bottom)
 BOOST_AUTO_TEST_CASE(which_cell_a_pixel_has)
 {
     // rows of the top left corner's 4 x 4 pixels, written out
-    const struct { CellPattern pattern; int number; const char* rows[4]; } cases[] = {
+    const struct {
+        CellPattern pattern;
+        int number;
+        const char* rows[4];
+    } cases[] = {
         {CellPattern::same, 2, {"0000", "0000", "0000", "0000"}},
         {CellPattern::columns, 2, {"0101", "0101", "0101", "0101"}},
         {CellPattern::rows, 2, {"0000", "1111", "0000", "1111"}},
@@ -65,7 +79,8 @@ BOOST_AUTO_TEST_CASE(which_cell_a_pixel_has)
             for (int column = 0; column < 4; ++column) {
                 const Subpixels cells = cells_of(c.pattern, c.number);
                 BOOST_TEST(cell_of(cells, column, row) == c.rows[row][column] - '0');
-                BOOST_TEST(cell_of(cells, column - 8, row - 4) == cell_of(cells, column, row)); // beyond the film, too
+                BOOST_TEST(cell_of(cells, column - 8, row - 4) ==
+                           cell_of(cells, column, row)); // beyond the film, too
                 const Vec2 place = cells.cell[cell_of(cells, column, row)][0];
                 const Vec2 red = subpixel_centre(cells, column, row, 0);
                 BOOST_TEST(red.x == column + 0.5 + place.x);
@@ -84,9 +99,12 @@ BOOST_AUTO_TEST_CASE(the_nearest_subpixel_is_the_nearest_of_all)
             double least = 1e9;
             for (int row = 0; row < 20; ++row)
                 for (int column = 0; column < 20; ++column)
-                    least = std::min(least, length(subpixel_centre(layout, column, row, channel) - point));
+                    least = std::min(least,
+                                     length(subpixel_centre(layout, column, row, channel) - point));
             const PixelPlace found = pixel_of_nearest_subpixel(layout, point, channel);
-            BOOST_TEST(std::fabs(length(subpixel_centre(layout, found.column, found.row, channel) - point) - least) < 1e-12);
+            BOOST_TEST(std::fabs(length(subpixel_centre(layout, found.column, found.row, channel) -
+                                        point) -
+                                 least) < 1e-12);
         }
 }
 

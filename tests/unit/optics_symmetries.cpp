@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What holds of every lens mapping, over random sheets of optics.md section 7's ranges: mirrored and turned sheets,
-// other scales, and the order of lenses and of the aperture points.
+// What holds of every lens mapping, over random sheets of optics.md section 7's ranges: mirrored
+// and turned sheets, other scales, and the order of lenses and of the aperture points.
 #include "integral/optics/camera.h"
 #include "tests/unit/optics_properties.h"
 
@@ -16,8 +16,8 @@ using namespace random_systems;
 
 namespace {
 
-constexpr std::array<LensMapping, 4> mappings = {LensMapping::closest, LensMapping::automatic, LensMapping::accurate,
-                                                 LensMapping::exhaustive};
+constexpr std::array<LensMapping, 4> mappings = {LensMapping::closest, LensMapping::automatic,
+                                                 LensMapping::accurate, LensMapping::exhaustive};
 
 } // namespace
 
@@ -50,15 +50,23 @@ BOOST_AUTO_TEST_CASE(mirrored_and_turned_sheets_image_mirrored_and_turned_points
             for (const LensMapping mapping : mappings) {
                 const MappedPoint here = optics.map(point, mapping);
                 imaged += here.ray.has_value();
-                BOOST_TEST(alike(here, mirrored_optics.map({-point.x, point.y}, mapping), s,
-                                 [](Vec2 v) { return Vec2{-v.x, v.y}; }));
-                BOOST_TEST(alike(here, turned_optics.map(-1 * point, mapping), s, [](Vec2 v) { return -1 * v; }));
+                BOOST_TEST(
+                    alike(here, mirrored_optics.map({-point.x, point.y}, mapping), s, [](Vec2 v) {
+                        return Vec2{-v.x, v.y};
+                    }));
+                BOOST_TEST(alike(here, turned_optics.map(-1 * point, mapping), s,
+                                 [](Vec2 v) { return -1 * v; }));
                 if (s.sheet.arrangement == Arrangement::square)
                     BOOST_TEST(alike(here, quarter_optics.map({-point.y, point.x}, mapping), s,
-                                     [](Vec2 v) { return Vec2{v.y, -v.x}; }));
+                                     [](Vec2 v) {
+                                         return Vec2{v.y, -v.x};
+                                     }));
                 if (s.sheet.arrangement == Arrangement::hexagonal)
-                    BOOST_TEST(alike(round.map(point, mapping), sixth_optics.map(point.x * x + point.y * y, mapping), s,
-                                     [&](Vec2 v) { return Vec2{dot(x, v), dot(y, v)}; }));
+                    BOOST_TEST(alike(round.map(point, mapping),
+                                     sixth_optics.map(point.x * x + point.y * y, mapping), s,
+                                     [&](Vec2 v) {
+                                         return Vec2{dot(x, v), dot(y, v)};
+                                     }));
             }
         }
     }
@@ -73,18 +81,22 @@ BOOST_AUTO_TEST_CASE(all_lengths_scale_together)
     for (int k = 0; k < systems; ++k) {
         const bool by_two = random.one_in(2); // bit for bit
         const System s = by_two ? random_system(random) : plain_system(random);
-        const double scale = by_two ? std::ldexp(1.0, int(random.between(-20, 20))) : random.log_between(1e-4, 1e4);
+        const double scale = by_two ? std::ldexp(1.0, int(random.between(-20, 20)))
+                                    : random.log_between(1e-4, 1e4);
         System scaled = s;
         scaled.sheet.pitch *= scale;
         scaled.sheet.thickness *= scale;
         scaled.sheet.offset = scale * s.sheet.offset;
-        scaled.aperture = {scale * s.aperture.distance, scale * s.aperture.width, scale * s.aperture.height,
-                           s.aperture.shape};
+        scaled.aperture = {scale * s.aperture.distance, scale * s.aperture.width,
+                           scale * s.aperture.height, s.aperture.shape};
         const SheetOptics optics = s.optics(), scaled_optics = scaled.optics();
         for (int i = 0; i < 6; ++i) {
-            const Vec2 point = by_two ? random_film_point(random, s, optics) : plain_film_point(random, s, 40);
-            BOOST_TEST_CONTEXT(s << " film point <" << point.x << ", " << point.y << "> scale " << scale)
-            for (const LensMapping mapping : {LensMapping::closest, LensMapping::automatic, LensMapping::accurate}) {
+            const Vec2 point = by_two ? random_film_point(random, s, optics)
+                                      : plain_film_point(random, s, 40);
+            BOOST_TEST_CONTEXT(s << " film point <" << point.x << ", " << point.y << "> scale "
+                                 << scale)
+            for (const LensMapping mapping :
+                 {LensMapping::closest, LensMapping::automatic, LensMapping::accurate}) {
                 const MappedPoint here = optics.map(point, mapping);
                 MappedPoint there = scaled_optics.map(scale * point, mapping);
                 imaged += here.ray.has_value();
@@ -115,17 +127,22 @@ BOOST_AUTO_TEST_CASE(scene_and_units_scale_together)
             parameters.depth_range = Vec2{random.between(0, 100), random.between(1, 100)};
         const double unit = *parameters.film.units_per_mm;
         const auto vector = [&](double size) {
-            return size * unit * Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+            return size * unit *
+                   Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
         };
-        const ViewFrame view{vector(1e3), vector(300), vector(100), vector(100), random.between(0.5, 2)};
+        const ViewFrame view{vector(1e3), vector(300), vector(100), vector(100),
+                             random.between(0.5, 2)};
         const bool by_two = random.one_in(2); // bit for bit
-        const double scale = by_two ? std::ldexp(1.0, int(random.between(-6, 6))) : random.log_between(1e-2, 1e2);
+        const double scale = by_two ? std::ldexp(1.0, int(random.between(-6, 6)))
+                                    : random.log_between(1e-2, 1e2);
         const auto camera_scaled = [&](double by) -> std::optional<IntegralCamera> {
             CameraParameters p = parameters;
             p.film.units_per_mm = by * unit;
             try {
-                return make_camera(p, {by * view.location, by * view.direction, by * view.right, by * view.up,
-                                       view.sheet_distance_ratio}, 600, 400);
+                return make_camera(p,
+                                   {by * view.location, by * view.direction, by * view.right,
+                                    by * view.up, view.sheet_distance_ratio},
+                                   600, 400);
             } catch (const std::invalid_argument&) { // three vectors nearly in one plane
                 return std::nullopt;
             }
@@ -142,7 +159,8 @@ BOOST_AUTO_TEST_CASE(scene_and_units_scale_together)
             if (!a.ray)
                 continue;
             ++lines;
-            const SightLine line = sight_line(*here, pole_beam(*a.ray)), scaled = sight_line(*there, pole_beam(*b.ray));
+            const SightLine line = sight_line(*here, pole_beam(*a.ray)),
+                            scaled = sight_line(*there, pole_beam(*b.ray));
             const double far = scale * (length(line.origin) + length(view.location));
             const double off = length(scaled.origin - scale * line.origin) / far;
             const double turned = length(scaled.direction - line.direction);
@@ -157,7 +175,8 @@ BOOST_AUTO_TEST_CASE(scene_and_units_scale_together)
 
 BOOST_AUTO_TEST_CASE(aperture_points_move_against_the_film_point)
 {
-    // A goes one way along a line when the film point goes the other way: through one lens, as far as its light leaves.
+    // A goes one way along a line when the film point goes the other way: through one lens, as far
+    // as its light leaves.
     Generator random(83);
     const int systems = random_sheets::count(2000, 200000);
     for (int k = 0; k < systems; ++k) {
@@ -172,7 +191,8 @@ BOOST_AUTO_TEST_CASE(aperture_points_move_against_the_film_point)
         const double reach = std::min(2 * s.sheet.pitch, s.total_reflection());
         double before = infinity;
         for (int i = -50; i <= 50; ++i) {
-            const auto ray = optics.ray_through(pole + (i * reach / 50) * way + beside * Vec2{-way.y, way.x}, lens);
+            const auto ray = optics.ray_through(
+                pole + (i * reach / 50) * way + beside * Vec2{-way.y, way.x}, lens);
             if (!ray)
                 continue;
             const double now = dot(way, ray->aperture_point);
@@ -184,15 +204,16 @@ BOOST_AUTO_TEST_CASE(aperture_points_move_against_the_film_point)
 
 BOOST_AUTO_TEST_CASE(lenses_stand_in_the_order_of_their_film_points)
 {
-    // Without a limit to the aperture, the lenses taken along a row of the film follow each other; each is displaced
-    // outwards, the farther the more (optics.md section 4).
+    // Without a limit to the aperture, the lenses taken along a row of the film follow each other;
+    // each is displaced outwards, the farther the more (optics.md section 4).
     Generator random(84);
     const int systems = random_sheets::count(500, 50000);
     for (int k = 0; k < systems; ++k) {
         System s = plain_system(random);
         s.sheet.slant = 0;
         s.sheet.offset = {0, 0};
-        s.aperture = {std::max(s.aperture.distance, 100 * s.sheet.pitch), infinity, infinity}; // up to 27 degrees
+        s.aperture = {std::max(s.aperture.distance, 100 * s.sheet.pitch), infinity,
+                      infinity}; // up to 27 degrees
         const SheetOptics optics = s.optics();
         std::int64_t last = 0;
         for (int i = 0; i <= 1000; ++i) {

@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(words_are_as_large_on_every_device)
 
 BOOST_AUTO_TEST_CASE(words_upwards_are_turned_a_quarter_to_the_left)
 {
-    const Extent level = extent_of({0.02, 0.04}, {10, 50}, false), upwards = extent_of({0.04, 0.02}, {10, 50}, true);
+    const Extent level = extent_of({0.02, 0.04}, {10, 50}, false),
+                 upwards = extent_of({0.04, 0.02}, {10, 50}, true);
     BOOST_TEST(std::fabs((50 - upwards.bottom) - (level.left - 10)) < 0.05);
     BOOST_TEST(std::fabs((50 - upwards.top) - (level.right - 10)) < 0.05);
     BOOST_TEST(std::fabs((10 - upwards.left) - (50 - level.top)) < 0.05);
@@ -70,10 +71,12 @@ BOOST_AUTO_TEST_CASE(words_past_the_page_are_cut_off)
 
 BOOST_AUTO_TEST_CASE(lines_are_broken_at_spaces)
 {
-    const std::string text = "one two three four five six seven eight averylongwordthatstayswhole nine";
+    const std::string
+        text = "one two three four five six seven eight averylongwordthatstayswhole nine";
     std::string joined;
     for (const std::string& line : wrapped(text, 12, {2, false})) {
-        BOOST_TEST((text_width(line, {2, false}) <= 12 || line.find(' ') == std::string::npos), line);
+        BOOST_TEST((text_width(line, {2, false}) <= 12 || line.find(' ') == std::string::npos),
+                   line);
         joined += (joined.empty() ? "" : " ") + line;
     }
     BOOST_TEST(joined == text);

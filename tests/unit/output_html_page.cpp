@@ -17,7 +17,8 @@ BOOST_AUTO_TEST_CASE(text_is_escaped)
     BOOST_TEST(markup_text("a <b> & \"c\" 'd'") == "a &lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
     BOOST_TEST(markup_text("tab\tline\nreturn\r") == "tab&#9;line&#10;return&#13;");
     BOOST_TEST(markup_text("Größe, 日本, \xf0\x9f\x98\x80") == "Größe, 日本, \xf0\x9f\x98\x80");
-    // Controls, a lone byte, an overlong '<', half a surrogate pair, beyond Unicode, a character cut off, U+FFFE.
+    // Controls, a lone byte, an overlong '<', half a surrogate pair, beyond Unicode, a character
+    // cut off, U+FFFE.
     const std::string instead = "\xef\xbf\xbd";
     BOOST_TEST(markup_text(std::string("\x1b[\0", 3)) == instead + "[" + instead);
     BOOST_TEST(markup_text("\xff") == instead);
@@ -30,7 +31,8 @@ BOOST_AUTO_TEST_CASE(text_is_escaped)
 
 BOOST_AUTO_TEST_CASE(base64_of_the_rfc)
 {
-    const char* pairs[][2] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"\xff\xfe", "//4="}};
+    const char* pairs[][2] = {{"", ""},        {"f", "Zg=="},        {"fo", "Zm8="},
+                              {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"\xff\xfe", "//4="}};
     for (const auto& pair : pairs)
         BOOST_TEST(base64(pair[0]) == pair[1]);
 }
@@ -45,18 +47,22 @@ BOOST_AUTO_TEST_CASE(links)
 
 BOOST_AUTO_TEST_CASE(scaling_averages_light)
 {
-    // 7 x 2 pixels to 3 x 1: columns 0-1, 2-3 and 4-6. Black and white give half the light, 188 of 255 in sRGB.
+    // 7 x 2 pixels to 3 x 1: columns 0-1, 2-3 and 4-6. Black and white give half the light, 188 of
+    // 255 in sRGB.
     Image picture = make_image<std::uint16_t>(7, 2, 4, Encoding{});
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 7; ++x)
-            store_pixel(picture, x, y, {x == 1 ? 1.0f : 0.0f, x == 2 || x == 3 ? 1.0f : 0.0f, 1, x < 4 ? 1.0f : 0.0f});
+            store_pixel(
+                picture, x, y,
+                {x == 1 ? 1.0f : 0.0f, x == 2 || x == 3 ? 1.0f : 0.0f, 1, x < 4 ? 1.0f : 0.0f});
     const Image small = scaled_down(picture, 3);
     BOOST_TEST(small.width == 3);
     BOOST_TEST(small.height == 1);
     BOOST_TEST(small.channels == 3);
     BOOST_TEST(sample_bits(small) == 8);
     const auto& samples = std::get<std::vector<std::uint8_t>>(small.samples);
-    const std::vector<int> got(samples.begin(), samples.end()), wanted = {188, 0, 255, 0, 255, 255, 0, 0, 0}; // transparent: black
+    const std::vector<int> got(samples.begin(), samples.end()),
+        wanted = {188, 0, 255, 0, 255, 255, 0, 0, 0}; // transparent: black
     BOOST_TEST(got == wanted, boost::test_tools::per_element());
 }
 
@@ -83,7 +89,9 @@ BOOST_AUTO_TEST_CASE(small_pictures_stay)
     const Image same = scaled_down(picture, 100);
     BOOST_TEST((same.samples == picture.samples));
     BOOST_TEST(scaled_down(picture, 1).width == 1);
-    BOOST_TEST(picture_element(picture, 100, "a<b").find("width=\"5\" height=\"3\" alt=\"a&lt;b\"") != std::string::npos);
+    BOOST_TEST(
+        picture_element(picture, 100, "a<b").find("width=\"5\" height=\"3\" alt=\"a&lt;b\"") !=
+        std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_page)

@@ -54,7 +54,8 @@ std::vector<LookingGlassCalibration> displays()
             c.cells.pattern = CellPattern(kind % 5);
             c.cells.number = kind % 5 == 4 ? 4 : 2;
             for (int cell = 0; cell < c.cells.number; ++cell)
-                c.cells.cell[cell] = {Vec2{-0.3, 0.1 * cell}, Vec2{0.05 * cell, -0.25}, Vec2{0.31, 0.2}};
+                c.cells.cell[cell] = {Vec2{-0.3, 0.1 * cell}, Vec2{0.05 * cell, -0.25},
+                                      Vec2{0.31, 0.2}};
             all.push_back(c);
         }
     return all;
@@ -62,20 +63,25 @@ std::vector<LookingGlassCalibration> displays()
 
 double between(double at, double& weight, int count)
 {
-    const double cut = std::clamp(at, 0.0, count - 1.0), left = std::min(std::floor(cut), std::max(0.0, count - 2.0));
+    const double cut = std::clamp(at, 0.0, count - 1.0),
+                 left = std::min(std::floor(cut), std::max(0.0, count - 2.0));
     weight = cut - left;
     return left;
 }
 
-/// What a panel's subpixel shows, in double precision, of views in a function of their number and pixel.
-template <class Value> double shown(double view, double x, double y, int count, int width, int height, Blend blend, Value value)
+/// What a panel's subpixel shows, in double precision, of views in a function of their number and
+/// pixel.
+template <class Value>
+double shown(double view, double x, double y, int count, int width, int height, Blend blend,
+             Value value)
 {
     double weights[3] = {0, 0, 0}, left[3];
     const double at[3] = {view * count, x * width, y * height};
     const int sides[3] = {count, width, height};
     for (int axis = 0; axis < 3; ++axis) {
         const bool linear = (axis == 0 ? blend.views : blend.pixels) == Neighbours::linear;
-        left[axis] = linear ? between(at[axis] - 0.5, weights[axis], sides[axis]) : std::min(std::floor(at[axis]), sides[axis] - 1.0);
+        left[axis] = linear ? between(at[axis] - 0.5, weights[axis], sides[axis])
+                            : std::min(std::floor(at[axis]), sides[axis] - 1.0);
     }
     double sum = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -98,8 +104,10 @@ double away(double a, double b)
     return std::min(d, 1 - d);
 }
 
-constexpr Blend blends[] = {{Neighbours::nearest, Neighbours::nearest}, {Neighbours::nearest, Neighbours::linear},
-                            {Neighbours::linear, Neighbours::nearest}, {Neighbours::linear, Neighbours::linear}};
+constexpr Blend blends[] = {{Neighbours::nearest, Neighbours::nearest},
+                            {Neighbours::nearest, Neighbours::linear},
+                            {Neighbours::linear, Neighbours::nearest},
+                            {Neighbours::linear, Neighbours::linear}};
 
 } // namespace
 
@@ -110,11 +118,13 @@ BOOST_AUTO_TEST_CASE(phases_are_those_of_the_published_mapping)
     double worst = 0;
     for (const LookingGlassCalibration& c : all) {
         const PublishedMapping mapping = published_mapping(c);
-        for (int row = 0; row < c.height; row += c.height > 1000 ? 97 : 1)
+        for (int row = 0; row<c.height; row += c.height> 1000 ? 97 : 1)
             for (int column = 0; column < c.width; ++column)
                 for (int channel = 0; channel < 3; ++channel) {
-                    const std::uint32_t phase = mapping.of_columns[row % 4][3 * column + channel] + mapping.of_rows[row];
-                    worst = std::max(worst, away(phase / 4294967296.0, view_of_subpixel(c, column, row, channel)));
+                    const std::uint32_t phase = mapping.of_columns[row % 4][3 * column + channel] +
+                                                mapping.of_rows[row];
+                    worst = std::max(worst, away(phase / 4294967296.0,
+                                                 view_of_subpixel(c, column, row, channel)));
                 }
     }
     BOOST_TEST(worst <= 3 / 4294967296.0);
@@ -125,8 +135,11 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
     for (const LookingGlassCalibration& c : displays())
         for (const ViewGrid grid : {ViewGrid{5, 3}, ViewGrid{1, 1}})
             for (const Blend& blend : blends) {
-                const int width = c.width / 3 + 1, height = c.height / 2 + 1; // a quilt with a rest at its right and top
-                const Image quilt = noise<std::uint8_t>(grid.columns * width + (grid.columns > 1 ? 2 : 0), grid.rows * height + (grid.rows > 1 ? 1 : 0), 3);
+                const int width = c.width / 3 + 1,
+                          height = c.height / 2 + 1; // a quilt with a rest at its right and top
+                const Image quilt = noise<std::uint8_t>(
+                    grid.columns * width + (grid.columns > 1 ? 2 : 0),
+                    grid.rows * height + (grid.rows > 1 ? 1 : 0), 3);
                 const auto& samples = std::get<std::vector<std::uint8_t>>(quilt.samples);
                 const ViewPictures views(quilt, grid);
                 BOOST_TEST(views.width == width);
@@ -139,20 +152,31 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
                     for (int column = 0; column < c.width; ++column)
                         for (int channel = 0; channel < 3; ++channel) {
                             const double view = view_of_subpixel(c, column, row, channel);
-                            const double edge = view * grid.count() - std::round(view * grid.count());
+                            const double edge = view * grid.count() -
+                                                std::round(view * grid.count());
                             if (blend.views == Neighbours::nearest && std::fabs(edge) < 1e-6)
                                 continue; // on the border of two views either is right
-                            const double x = (c.flip_x ? c.width - column - 0.5 : column + 0.5) / c.width;
-                            const double y = (c.flip_y ? c.height - row - 0.5 : row + 0.5) / c.height;
-                            const double want = shown(view, x, y, grid.count(), width, height, blend, [&](int v, int i, int j) {
-                                const int left = v % grid.columns * width, top = quilt.height - (v / grid.columns + 1) * height;
-                                return double(samples[(std::size_t(top + j) * quilt.width + left + i) * 3 + channel]);
-                            });
-                            const double error = std::fabs(want - got[(std::size_t(row) * c.width + column) * 3 + channel]);
+                            const double x = (c.flip_x ? c.width - column - 0.5 : column + 0.5) /
+                                             c.width;
+                            const double y = (c.flip_y ? c.height - row - 0.5 : row + 0.5) /
+                                             c.height;
+                            const double want = shown(
+                                view, x, y, grid.count(), width, height, blend,
+                                [&](int v, int i, int j) {
+                                    const int left = v % grid.columns * width,
+                                              top = quilt.height - (v / grid.columns + 1) * height;
+                                    return double(
+                                        samples[(std::size_t(top + j) * quilt.width + left + i) *
+                                                    3 +
+                                                channel]);
+                                });
+                            const double error = std::fabs(
+                                want - got[(std::size_t(row) * c.width + column) * 3 + channel]);
                             worst = std::max(worst, error);
                             wrong += error > 2.6;
                         }
-                BOOST_TEST(worst <= (&blend == &blends[0] ? 0.0 : 2.6)); // weights of 1/256, and rounding
+                BOOST_TEST(worst <= (&blend == &blends[0] ? 0.0 : 2.6)); // weights of 1/256, and
+                                                                         // rounding
                 BOOST_TEST(wrong == 0);
             }
 }
@@ -170,7 +194,8 @@ BOOST_AUTO_TEST_CASE(the_fast_loop_is_the_plain_one)
                 BOOST_TEST((fast.samples == plain.samples));
             }
     for (const std::uint32_t weight : {0u, 1u, 128u, 200u, 255u}) {
-        const auto a = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 1).samples), b = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 2).samples);
+        const auto a = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 1).samples),
+                   b = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 2).samples);
         std::vector<std::uint8_t> fast(a.size()), plain(a.size());
         blend_rows(fast.data(), a.data(), b.data(), a.size(), weight);
         blend_rows_portably(plain.data(), a.data(), b.data(), a.size(), weight);
@@ -205,9 +230,11 @@ BOOST_AUTO_TEST_CASE(the_fast_loop_of_the_optics_is_the_plain_one)
         BOOST_REQUIRE(mapping);
         for (int y = 0; y < m.film.height; ++y) {
             fast_rows += mapping->y_of_rows[y][1] - mapping->y_of_rows[y][0] < 65535 / 23;
-            for (std::size_t i = std::size_t(y) * m.film.width * 3; i < std::size_t(y + 1) * m.film.width * 3; ++i) {
+            for (std::size_t i = std::size_t(y) * m.film.width * 3;
+                 i < std::size_t(y + 1) * m.film.width * 3; ++i) {
                 const bool empty = mapping->across[i] == RayMapping::empty;
-                if (!empty && (mapping->y[i] < mapping->y_of_rows[y][0] || mapping->y[i] > mapping->y_of_rows[y][1]))
+                if (!empty && (mapping->y[i] < mapping->y_of_rows[y][0] ||
+                               mapping->y[i] > mapping->y_of_rows[y][1]))
                     BOOST_TEST_ERROR("row " << y << ": y is past the row's");
                 ++(empty ? dark : seen);
             }
@@ -221,7 +248,9 @@ BOOST_AUTO_TEST_CASE(the_fast_loop_of_the_optics_is_the_plain_one)
                     interlace(fast, views, *mapping, blend, 2);
                     interlace(plain, views, *mapping, blend, 1, true);
                     if (fast.samples != plain.samples)
-                        BOOST_TEST_ERROR(m.film.width << " wide, slant " << m.sheet.slant << ", " << count << " views of 37x" << height << ": they differ");
+                        BOOST_TEST_ERROR(m.film.width << " wide, slant " << m.sheet.slant << ", "
+                                                      << count << " views of 37x" << height
+                                                      << ": they differ");
                 }
     }
     BOOST_TEST(fast_rows > 1000);
@@ -243,8 +272,10 @@ BOOST_AUTO_TEST_CASE(weights_between_views)
         for (const std::uint32_t count : {1u, 3u, 48u}) {
             const Step step = linear_step(std::uint32_t(phase), count);
             const double want = std::clamp(phase / 4294967296.0 * count - 0.5, 0.0, count - 1.0);
-            if (std::fabs(step.index + step.weight / 256.0 - want) > 0.502 / 256 || step.index >= count || (step.index == count - 1 && step.weight))
-                BOOST_TEST_ERROR("phase " << phase << " of " << count << ": " << step.index << " + " << step.weight << "/256, wanted " << want);
+            if (std::fabs(step.index + step.weight / 256.0 - want) > 0.502 / 256 ||
+                step.index >= count || (step.index == count - 1 && step.weight))
+                BOOST_TEST_ERROR("phase " << phase << " of " << count << ": " << step.index << " + "
+                                          << step.weight << "/256, wanted " << want);
         }
 }
 
@@ -259,12 +290,14 @@ BOOST_AUTO_TEST_CASE(sixteen_bits)
     wide.samples = samples;
     for (const Blend& blend : blends) {
         const ViewPictures of_wide(wide, {6, 1}), of_narrow(narrow, {6, 1});
-        Image a = panel_image(of_wide, c.width, c.height), b = panel_image(of_narrow, c.width, c.height);
+        Image a = panel_image(of_wide, c.width, c.height),
+              b = panel_image(of_narrow, c.width, c.height);
         interlace(a, of_wide, published_mapping(c), blend);
         interlace(b, of_narrow, published_mapping(c), blend);
         double worst = 0;
         for (std::size_t i = 0; i < std::get<0>(b.samples).size(); ++i)
-            worst = std::max(worst, std::fabs(std::get<1>(a.samples)[i] / 257.0 - std::get<0>(b.samples)[i]));
+            worst = std::max(
+                worst, std::fabs(std::get<1>(a.samples)[i] / 257.0 - std::get<0>(b.samples)[i]));
         BOOST_TEST(worst <= (&blend == &blends[0] ? 0.0 : 1.1));
     }
 }
@@ -284,15 +317,19 @@ BOOST_AUTO_TEST_CASE(a_quilt_and_its_views_are_the_same)
     BOOST_CHECK_THROW(ViewPictures(quilt, {81, 1}), std::invalid_argument);
     BOOST_CHECK_THROW(ViewPictures(views, {5, 3}), std::invalid_argument);
     BOOST_CHECK_THROW(ViewPictures(make_image<float>(8, 8, 3, {}), {1, 1}), std::invalid_argument);
-    BOOST_CHECK_THROW(interlace(a, ViewPictures(quilt, {4, 3}), published_mapping(calibration(51, 40))), std::invalid_argument);
+    BOOST_CHECK_THROW(
+        interlace(a, ViewPictures(quilt, {4, 3}), published_mapping(calibration(51, 40))),
+        std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
 {
     const Encoding linear{Encoding::Kind::linear, 1};
-    for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
+    for (const Arrangement arrangement :
+         {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
         for (const double slant : {0.0, 9.46, -18.4})
-            for (const Subpixels& subpixels : {Subpixels(), Subpixels(Subpixels::rgb), Subpixels(Subpixels::vbgr)}) {
+            for (const Subpixels& subpixels :
+                 {Subpixels(), Subpixels(Subpixels::rgb), Subpixels(Subpixels::vbgr)}) {
                 FrameMetadata m;
                 m.sheet = {arrangement, 1.03, 3.08, 1.6, slant, {0.11, -0.07}};
                 m.film = {91, 67, {0.207, 0.203}, subpixels};
@@ -306,7 +343,10 @@ BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
                     Image view = make_image<std::uint16_t>(33, 21, 3, linear);
                     for (int y = 0; y < view.height; ++y)
                         for (int x = 0; x < view.width; ++x)
-                            store_pixel(view, x, y, {float(0.5 + 0.4 * std::sin(0.7 * x + k)), float(0.5 + 0.4 * std::cos(0.5 * y - k)), float(k) / 20, 1});
+                            store_pixel(view, x, y,
+                                        {float(0.5 + 0.4 * std::sin(0.7 * x + k)),
+                                         float(0.5 + 0.4 * std::cos(0.5 * y - k)), float(k) / 20,
+                                         1});
                     views.push_back(view);
                 }
                 const auto want = frame_from_perspective_views(views, m, grid, eyes, 1);
@@ -318,8 +358,11 @@ BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
                 interlace(got, pictures, *mapping, {}, 2);
                 double worst = 0;
                 for (std::size_t i = 0; i < std::get<1>(got.samples).size(); ++i)
-                    worst = std::max(worst, std::fabs(double(std::get<1>(got.samples)[i]) - std::get<1>(want->samples)[i]) / 65535);
-                BOOST_TEST(worst < 0.004); // weights of 1/256 on each of four axes, of differences up to 0.8
+                    worst = std::max(worst, std::fabs(double(std::get<1>(got.samples)[i]) -
+                                                      std::get<1>(want->samples)[i]) /
+                                                65535);
+                BOOST_TEST(worst < 0.004); // weights of 1/256 on each of four axes, of differences
+                                           // up to 0.8
             }
 }
 
@@ -337,7 +380,9 @@ BOOST_AUTO_TEST_CASE(what_no_eye_sees_is_black)
     const SheetOptics optics(m.sheet, m.aperture);
     int lit = 0;
     for (int x = 0; x < 120; ++x) {
-        const bool seen = optics.map(film_from_pixel(m.film, {x + 0.5, 1.5}), LensMapping::automatic).ray.has_value();
+        const bool seen = optics
+                              .map(film_from_pixel(m.film, {x + 0.5, 1.5}), LensMapping::automatic)
+                              .ray.has_value();
         BOOST_TEST(std::get<0>(got.samples)[(120 + x) * 3] == (seen ? 255 : 0));
         lit += seen;
     }

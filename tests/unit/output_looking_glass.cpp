@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Calibration files: every field, in every form, and the mapping against the published formula in single precision.
+// Calibration files: every field, in every form, and the mapping against the published formula in
+// single precision.
 #include "integral/output/panel.h"
 
 #include "tests/unit/looking_glass_devices.h"
@@ -32,20 +33,23 @@ void check_equal(const LookingGlassCalibration& a, const LookingGlassCalibration
 {
     BOOST_TEST(a.version == b.version);
     BOOST_TEST(a.serial == b.serial);
-    for (const auto field : {&LookingGlassCalibration::pitch, &LookingGlassCalibration::slope, &LookingGlassCalibration::center,
-                             &LookingGlassCalibration::view_cone, &LookingGlassCalibration::vertical_angle,
+    for (const auto field : {&LookingGlassCalibration::pitch, &LookingGlassCalibration::slope,
+                             &LookingGlassCalibration::center, &LookingGlassCalibration::view_cone,
+                             &LookingGlassCalibration::vertical_angle,
                              &LookingGlassCalibration::fringe, &LookingGlassCalibration::dpi})
         BOOST_TEST((a.*field) == (b.*field));
     BOOST_TEST(a.width == b.width);
     BOOST_TEST(a.height == b.height);
-    for (const auto field : {&LookingGlassCalibration::inverted_views, &LookingGlassCalibration::flip_x, &LookingGlassCalibration::flip_y,
-                             &LookingGlassCalibration::flip_subpixels})
+    for (const auto field :
+         {&LookingGlassCalibration::inverted_views, &LookingGlassCalibration::flip_x,
+          &LookingGlassCalibration::flip_y, &LookingGlassCalibration::flip_subpixels})
         BOOST_TEST((a.*field) == (b.*field));
     BOOST_TEST(same_layout(a.cells, b.cells));
 }
 
-/// The published formula for a colour of a pixel, as a shader evaluates it: in single precision, rows from the bottom. Flips are
-/// those of the makers' shader for Unity, whose text takes x at 1 - x and negates tilt and subpixel step; invView is not in it.
+/// The published formula for a colour of a pixel, as a shader evaluates it: in single precision,
+/// rows from the bottom. Flips are those of the makers' shader for Unity, whose text takes x at 1 -
+/// x and negates tilt and subpixel step; invView is not in it.
 float shader_view(const Device& device, const Flips& flips, int column, int row, int channel)
 {
     const float w = device.width, h = device.height;
@@ -73,7 +77,8 @@ float shader_view(const Device& device, const Flips& flips, int column, int row,
         tilt = -tilt;
         step = -step;
     }
-    const float pitch = float(device.pitch) * w / float(device.dpi) * std::cos(std::atan(1 / float(device.slope)));
+    const float pitch = float(device.pitch) * w / float(device.dpi) *
+                        std::cos(std::atan(1 / float(device.slope)));
     const float phase = (x + channel * step + y * tilt) * pitch - float(device.center);
     const float fraction = phase - std::floor(phase);
     return 1 - fraction;
@@ -83,7 +88,8 @@ float shader_view(const Device& device, const Flips& flips, int column, int row,
 
 BOOST_AUTO_TEST_CASE(reads_every_field)
 {
-    const char plain[] = R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": 44.5, "slope": -6.9, "center": 0.25,
+    const char plain[] =
+        R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": 44.5, "slope": -6.9, "center": 0.25,
         "fringe": 0.5, "viewCone": 51, "invView": 0, "verticalAngle": 3, "DPI": 283, "screenW": 2160, "screenH": 3840,
         "flipImageX": 1, "flipImageY": 1, "flipSubp": 1, "somethingNew": 7})";
     const LookingGlassCalibration calibration = looking_glass_from_json(plain);
@@ -104,7 +110,8 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
     BOOST_TEST(calibration.flip_subpixels);
     BOOST_CHECK(calibration.cells == Subpixels::none);
 
-    const char nested[] = R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": {"value": 44.5}, "slope": {"value": -6.9},
+    const char nested[] =
+        R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": {"value": 44.5}, "slope": {"value": -6.9},
         "center": {"value": 0.25}, "fringe": {"value": 0.5}, "viewCone": {"value": 51}, "invView": {"value": 0.0},
         "verticalAngle": {"value": 3}, "DPI": {"value": 283.0}, "screenW": {"value": 2160.0}, "screenH": {"value": 3840.0},
         "flipImageX": {"value": 1.0}, "flipImageY": {"value": 1.0}, "flipSubp": {"value": 1}, "subpixelCells": []})";
@@ -112,23 +119,31 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
 
     // What the makers' programs wrap around it
     const std::string text = nested;
-    check_equal(looking_glass_from_json(R"({"version": "2.3", "devices": [{"hwid": "LKG-X1", "index": 0, "calibration": )" + text +
-                                        R"(, "defaultQuilt": {"tileX": 8, "tileY": 6}}]})"), calibration);
+    check_equal(
+        looking_glass_from_json(
+            R"({"version": "2.3", "devices": [{"hwid": "LKG-X1", "index": 0, "calibration": )" +
+            text + R"(, "defaultQuilt": {"tileX": 8, "tileY": 6}}]})"),
+        calibration);
     std::string quoted;
     for (const char c : text)
         quoted += c == '"' ? std::string("\\\"") : c == '\n' ? std::string(" ") : std::string(1, c);
-    check_equal(looking_glass_from_json(R"({"name": "available_output_devices", "payload": {"value": {"0": {"type": "VARIANT_MAP", "value":
-        {"calibration": {"name": "calibration", "type": "WSTRING", "value": ")" + quoted + R"("}, "hwid": {"value": "LKG-X1"}}},
-        "1": {"value": {"calibration": {"value": ""}}}}}})"), calibration);
+    check_equal(
+        looking_glass_from_json(
+            R"({"name": "available_output_devices", "payload": {"value": {"0": {"type": "VARIANT_MAP", "value":
+        {"calibration": {"name": "calibration", "type": "WSTRING", "value": ")" +
+            quoted + R"("}, "hwid": {"value": "LKG-X1"}}},
+        "1": {"value": {"calibration": {"value": ""}}}}}})"),
+        calibration);
 }
 
 BOOST_AUTO_TEST_CASE(fields_that_older_files_lack)
 {
-    const LookingGlassCalibration calibration =
-        looking_glass_from_json(R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600, "viewCone": null})");
+    const LookingGlassCalibration calibration = looking_glass_from_json(
+        R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600, "viewCone": null})");
     check_equal(calibration, [] {
         LookingGlassCalibration expected;
-        expected.pitch = 49.8, expected.slope = 5.4, expected.dpi = 338, expected.width = 2560, expected.height = 1600;
+        expected.pitch = 49.8, expected.slope = 5.4, expected.dpi = 338, expected.width = 2560,
+        expected.height = 1600;
         return expected;
     }());
     BOOST_TEST(calibration.view_cone == 40);
@@ -139,26 +154,40 @@ BOOST_AUTO_TEST_CASE(what_a_file_should_say_and_does_not_is_told)
 {
     const auto told = [](const std::string& more) {
         std::string all;
-        const std::string file = R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600)" + more + "}";
+        const std::string file =
+            R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600)" +
+            more + "}";
         for (const std::string& what : looking_glass_from_json(file).assumed)
             all += what + "\n";
         return all;
     };
-    const std::string cone = R"(, "viewCone": 40)", cell = R"({"ROffsetX": 0, "ROffsetY": 0.25, "GOffsetX": 0, "GOffsetY": 0, "BOffsetX": 0, "BOffsetY": 0})";
-    const std::string one = cone + R"(, "subpixelCells": [)" + cell + "]", two = cone + R"(, "subpixelCells": [)" + cell + ", " + cell + "]";
+    const std::string
+        cone = R"(, "viewCone": 40)",
+        cell =
+            R"({"ROffsetX": 0, "ROffsetY": 0.25, "GOffsetX": 0, "GOffsetY": 0, "BOffsetX": 0, "BOffsetY": 0})";
+    const std::string one = cone + R"(, "subpixelCells": [)" + cell + "]",
+                      two = cone + R"(, "subpixelCells": [)" + cell + ", " + cell + "]";
     for (const Device& device : variants())
         BOOST_TEST(looking_glass_from_json(file_of(device, {})).assumed.empty(), device.name);
     BOOST_TEST(told(cone + R"(, "flipImageY": 1, "invView": 1)") == "");
-    BOOST_TEST(told(cone + R"(, "flipSubp": 1)").find("flipSubp is 1, as in no published calibration") == 0);
-    BOOST_TEST(told(cone + R"(, "flipImageX": {"value": 1.0})").find("flipImageX is 1, as in no published calibration") == 0);
+    BOOST_TEST(
+        told(cone + R"(, "flipSubp": 1)").find("flipSubp is 1, as in no published calibration") ==
+        0);
+    BOOST_TEST(told(cone + R"(, "flipImageX": {"value": 1.0})")
+                   .find("flipImageX is 1, as in no published calibration") == 0);
     BOOST_TEST(told(cone) == "");
-    BOOST_TEST(told("") == "viewCone is missing: 40 degrees are taken, and the viewing zone follows from them\n");
+    BOOST_TEST(
+        told("") ==
+        "viewCone is missing: 40 degrees are taken, and the viewing zone follows from them\n");
     BOOST_TEST(told(cone + R"(, "CellPatternMode": 0, "subpixelCells": [])") == "");
     for (const char* const without : {"", R"(, "subpixelCells": [])", R"(, "subpixelCells": null)"})
         BOOST_TEST(told(cone + R"(, "CellPatternMode": {"value": 4})" + without) ==
-                   "CellPatternMode is 4, but there are no subpixelCells: stripes of red, green and blue are taken\n");
+                   "CellPatternMode is 4, but there are no subpixelCells: stripes of red, green "
+                   "and blue are taken\n");
     BOOST_TEST(told(one) == "");
-    BOOST_TEST(told(two) == "CellPatternMode is missing: every pixel is taken to be as the first of subpixelCells\n");
+    BOOST_TEST(
+        told(two) ==
+        "CellPatternMode is missing: every pixel is taken to be as the first of subpixelCells\n");
     BOOST_TEST(told(two + R"(, "CellPatternMode": 1)") == "");
 }
 
@@ -173,30 +202,38 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
     };
     BOOST_TEST(refusal("{") ==
                "line 1: this is no JSON: unexpected end of input; expected string literal");
-    BOOST_TEST(refusal(R"({"panel": 1})") == "holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
-    BOOST_TEST(refusal("[" + whole + "," + with("\"LKG", "\"XKG") + "]") == "holds the calibrations of 2 displays; leave one");
+    BOOST_TEST(
+        refusal(R"({"panel": 1})") ==
+        "holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+    BOOST_TEST(refusal("[" + whole + "," + with("\"LKG", "\"XKG") + "]") ==
+               "holds the calibrations of 2 displays; leave one");
     BOOST_TEST(refusal("[" + whole + "," + whole + "]") == "");
     std::string many;
     for (int k = 0; k < 1000; ++k)
-        many +=
-            (k == 0 ? "" : ",") + std::string("{\"pitch\":") + std::to_string(k) + ",\"slope\":2}";
+        many += (k == 0 ? "" : ",") + std::string("{\"pitch\":") + std::to_string(k) +
+                ",\"slope\":2}";
     BOOST_TEST(refusal("[" + many + "]") ==
                "holds the calibrations of more than 16 displays; leave one");
     const std::string deep = std::string(60000, '[') + "{}" + std::string(60000, ']');
     BOOST_TEST(refusal("[" + deep + "]") ==
                "line 1: objects and lists are nested more than 64 deep; nest them less");
-    BOOST_TEST(refusal("[\"" + deep + "\"]") ==
-               refusal("[]")); // a text that is no document is a text
+    BOOST_TEST(refusal("[\"" + deep + "\"]") == refusal("[]")); // a text that is no document is a
+                                                                // text
     BOOST_TEST(refusal(with("\"center\"", "\"centre\"")) == "center is missing");
-    BOOST_TEST(refusal(with("\"DPI\": {\"value\"", "\"DPI\": {\"worth\"")) == "DPI.value is missing");
-    BOOST_TEST(refusal(with("\"screenW\": {\"value\": 2160", "\"screenW\": {\"value\": 2160.5")) == "screenW must be a whole number");
-    BOOST_TEST(refusal(with("\"screenW\": {\"value\": 2160", "\"screenW\": {\"value\": \"wide\"")) == "screenW.value must be a number");
+    BOOST_TEST(refusal(with("\"DPI\": {\"value\"", "\"DPI\": {\"worth\"")) ==
+               "DPI.value is missing");
+    BOOST_TEST(refusal(with("\"screenW\": {\"value\": 2160", "\"screenW\": {\"value\": 2160.5")) ==
+               "screenW must be a whole number");
+    BOOST_TEST(
+        refusal(with("\"screenW\": {\"value\": 2160", "\"screenW\": {\"value\": \"wide\"")) ==
+        "screenW.value must be a number");
     BOOST_TEST(refusal(with("\"slope\": {\"value\": -7.45", "\"slope\": {\"value\": 0")) ==
                "slope is too near to 0, which would be lenses that lie level");
     BOOST_TEST(refusal(with("\"pitch\": {\"value\": 44.72", "\"pitch\": {\"value\": -1")) ==
                "pitch.value is -1, and must be within 0.001 and 10000");
-    BOOST_TEST(refusal(with("\"CellPatternMode\": {\"value\": 4", "\"CellPatternMode\": {\"value\": 5")) ==
-               "CellPatternMode.value is 5, and must be within 0 and 4");
+    BOOST_TEST(
+        refusal(with("\"CellPatternMode\": {\"value\": 4", "\"CellPatternMode\": {\"value\": 5")) ==
+        "CellPatternMode.value is 5, and must be within 0 and 4");
     BOOST_TEST(refusal(with("\"GOffsetY\": 0.28", "\"GOffset\": 0.28")) ==
                "subpixelCells[0].GOffsetY is missing");
     BOOST_TEST(refusal(with("\"flipImageX\": {\"value\": 0", "\"flipImageX\": {\"value\": 2")) ==
@@ -205,17 +242,21 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
 
 BOOST_AUTO_TEST_CASE(inv_view_is_told_and_changes_nothing)
 {
-    // A display of the third generation, LKG-J00133, has invView 0. The makers' shaders do not read it.
+    // A display of the third generation, LKG-J00133, has invView 0. The makers' shaders do not read
+    // it.
     for (const Device& device : devices()) {
         const LookingGlassCalibration plain = looking_glass_from_json(file_of(device, {})),
-                                      with_0 = looking_glass_from_json(file_of(device, {false, false, false, false}));
+                                      with_0 = looking_glass_from_json(
+                                          file_of(device, {false, false, false, false}));
         BOOST_TEST(!with_0.inverted_views);
         BOOST_REQUIRE(with_0.assumed.size() == 1u);
-        BOOST_TEST(with_0.assumed.front() == "invView is 0: the makers' shaders do not read it, and views are taken as if it were 1");
+        BOOST_TEST(with_0.assumed.front() == "invView is 0: the makers' shaders do not read it, "
+                                             "and views are taken as if it were 1");
         for (int row = 0; row < 8; ++row)
             for (int column = 0; column < 64; ++column)
                 for (int channel = 0; channel < 3; ++channel)
-                    BOOST_TEST(view_of_subpixel(with_0, column, row, channel) == view_of_subpixel(plain, column, row, channel));
+                    BOOST_TEST(view_of_subpixel(with_0, column, row, channel) ==
+                               view_of_subpixel(plain, column, row, channel));
         const Panel panel = panel_from(with_0, 600.0);
         BOOST_TEST(panel.sheet.offset.x == panel_from(plain, 600.0).sheet.offset.x);
     }
@@ -225,7 +266,8 @@ BOOST_AUTO_TEST_CASE(hand_values)
 {
     // Two micro-images across the picture, upright: at a twentieth of it the phase is a tenth.
     LookingGlassCalibration calibration;
-    calibration.pitch = 2, calibration.slope = 1e9, calibration.dpi = 10, calibration.width = calibration.height = 10;
+    calibration.pitch = 2, calibration.slope = 1e9, calibration.dpi = 10,
+    calibration.width = calibration.height = 10;
     const auto near = boost::test_tools::tolerance(1e-7);
     BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.9, near);
     BOOST_TEST(view_of_subpixel(calibration, 0, 9, 0) == 0.9, near);
@@ -239,7 +281,8 @@ BOOST_AUTO_TEST_CASE(hand_values)
     BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 0.1, near);
     BOOST_TEST(view_of_subpixel(calibration, 2, 0, 1) == 17 / 30.0, near);
     calibration = {};
-    calibration.pitch = 2, calibration.slope = 1, calibration.dpi = 10, calibration.width = calibration.height = 10;
+    calibration.pitch = 2, calibration.slope = 1, calibration.dpi = 10,
+    calibration.width = calibration.height = 10;
     BOOST_TEST(view_of_subpixel(calibration, 0, 9, 0) == 1 - 0.1 * std::sqrt(2), near);
     BOOST_TEST(view_of_subpixel(calibration, 0, 0, 0) == 2 - std::sqrt(2), near);
     calibration.flip_y = true;
@@ -251,7 +294,8 @@ BOOST_AUTO_TEST_CASE(hand_values)
     BOOST_TEST(view_of_subpixel(calibration, 3, 8, 1) == 1 - (0.325 + 0.2) * std::sqrt(2), near);
     // View 0 and view 1 are the same place: the rightmost.
     calibration = {};
-    calibration.pitch = 1, calibration.slope = 1e9, calibration.dpi = 1, calibration.width = calibration.height = 2, calibration.center = 0.5;
+    calibration.pitch = 1, calibration.slope = 1e9, calibration.dpi = 1,
+    calibration.width = calibration.height = 2, calibration.center = 0.5;
     const double last = view_of_subpixel(calibration, 0, 1, 0);
     BOOST_TEST(last < 1);
     BOOST_TEST(last > 0.999999);
@@ -264,18 +308,26 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_shader)
     for (const Device& device : variants())
         for (int bits = 0; bits < 16; ++bits) {
             const Flips flips{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
-            const LookingGlassCalibration calibration = looking_glass_from_json(file_of(device, flips));
+            const LookingGlassCalibration calibration = looking_glass_from_json(
+                file_of(device, flips));
             check_equal(looking_glass_from_json(to_json(calibration)), calibration);
-            // What single precision leaves of the phase, whose largest part is pitch (u + v tilt): some eight roundings
-            const double phases = device.pitch * device.width / device.dpi * (1 + 2 * std::fabs(device.height / (device.width * device.slope)));
+            // What single precision leaves of the phase, whose largest part is pitch (u + v tilt):
+            // some eight roundings
+            const double phases = device.pitch * device.width / device.dpi *
+                                  (1 +
+                                   2 * std::fabs(device.height / (device.width * device.slope)));
             const double bound = 8 * std::ldexp(phases + std::fabs(device.center), -24) + 1e-6;
             for (int k = 0; k < 400; ++k) {
-                const int column = int(random() % device.width), row = int(random() % device.height), channel = int(random() % 3);
+                const int column = int(random() % device.width),
+                          row = int(random() % device.height), channel = int(random() % 3);
                 const double view = view_of_subpixel(calibration, column, row, channel);
-                double difference = view - shader_view(device, flips, column, device.height - 1 - row, channel);
+                double difference = view - shader_view(device, flips, column,
+                                                       device.height - 1 - row, channel);
                 difference -= std::round(difference);
                 worst = std::fmax(worst, std::fabs(difference) / bound);
-                BOOST_TEST(std::fabs(difference) <= bound, device.name << " " << column << " " << row << " " << channel << ": " << difference);
+                BOOST_TEST(std::fabs(difference) <= bound, device.name << " " << column << " "
+                                                                       << row << " " << channel
+                                                                       << ": " << difference);
                 BOOST_TEST((view >= 0 && view < 1));
             }
         }
@@ -286,7 +338,8 @@ BOOST_AUTO_TEST_CASE(layouts_in_a_mirror)
 {
     std::mt19937 random(6);
     const auto place = [&] { return double(random() % 2001) / 1000 - 1; };
-    for (const auto order : {Subpixels::none, Subpixels::rgb, Subpixels::bgr, Subpixels::vrgb, Subpixels::vbgr, Subpixels::cells})
+    for (const auto order : {Subpixels::none, Subpixels::rgb, Subpixels::bgr, Subpixels::vrgb,
+                             Subpixels::vbgr, Subpixels::cells})
         for (int pattern = 0; pattern < (order == Subpixels::cells ? 5 : 1); ++pattern)
             for (int number = 1; number <= 4; ++number)
                 for (int size = 0; size < 16; ++size)
@@ -299,16 +352,22 @@ BOOST_AUTO_TEST_CASE(layouts_in_a_mirror)
                             layout.pattern = CellPattern(pattern);
                             layout.number = number;
                             for (PixelCell& cell : layout.cell)
-                                cell = {{{place(), place()}, {place(), place()}, {place(), place()}}};
+                                cell = {
+                                    {{place(), place()}, {place(), place()}, {place(), place()}}};
                         }
                         const Subpixels mirror = mirrored(layout, width, height, x, y);
                         for (int column = 0; column < width; ++column)
                             for (int row = 0; row < height; ++row)
                                 for (int channel = 0; channel < 3; ++channel) {
-                                    const Vec2 there = subpixel_centre(layout, column, row, channel);
-                                    const Vec2 here = subpixel_centre(mirror, x ? width - 1 - column : column, y ? height - 1 - row : row, channel);
-                                    BOOST_TEST(std::fabs((x ? width - here.x : here.x) - there.x) < 1e-12);
-                                    BOOST_TEST(std::fabs((y ? height - here.y : here.y) - there.y) < 1e-12);
+                                    const Vec2 there = subpixel_centre(layout, column, row,
+                                                                       channel);
+                                    const Vec2 here = subpixel_centre(
+                                        mirror, x ? width - 1 - column : column,
+                                        y ? height - 1 - row : row, channel);
+                                    BOOST_TEST(std::fabs((x ? width - here.x : here.x) - there.x) <
+                                               1e-12);
+                                    BOOST_TEST(std::fabs((y ? height - here.y : here.y) - there.y) <
+                                               1e-12);
                                 }
                     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Frames on paper: where the picture, its tiles and its marks come, by hand values and formulas of their own.
+// Frames on paper: where the picture, its tiles and its marks come, by hand values and formulas of
+// their own.
 #include "integral/output/colour_profile.h"
 #include "integral/output/page_marks.h"
 #include "integral/output/page_raster.h"
@@ -93,7 +94,11 @@ BOOST_AUTO_TEST_CASE(tiles_cover_the_picture_and_overlap)
     BOOST_CHECK_THROW(lay_out(m, m.film.pixel_pitch, request), std::invalid_argument);
     // A narrow picture, in one column: its width need not hold two overlaps.
     const FrameMetadata narrow = geometry(lenticular, 150, 1200);
-    const auto column = lay_out(narrow, m.film.pixel_pitch, [] { PageRequest r = on(15, 60); r.tiles = true; return r; }());
+    const auto column = lay_out(narrow, m.film.pixel_pitch, [] {
+        PageRequest r = on(15, 60);
+        r.tiles = true;
+        return r;
+    }());
     BOOST_TEST((column.size() == 2u && column[0].columns == 1));
 }
 
@@ -105,10 +110,12 @@ BOOST_AUTO_TEST_CASE(registration_marks_stand_beyond_axis_marks)
     PageRequest axes = on(152.4, 101.6), both = axes;
     axes.axis_marks = true;
     both.axis_marks = both.registration_marks = true;
-    const auto page = lay_out(m, m.film.pixel_pitch, axes)[0], all = lay_out(m, m.film.pixel_pitch, both)[0];
+    const auto page = lay_out(m, m.film.pixel_pitch, axes)[0],
+               all = lay_out(m, m.film.pixel_pitch, both)[0];
     const double pixel = 25.4 / 300;
     const auto outside = [&](Vec2 p) { // how far from the picture
-        return std::max({all.x * pixel - p.x, p.x - (all.x + 600) * pixel, all.y * pixel - p.y, p.y - (all.y + 400) * pixel});
+        return std::max({all.x * pixel - p.x, p.x - (all.x + 600) * pixel, all.y * pixel - p.y,
+                         p.y - (all.y + 400) * pixel});
     };
     double farthest_axis = 0;
     for (const PageLine& line : page.lines)
@@ -116,7 +123,8 @@ BOOST_AUTO_TEST_CASE(registration_marks_stand_beyond_axis_marks)
     const std::size_t marks = all.lines.size() - page.lines.size();
     BOOST_REQUIRE((marks > 0 && marks < all.lines.size()));
     for (std::size_t k = 0; k < marks; ++k) // registration comes first
-        BOOST_TEST((outside(all.lines[k].from) > farthest_axis - 1e-9 && outside(all.lines[k].from) < marks_margin(both)));
+        BOOST_TEST((outside(all.lines[k].from) > farthest_axis - 1e-9 &&
+                    outside(all.lines[k].from) < marks_margin(both)));
 }
 
 BOOST_AUTO_TEST_CASE(a_strip_has_letters_on_the_narrowest_paper)
@@ -139,22 +147,31 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
             const double pixel = 25.4 / 300, a = slant * 3.14159265358979323846 / 180;
             int upright = 0, across = 0;
             for (const PageLine& line : page.lines) {
-                // Back to the sheet: mm from the picture's middle, y upwards; then along the lens rows and columns, in pitches.
+                // Back to the sheet: mm from the picture's middle, y upwards; then along the lens
+                // rows and columns, in pitches.
                 for (const Vec2 p : {line.from, line.to}) {
-                    const double x = p.x - (page.x + 450) * pixel - 0.2, y = (page.y + 300) * pixel - p.y - 0.1;
-                    const double u = (x * std::cos(a) + y * std::sin(a)) / 1.27, v = (-x * std::sin(a) + y * std::cos(a)) / 1.27;
-                    const double off_u = std::fabs(u / 5 - std::round(u / 5)) * 5, off_v = std::fabs(v / 5 - std::round(v / 5)) * 5;
+                    const double x = p.x - (page.x + 450) * pixel - 0.2,
+                                 y = (page.y + 300) * pixel - p.y - 0.1;
+                    const double u = (x * std::cos(a) + y * std::sin(a)) / 1.27,
+                                 v = (-x * std::sin(a) + y * std::cos(a)) / 1.27;
+                    const double off_u = std::fabs(u / 5 - std::round(u / 5)) * 5,
+                                 off_v = std::fabs(v / 5 - std::round(v / 5)) * 5;
                     // Every fifth axis, counted from the one nearest to the sheet's middle: lens 0.
-                    BOOST_TEST(std::min(off_u, arrangement == Arrangement::square ? off_v : 1.0) < 1e-6);
+                    BOOST_TEST(std::min(off_u, arrangement == Arrangement::square ? off_v : 1.0) <
+                               1e-6);
                 }
                 const double top = page.y * pixel, bottom = (page.y + 600) * pixel;
                 ++(line.from.y < top || line.from.y > bottom ? upright : across);
-                const bool outside = line.from.x < page.x * pixel || line.from.x > (page.x + 900) * pixel || line.from.y < top || line.from.y > bottom;
+                const bool outside = line.from.x < page.x * pixel ||
+                                     line.from.x > (page.x + 900) * pixel || line.from.y < top ||
+                                     line.from.y > bottom;
                 BOOST_TEST(outside);
             }
             // 76.2 mm hold 12 steps of 6.35 mm cos(slant), above and below
             BOOST_TEST(std::abs(upright - 2 * 76.2 * std::cos(a) / 6.35) <= 3);
-            BOOST_TEST((arrangement == Arrangement::square ? std::abs(across - 2 * 50.8 * std::cos(a) / 6.35) <= 3 : across == 0));
+            BOOST_TEST((arrangement == Arrangement::square
+                            ? std::abs(across - 2 * 50.8 * std::cos(a) / 6.35) <= 3
+                            : across == 0));
         }
 }
 
@@ -183,13 +200,15 @@ BOOST_AUTO_TEST_CASE(a_page_is_its_picture_on_white)
     request.paper = Paper{5, 5};
     picture = make_image<std::uint16_t>(4, 4, 3, {});
     request.axis_marks = true;
-    BOOST_CHECK_THROW(lay_out(geometry(lenticular, 40, 30), m.film.pixel_pitch, request), std::invalid_argument);
+    BOOST_CHECK_THROW(lay_out(geometry(lenticular, 40, 30), m.film.pixel_pitch, request),
+                      std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(marks_are_the_same_in_whatever_pieces_they_are_drawn)
 {
-    // The wide page has the narrow one in its middle; pieces of a page end at pixel 8192, which is pixel
-    // 4192 of the narrow one. Few rows are drawn at a time, so that slanted lines cross pieces, too.
+    // The wide page has the narrow one in its middle; pieces of a page end at pixel 8192, which is
+    // pixel 4192 of the narrow one. Few rows are drawn at a time, so that slanted lines cross
+    // pieces, too.
     constexpr double pixel = 25.4 / 300;
     constexpr int narrow = 6000, beside = 4000, height = 900;
     LensSheet sheet = lenticular;
@@ -263,7 +282,8 @@ BOOST_AUTO_TEST_CASE(lengths_that_no_page_has_are_refused)
     narrow.pitch = 1e-4;
     PageRequest axes;
     axes.axis_marks = true;
-    BOOST_TEST(refusal(geometry(narrow, 8000, 6, 0.1), axes).find("too many for marks") != std::string::npos);
+    BOOST_TEST(refusal(geometry(narrow, 8000, 6, 0.1), axes).find("too many for marks") !=
+               std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Panels: descriptions, and that a frame which our optics render for a display is what its maker's mapping makes of views.
+// Panels: descriptions, and that a frame which our optics render for a display is what its maker's
+// mapping makes of views.
 #include "integral/output/panel.h"
 
 #include "integral/optics/lens_mapping.h"
@@ -30,9 +31,10 @@ std::string refusal(const std::string& text)
     return "";
 }
 
-const char own[] = R"({"panel": {"name": "mine", "width": 1920, "height": 1080, "pixel_pitch_mm": 0.25, "subpixels": "bgr", "mirrored": "x"},)"
-                   R"( "sheet": {"arrangement": "lenticular", "pitch_mm": 1.5, "thickness_mm": 4, "ior": 1.6, "slant_degrees": 9.5,)"
-                   R"( "offset_mm": [0.25, 0]}, "viewing_distance_mm": 800})";
+const char own[] =
+    R"({"panel": {"name": "mine", "width": 1920, "height": 1080, "pixel_pitch_mm": 0.25, "subpixels": "bgr", "mirrored": "x"},)"
+    R"( "sheet": {"arrangement": "lenticular", "pitch_mm": 1.5, "thickness_mm": 4, "ior": 1.6, "slant_degrees": 9.5,)"
+    R"( "offset_mm": [0.25, 0]}, "viewing_distance_mm": 800})";
 
 std::string with(const std::string& old_text, const std::string& new_text)
 {
@@ -41,27 +43,32 @@ std::string with(const std::string& old_text, const std::string& new_text)
     return text.replace(text.find(old_text), old_text.size(), new_text);
 }
 
-/// The largest difference, in views' whole span, between where our optics send subpixels and the published mapping: of some
-/// hundred pixels about a place of the film as its viewer sees it, in fractions of its sides. `of_all`: how many were compared.
+/// The largest difference, in views' whole span, between where our optics send subpixels and the
+/// published mapping: of some hundred pixels about a place of the film as its viewer sees it, in
+/// fractions of its sides. `of_all`: how many were compared.
 double difference_at(const Panel& panel, Vec2 place, int& of_all)
 {
     const SheetOptics optics(panel.sheet, panel.aperture);
     const int columns = panel.film.width, rows = panel.film.height;
     const int left = int(place.x * (columns - 40)), top = int(place.y * (rows - 12));
     // The mapping's views fill the micro-images, which are a little wider than the lenses.
-    const double zone = panel.aperture.width * mm_per_inch / panel.calibration->pitch / panel.sheet.pitch;
+    const double zone = panel.aperture.width * mm_per_inch / panel.calibration->pitch /
+                        panel.sheet.pitch;
     double worst = 0;
     for (int column = left; column < left + 40; ++column)
         for (int row = top; row < top + 12; ++row)
             for (int channel = 0; channel < 3; ++channel) {
-                const Vec2 point = film_from_pixel(panel.film, subpixel_centre(panel.film.subpixels, column, row, channel));
+                const Vec2 point = film_from_pixel(
+                    panel.film, subpixel_centre(panel.film.subpixels, column, row, channel));
                 const MappedPoint mapped = optics.map(point, LensMapping::automatic);
                 if (!mapped.ray)
                     continue; // of the dark gaps between zones
                 ++of_all;
                 const double ours = 0.5 + mapped.ray->aperture_point.x / zone;
-                double difference = ours - view_of_subpixel(*panel.calibration, panel.mirrored_x ? columns - 1 - column : column,
-                                                            panel.mirrored_y ? rows - 1 - row : row, channel);
+                double difference = ours - view_of_subpixel(
+                                               *panel.calibration,
+                                               panel.mirrored_x ? columns - 1 - column : column,
+                                               panel.mirrored_y ? rows - 1 - row : row, channel);
                 difference -= std::round(difference);
                 worst = std::fmax(worst, std::fabs(difference));
             }
@@ -103,15 +110,22 @@ BOOST_AUTO_TEST_CASE(reads_descriptions_of_our_own)
     BOOST_TEST(panel.aperture.width == filling_aperture(panel.sheet, 800)->width);
     check_same(panel_from_json(to_json(panel)), panel);
 
-    BOOST_TEST(panel_from_json(with("0.25, \"sub", "[0.25, 0.5], \"sub")).film.pixel_pitch.y == 0.5);
+    BOOST_TEST(panel_from_json(with("0.25, \"sub", "[0.25, 0.5], \"sub")).film.pixel_pitch.y ==
+               0.5);
     BOOST_TEST(panel_from_json(with("\"x\"", "\"xy\"")).mirrored_y);
     BOOST_TEST(!panel_from_json(with("\"x\"", "\"y\"")).mirrored_x);
     // 1920 by 1080 pixels of 0.25 mm have a diagonal of 550.7 mm
-    BOOST_TEST(panel_from_json(with(", \"viewing_distance_mm\": 800", "")).aperture.distance == 1376.8125, boost::test_tools::tolerance(1e-4));
+    BOOST_TEST(panel_from_json(with(", \"viewing_distance_mm\": 800", "")).aperture.distance ==
+                   1376.8125,
+               boost::test_tools::tolerance(1e-4));
     // Seen from 800 mm, p (1 + 4/(1.6 800)) is 1.5 mm.
-    BOOST_TEST(panel_from_json(with("pitch_mm\": 1.5", "micro_image_pitch_mm\": 1.5")).sheet.pitch == 1.5 / 1.003125,
-               boost::test_tools::tolerance(1e-12));
-    const Panel narrow = panel_from_json(with("\"viewing_distance_mm\": 800", R"("aperture": {"distance_mm": 500, "width_mm": 65, "height_mm": null})"));
+    BOOST_TEST(
+        panel_from_json(with("pitch_mm\": 1.5", "micro_image_pitch_mm\": 1.5")).sheet.pitch ==
+            1.5 / 1.003125,
+        boost::test_tools::tolerance(1e-12));
+    const Panel narrow = panel_from_json(
+        with("\"viewing_distance_mm\": 800",
+             R"("aperture": {"distance_mm": 500, "width_mm": 65, "height_mm": null})"));
     BOOST_TEST(narrow.aperture.distance == 500);
     BOOST_TEST(narrow.aperture.width == 65);
     BOOST_TEST(std::isinf(narrow.aperture.height));
@@ -121,30 +135,41 @@ BOOST_AUTO_TEST_CASE(reads_descriptions_of_our_own)
 BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
 {
     BOOST_TEST(refusal(with("\"name\"", "\"nam\"")) ==
-               "panel.nam is not a field of it: those are name, width, height, pixel_pitch_mm, subpixels and mirrored");
+               "panel.nam is not a field of it: those are name, width, height, pixel_pitch_mm, "
+               "subpixels and mirrored");
     BOOST_TEST(refusal(with("\"sheet\"", "\"sheets\"")) ==
-               "sheets is not a field of it: those are panel, sheet, aperture, viewing_distance_mm, calibration and ior");
-    BOOST_TEST(refusal(with("slant_degrees", "slant")) == "sheet.slant is not a field of it: those are arrangement, pitch_mm, "
-                                                          "micro_image_pitch_mm, thickness_mm, ior, slant_degrees and offset_mm");
+               "sheets is not a field of it: those are panel, sheet, aperture, "
+               "viewing_distance_mm, calibration and ior");
+    BOOST_TEST(refusal(with("slant_degrees", "slant")) ==
+               "sheet.slant is not a field of it: those are arrangement, pitch_mm, "
+               "micro_image_pitch_mm, thickness_mm, ior, slant_degrees and offset_mm");
     BOOST_TEST(refusal(with("\"width\": 1920, ", "")) == "panel.width is missing");
     BOOST_TEST(refusal(with("\"height\": 1080, ", "")) == "panel.height is missing");
-    BOOST_TEST(refusal(with("0.25, \"sub", "\"small\", \"sub")) == "panel.pixel_pitch_mm must be a list of 2 numbers");
-    BOOST_TEST(refusal(with("\"bgr\"", "\"rbg\"")) == "panel.subpixels must be rgb, bgr, vrgb, vbgr, cells or none");
+    BOOST_TEST(refusal(with("0.25, \"sub", "\"small\", \"sub")) ==
+               "panel.pixel_pitch_mm must be a list of 2 numbers");
+    BOOST_TEST(refusal(with("\"bgr\"", "\"rbg\"")) ==
+               "panel.subpixels must be rgb, bgr, vrgb, vbgr, cells or none");
     BOOST_TEST(refusal(with("\"x\"", "\"z\"")) == "panel.mirrored must be x, y or xy");
     BOOST_TEST(refusal(with("\"ior\": 1.6", "\"ior\": 0.5")).find("ior") != std::string::npos);
-    BOOST_TEST(refusal(with("\"pitch_mm\": 1.5", "\"pitch_mm\": 1.5, \"micro_image_pitch_mm\": 1.5")) ==
-               "sheet.micro_image_pitch_mm cannot stand beside pitch_mm: one follows from the other");
+    BOOST_TEST(
+        refusal(with("\"pitch_mm\": 1.5", "\"pitch_mm\": 1.5, \"micro_image_pitch_mm\": 1.5")) ==
+        "sheet.micro_image_pitch_mm cannot stand beside pitch_mm: one follows from the other");
     BOOST_TEST(refusal(with("800}", "800, \"aperture\": {\"distance_mm\": 3}}")) ==
                "viewing_distance_mm cannot stand beside aperture, which has it as distance_mm");
     BOOST_TEST(refusal(with("800}", "800, \"ior\": 1.5}")) == "ior belongs into sheet");
-    BOOST_TEST(refusal(with("800}", "0}")) == "viewing_distance_mm is 0, and must be within 0.01 and 1e+09");
+    BOOST_TEST(refusal(with("800}", "0}")) ==
+               "viewing_distance_mm is 0, and must be within 0.01 and 1e+09");
     const std::string calibration = file_of(devices()[3], {});
-    BOOST_TEST(refusal(with("800}", "800, \"calibration\": " + calibration + "}")) == "calibration is of a display of another size than panel");
+    BOOST_TEST(refusal(with("800}", "800, \"calibration\": " + calibration + "}")) ==
+               "calibration is of a display of another size than panel");
     BOOST_TEST(refusal("{\"viewing_distance_mm\": 800, \"calibration\": {\"pitch\": 3}}") ==
-               "calibration: holds no calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+               "calibration: holds no calibration: an object with pitch, slope, center, DPI, "
+               "screenW and screenH");
     for (const char* const nothing : {"{}", "[]", "\"panel\"", R"({"pannel": {"width": 3}})"})
-        BOOST_TEST(refusal(nothing) == "holds neither a panel's description: an object with panel, sheet and viewing_distance_mm, nor a Looking Glass "
-                                       "calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+        BOOST_TEST(refusal(nothing) ==
+                   "holds neither a panel's description: an object with panel, sheet and "
+                   "viewing_distance_mm, nor a Looking Glass "
+                   "calibration: an object with pitch, slope, center, DPI, screenW and screenH");
 }
 
 BOOST_AUTO_TEST_CASE(malformed_descriptions_are_refused_in_words)
@@ -154,7 +179,9 @@ BOOST_AUTO_TEST_CASE(malformed_descriptions_are_refused_in_words)
         try {
             const Panel panel = panel_from_json(text);
             ++read;
-            BOOST_TEST((panel.film.width > 0 && panel.sheet.pitch > 0 && panel.aperture.distance > 0), text);
+            BOOST_TEST(
+                (panel.film.width > 0 && panel.sheet.pitch > 0 && panel.aperture.distance > 0),
+                text);
             camera_words(panel);
         } catch (const std::invalid_argument& error) {
             ++refused;
@@ -176,8 +203,11 @@ BOOST_AUTO_TEST_CASE(malformed_descriptions_are_refused_in_words)
 
 BOOST_AUTO_TEST_CASE(calibrations_become_panels)
 {
-    // A portrait's: 52 micro-images an inch, lenses that lean by a seventh to the right going up, 40 degrees
-    const Panel panel = panel_from_json("{\"viewing_distance_mm\": 600, \"ior\": 1.5, \"calibration\": " + file_of(devices()[3], {}) + "}");
+    // A portrait's: 52 micro-images an inch, lenses that lean by a seventh to the right going up,
+    // 40 degrees
+    const Panel panel = panel_from_json(
+        "{\"viewing_distance_mm\": 600, \"ior\": 1.5, \"calibration\": " +
+        file_of(devices()[3], {}) + "}");
     const auto near = boost::test_tools::tolerance(1e-9);
     BOOST_TEST(panel.name == "LKG-looking-glass-portrait");
     BOOST_TEST(panel.film.pixel_pitch.x == 25.4 / 324, near);
@@ -187,13 +217,17 @@ BOOST_AUTO_TEST_CASE(calibrations_become_panels)
     check_same(panel_from_json(to_json(panel)), panel);
     const Panel bare = panel_from_json(file_of(devices()[3], {}));
     BOOST_TEST(bare.sheet.ior == nominal_ior);
-    BOOST_TEST(bare.aperture.distance == nominal_viewing_distance({1536 * 25.4 / 324, 2048 * 25.4 / 324}), near);
+    BOOST_TEST(bare.aperture.distance ==
+                   nominal_viewing_distance({1536 * 25.4 / 324, 2048 * 25.4 / 324}),
+               near);
     // Seen in a mirror, the lenses lean the other way and the colours are in the other order.
     const Panel mirror = panel_from_json(file_of(devices()[3], {true, false, false, true}));
     BOOST_TEST(mirror.mirrored_x);
     BOOST_TEST(mirror.sheet.slant == -bare.sheet.slant, near);
     BOOST_CHECK(mirror.film.subpixels == Subpixels::bgr);
-    BOOST_TEST(panel_from_json(file_of(devices()[3], {true, true, false, true})).sheet.slant == bare.sheet.slant, near);
+    BOOST_TEST(panel_from_json(file_of(devices()[3], {true, true, false, true})).sheet.slant ==
+                   bare.sheet.slant,
+               near);
 }
 
 BOOST_AUTO_TEST_CASE(known_panels_are_what_they_are_made_of)
@@ -213,15 +247,18 @@ BOOST_AUTO_TEST_CASE(known_panels_are_what_they_are_made_of)
         BOOST_TEST(frame_geometry(panel).film.width == panel.film.width);
     }
     BOOST_TEST(!panel_named("looking-glass"));
-    // "Roughly 6 pixels" are behind each of the thesis's lenses, on a display of 10 inches, 212 mm wide.
+    // "Roughly 6 pixels" are behind each of the thesis's lenses, on a display of 10 inches, 212 mm
+    // wide.
     const Panel thesis = *panel_named("thesis-lcd");
     BOOST_TEST(std::round(thesis.sheet.pitch / thesis.film.pixel_pitch.x) == 6);
-    BOOST_TEST(thesis.film.width * thesis.film.pixel_pitch.x == 211.968, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(thesis.film.width * thesis.film.pixel_pitch.x == 211.968,
+               boost::test_tools::tolerance(1e-9));
 }
 
-// The mapping is linear over the zone and over the panel, and refraction is not: at the middle of the panel they differ by up to
-// 1.3% of the views' span, at a corner, whose lenses send their light askew, by up to 4.5%. Lenses that send theirs nearly straight
-// ahead, by a cone of one degree from a hundred times as far, leave nothing of it.
+// The mapping is linear over the zone and over the panel, and refraction is not: at the middle of
+// the panel they differ by up to 1.3% of the views' span, at a corner, whose lenses send their
+// light askew, by up to 4.5%. Lenses that send theirs nearly straight ahead, by a cone of one
+// degree from a hundred times as far, leave nothing of it.
 BOOST_AUTO_TEST_CASE(our_optics_and_the_published_mapping_agree)
 {
     double middle = 0, corner = 0, straight = 0;
@@ -233,13 +270,16 @@ BOOST_AUTO_TEST_CASE(our_optics_and_the_published_mapping_agree)
             LookingGlassCalibration calibration = *panel.calibration;
             calibration.view_cone = 1;
             const Panel far = panel_from(calibration, 100 * panel.aperture.distance);
-            for (const Vec2 place : {Vec2{0.5, 0.5}, Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
+            for (const Vec2 place :
+                 {Vec2{0.5, 0.5}, Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
                 double& worst = place.x == 0.5 ? middle : corner;
                 worst = std::fmax(worst, difference_at(panel, place, compared));
                 straight = std::fmax(straight, difference_at(far, place, compared));
             }
         }
-    BOOST_TEST_MESSAGE("views differ by " << middle << " at the middle, " << corner << " in the corners, " << straight << " where all is straight");
+    BOOST_TEST_MESSAGE("views differ by " << middle << " at the middle, " << corner
+                                          << " in the corners, " << straight
+                                          << " where all is straight");
     BOOST_TEST(compared > int(variants().size()) * 8 * 10 * 40 * 12 * 3 * 9 / 10);
     BOOST_TEST(middle < 0.0135);
     BOOST_TEST(corner < 0.045);
@@ -249,16 +289,21 @@ BOOST_AUTO_TEST_CASE(our_optics_and_the_published_mapping_agree)
 BOOST_AUTO_TEST_CASE(camera_words_say_all)
 {
     BOOST_TEST(camera_words(*panel_named("thesis-lcd")) ==
-               "lens_sheet { lenticular pitch 1.27 thickness 3.08 ior 1.6 } film { pixel_pitch <0.207, 0.207> subpixels rgb }");
-    Panel panel = panel_from_json(with("\"viewing_distance_mm\": 800", R"("aperture": {"distance_mm": 500, "width_mm": 65, "height_mm": 4, "shape": "ellipse"})"));
+               "lens_sheet { lenticular pitch 1.27 thickness 3.08 ior 1.6 } film { pixel_pitch "
+               "<0.207, 0.207> subpixels rgb }");
+    Panel panel = panel_from_json(with(
+        "\"viewing_distance_mm\": 800",
+        R"("aperture": {"distance_mm": 500, "width_mm": 65, "height_mm": 4, "shape": "ellipse"})"));
     panel.film.subpixels.order = Subpixels::cells;
     panel.film.subpixels.pattern = CellPattern::checkerboard;
     panel.film.subpixels.number = 2;
     panel.film.subpixels.cell[0] = {{{-0.25, 0.25}, {0.25, 0.25}, {0, -0.25}}};
     panel.film.subpixels.cell[1] = {{{-0.25, -0.25}, {0.25, -0.25}, {0, 0.25}}};
     BOOST_TEST(camera_words(panel) ==
-               "lens_sheet { lenticular pitch 1.5 thickness 4.0 ior 1.6 slant 9.5 offset <0.25, 0.0> } film { pixel_pitch <0.25, 0.25> subpixels "
-               "cells { checkerboard <-0.25, 0.25> <0.25, 0.25> <0.0, -0.25> <-0.25, -0.25> <0.25, -0.25> <0.0, 0.25> } } "
+               "lens_sheet { lenticular pitch 1.5 thickness 4.0 ior 1.6 slant 9.5 offset <0.25, "
+               "0.0> } film { pixel_pitch <0.25, 0.25> subpixels "
+               "cells { checkerboard <-0.25, 0.25> <0.25, 0.25> <0.0, -0.25> <-0.25, -0.25> <0.25, "
+               "-0.25> <0.0, 0.25> } } "
                "capture_aperture <65.0, 4.0> aperture_shape ellipse");
 }
 
@@ -286,7 +331,8 @@ static std::string file_of_project(const char* name)
     return text.str();
 }
 
-// include/integral.inc has a macro, the pixels, the width and the distance of every panel, by the same figures.
+// include/integral.inc has a macro, the pixels, the width and the distance of every panel, by the
+// same figures.
 BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
 {
     const std::string include = file_of_project("include/integral.inc");
@@ -294,10 +340,14 @@ BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
         const std::string name = macro_of(panel);
         std::ostringstream figures;
         figures.precision(6);
-        figures << "#declare " << name << "_Pixels = <" << panel.film.width << ", " << panel.film.height << ">;\n#declare " << name
-                << "_Width = " << panel.film.width * panel.film.pixel_pitch.x << ";\n#declare " << name << "_Distance = " << panel.aperture.distance << ";\n";
-        const std::string expected = "#macro " + name + "() " + camera_words(panel) + " #end\n" + figures.str();
-        BOOST_TEST(include.find(expected) != std::string::npos, "include/integral.inc lacks\n" << expected);
+        figures << "#declare " << name << "_Pixels = <" << panel.film.width << ", "
+                << panel.film.height << ">;\n#declare " << name
+                << "_Width = " << panel.film.width * panel.film.pixel_pitch.x << ";\n#declare "
+                << name << "_Distance = " << panel.aperture.distance << ";\n";
+        const std::string expected = "#macro " + name + "() " + camera_words(panel) + " #end\n" +
+                                     figures.str();
+        BOOST_TEST(include.find(expected) != std::string::npos, "include/integral.inc lacks\n"
+                                                                    << expected);
     }
 }
 

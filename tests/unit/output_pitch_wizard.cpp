@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What reads pitch charts: readings of known sheets, simulated by Snell's law, give the sheets back; those that cannot be are refused.
+// What reads pitch charts: readings of known sheets, simulated by Snell's law, give the sheets
+// back; those that cannot be are refused.
 #include "integral/output/pitch_wizard.h"
 #include "tests/unit/replay_frames.h"
 
@@ -14,8 +15,8 @@ BOOST_AUTO_TEST_SUITE(output_pitch_wizard)
 
 namespace {
 
-/// What an eye on the axis needs the lines' pitch to be: where Snell's law leads its sight through the middle lens and through one
-/// close beside it.
+/// What an eye on the axis needs the lines' pitch to be: where Snell's law leads its sight through
+/// the middle lens and through one close beside it.
 double even_pitch(const LensSheet& sheet, double distance)
 {
     const Vec2 beside{1e-4, 0};
@@ -40,7 +41,8 @@ LensSheet sheet_of(double pitch, double thickness, double ior)
     return sheet;
 }
 
-void refused(const PitchScale& scale, const std::vector<ChartReading>& readings, const std::string& words, bool keep_index = false)
+void refused(const PitchScale& scale, const std::vector<ChartReading>& readings,
+             const std::string& words, bool keep_index = false)
 {
     try {
         measured_sheet(sheet_of(1.27, 3.08, 1.6), scale, readings, keep_index);
@@ -55,7 +57,9 @@ void refused(const PitchScale& scale, const std::vector<ChartReading>& readings,
 BOOST_AUTO_TEST_CASE(one_reading_gives_the_pitch)
 {
     std::mt19937 random(7);
-    const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    const auto between = [&](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+    };
     for (int k = 0; k < 1000; ++k) {
         const LensSheet truth = sheet_of(between(0.1, 5), between(0.1, 10), between(1, 4));
         const double distance = between(150, 3000), step = truth.pitch * between(0.0002, 0.005);
@@ -63,9 +67,11 @@ BOOST_AUTO_TEST_CASE(one_reading_gives_the_pitch)
         const PitchScale scale{even - between(5, 20) * step, step, 40};
         LensSheet nominal = truth;
         nominal.pitch *= between(0.98, 1.02);
-        const MeasuredSheet found = measured_sheet(nominal, scale, {reading_of(scale, even, distance)});
+        const MeasuredSheet found = measured_sheet(nominal, scale,
+                                                   {reading_of(scale, even, distance)});
         BOOST_TEST(!found.index_measured);
-        BOOST_TEST(std::fabs(found.pitch.value - truth.pitch) <= found.pitch.error * (1 + 1e-6) + 1e-9);
+        BOOST_TEST(std::fabs(found.pitch.value - truth.pitch) <=
+                   found.pitch.error * (1 + 1e-6) + 1e-9);
         BOOST_TEST(found.pitch.error <= step / 2 * (1 + 1e-9));
     }
 }
@@ -74,7 +80,9 @@ BOOST_AUTO_TEST_CASE(readings_from_two_distances_give_pitch_and_index_of_a_fine_
 {
     // A scale so fine that readings are exact: what comes back is the sheet itself.
     std::mt19937 random(8);
-    const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    const auto between = [&](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+    };
     for (int k = 0; k < 1000; ++k) {
         const LensSheet truth = sheet_of(between(0.3, 3), between(0.5, 6), between(1.05, 3.9));
         const PitchScale scale{0.9 * truth.pitch, 1e-9 * truth.pitch, 200000000};
@@ -97,7 +105,9 @@ BOOST_AUTO_TEST_CASE(readings_from_two_distances_give_pitch_and_index_of_a_fine_
 BOOST_AUTO_TEST_CASE(the_truth_is_within_the_stated_errors)
 {
     std::mt19937 random(9);
-    const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    const auto between = [&](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+    };
     int solved = 0;
     for (int k = 0; k < 2000; ++k) {
         const LensSheet truth = sheet_of(between(0.5, 2), between(2, 5), between(1.45, 1.7));
@@ -109,7 +119,8 @@ BOOST_AUTO_TEST_CASE(the_truth_is_within_the_stated_errors)
         ++solved;
         BOOST_TEST(std::fabs(found.pitch.value - truth.pitch) <= found.pitch.error * (1 + 1e-6));
         BOOST_TEST(truth.ior >= found.least_index - 0.01 * found.index.error);
-        BOOST_TEST((found.greatest_index == 0 || truth.ior <= found.greatest_index + 0.01 * found.index.error));
+        BOOST_TEST((found.greatest_index == 0 ||
+                    truth.ior <= found.greatest_index + 0.01 * found.index.error));
         const MeasuredSheet kept = measured_sheet(truth, scale, readings, true);
         BOOST_TEST(!kept.index_measured);
         BOOST_TEST(std::fabs(kept.pitch.value - truth.pitch) <= kept.pitch.error * (1 + 1e-6));
@@ -137,7 +148,8 @@ BOOST_AUTO_TEST_CASE(readings_that_cannot_be_are_refused)
     refused(scale, {{{13}, 400}, {{20}, 400}}, "contradict one another", true);
     // The second direction's bars are the first's.
     const LensSheet sheet = sheet_of(1.27, 3.08, 1.6);
-    BOOST_TEST(measured_sheet(sheet, scale, {{{13, 38}, 400}}).pitch.value == measured_sheet(sheet, scale, {{{13}, 400}}).pitch.value);
+    BOOST_TEST(measured_sheet(sheet, scale, {{{13, 38}, 400}}).pitch.value ==
+               measured_sheet(sheet, scale, {{{13}, 400}}).pitch.value);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

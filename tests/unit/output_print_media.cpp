@@ -13,7 +13,10 @@ BOOST_AUTO_TEST_SUITE(output_print_media)
 
 namespace {
 
-PrintMedium medium(const char* name, const char* label, SizeMm sheet, SizeMm printable) { return {name, label, sheet, printable, {}}; }
+PrintMedium medium(const char* name, const char* label, SizeMm sheet, SizeMm printable)
+{
+    return {name, label, sheet, printable, {}};
+}
 
 /// A DNP DS620's: 2x6 and 4x6 have one sheet, and 4x6 and 2x6*2 have one printable area.
 const std::vector<PrintMedium> ds620 = {
@@ -40,22 +43,29 @@ Image counted(int width, int height)
     return page;
 }
 
-const std::vector<std::uint8_t>& samples(const Image& image) { return std::get<std::vector<std::uint8_t>>(image.samples); }
+const std::vector<std::uint8_t>& samples(const Image& image)
+{
+    return std::get<std::vector<std::uint8_t>>(image.samples);
+}
 
 } // namespace
 
 BOOST_AUTO_TEST_CASE(nominal_sizes)
 {
-    const auto nominal = [](const char* name, const char* label) { return nominal_size(medium(name, label, {1, 2}, {1, 2})); };
+    const auto nominal = [](const char* name, const char* label) {
+        return nominal_size(medium(name, label, {1, 2}, {1, 2}));
+    };
     BOOST_TEST(nominal("w288h432", "4x6").width == 101.6, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(nominal("B7", "3.5x5").height == 127.0, boost::test_tools::tolerance(1e-12));
-    BOOST_TEST(nominal("Postcard", "Postcard 100x148mm").height == 148.0, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(nominal("Postcard", "Postcard 100x148mm").height == 148.0,
+               boost::test_tools::tolerance(1e-12));
     BOOST_TEST(nominal("Index", "4 x 6\"").height == 152.4, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(nominal("A4", "A4").height == 2.0);
     BOOST_TEST(nominal("odd", "100x148").height == 2.0); // inches would be metres
     BOOST_TEST(nominal("odd", "0x0").height == 2.0);
     BOOST_TEST(nominal("", "").height == 2.0);
-    BOOST_TEST(nominal_size({"A4", "A4", {216, 304.8}, {203.2, 304.8}, {210, 297}}).height == 297.0); // a Kodak 1400's
+    BOOST_TEST(nominal_size({"A4", "A4", {216, 304.8}, {203.2, 304.8}, {210, 297}}).height ==
+               297.0); // a Kodak 1400's
 }
 
 BOOST_AUTO_TEST_CASE(places)
@@ -63,8 +73,9 @@ BOOST_AUTO_TEST_CASE(places)
     BOOST_TEST(placed({101.6, 152.4}) == "w288h432");
     BOOST_TEST(placed({101.6 + 0.49, 152.4 - 0.49}) == "w288h432");
     BOOST_TEST(placed({101.6 + 0.51, 152.4}) == "none");
-    BOOST_TEST(placed({104.99, 156.13}) == "w288h432");       // all that is printable
-    BOOST_TEST(placed({104.99, 162.56}) == "w288h432");       // the sheet: of three the one with most to print on
+    BOOST_TEST(placed({104.99, 156.13}) == "w288h432"); // all that is printable
+    BOOST_TEST(placed({104.99, 162.56}) == "w288h432"); // the sheet: of three the one with most to
+                                                        // print on
     BOOST_TEST(placed({152.4, 101.6}) == "w288h432 turned");
     BOOST_TEST(placed({152.4, 152.4}) == "w432h432");
     BOOST_TEST(placed({101.6, 152.4}, "w288h432-div2") == "w288h432-div2");
@@ -75,7 +86,8 @@ BOOST_AUTO_TEST_CASE(places)
 
 BOOST_AUTO_TEST_CASE(words)
 {
-    BOOST_TEST(media_in_words({ds620[0], ds620[3]}) == "3.5x5 (88.9 x 127.0 mm, B7), 4x6 (101.6 x 152.4 mm, w288h432)");
+    BOOST_TEST(media_in_words({ds620[0], ds620[3]}) ==
+               "3.5x5 (88.9 x 127.0 mm, B7), 4x6 (101.6 x 152.4 mm, w288h432)");
     BOOST_TEST(media_in_words({}) == "none");
 }
 
@@ -95,19 +107,25 @@ BOOST_AUTO_TEST_CASE(turns)
 BOOST_AUTO_TEST_CASE(centres)
 {
     const Image page = counted(5, 3);
-    const std::optional<Image> wide = centred_page(page, 8, 4); // left 1, top 0: odd pixels to the right and below
+    const std::optional<Image> wide = centred_page(page, 8, 4); // left 1, top 0: odd pixels to the
+                                                                // right and below
     BOOST_REQUIRE(wide.has_value());
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 8; ++x) {
             const bool inside = x >= 1 && x < 6 && y < 3;
-            BOOST_TEST(stored_pixel(*wide, x, y).r == (inside ? stored_pixel(page, x - 1, y).r : 1.f));
+            BOOST_TEST(stored_pixel(*wide, x, y).r ==
+                       (inside ? stored_pixel(page, x - 1, y).r : 1.f));
         }
-    BOOST_TEST(samples(*centred_page(page, 5, 3)) == samples(page), boost::test_tools::per_element());
+    BOOST_TEST(samples(*centred_page(page, 5, 3)) == samples(page),
+               boost::test_tools::per_element());
 
-    // Smaller areas cut white margins off, and nothing else: back to the page, from any size that had it in the middle.
+    // Smaller areas cut white margins off, and nothing else: back to the page, from any size that
+    // had it in the middle.
     for (int width : {5, 7, 9})
         for (int height : {3, 5, 7})
-            BOOST_TEST(samples(*centred_page(*centred_page(page, width, height), 5, 3)) == samples(page), boost::test_tools::per_element());
+            BOOST_TEST(samples(*centred_page(*centred_page(page, width, height), 5, 3)) ==
+                           samples(page),
+                       boost::test_tools::per_element());
     BOOST_TEST(!centred_page(page, 4, 3));
     BOOST_TEST(!centred_page(page, 5, 2));
     BOOST_TEST(!centred_page(page, 3, 9));

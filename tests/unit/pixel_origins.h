@@ -16,7 +16,8 @@ namespace pixel_origins {
 using namespace integral;
 
 /// A sheet of 1.27 mm lenses seen from 300 mm, whose film has 12.7 x 10 pixels a lens.
-inline CameraParameters parameters_of(Arrangement arrangement, int pixel_samples = 1, int beam_samples = 1)
+inline CameraParameters parameters_of(Arrangement arrangement, int pixel_samples = 1,
+                                      int beam_samples = 1)
 {
     CameraParameters p;
     p.sheet = {arrangement, 1.27, 3.3, 1.6, 0, {0.031, -0.017}};
@@ -52,11 +53,16 @@ inline std::vector<PixelRay> random_rays_at(const PixelSampler& sampler, Vec2 ce
     return rays;
 }
 
-/// Where a ray comes from, by the inverse of the lens: in pixels from the pixel's centre, in pitches from the
-/// pole (across and along the lattice's rows), and the slit's height that it passes.
-struct Origin { Vec2 film, lens; double slit; };
+/// Where a ray comes from, by the inverse of the lens: in pixels from the pixel's centre, in
+/// pitches from the pole (across and along the lattice's rows), and the slit's height that it
+/// passes.
+struct Origin {
+    Vec2 film, lens;
+    double slit;
+};
 
-inline Origin origin_of(const IntegralCamera& camera, Vec2 centre, const BeamRay& ray, LensIndex lens)
+inline Origin origin_of(const IntegralCamera& camera, Vec2 centre, const BeamRay& ray,
+                        LensIndex lens)
 {
     const SheetOptics& optics = camera.optics;
     const Lattice& lattice = optics.lattice();
@@ -64,25 +70,30 @@ inline Origin origin_of(const IntegralCamera& camera, Vec2 centre, const BeamRay
     LensPoint point{offset, 0};
     if (lattice.arrangement() == Arrangement::lenticular) {
         offset = dot(lattice.across(), offset) * lattice.across();
-        const Vec2 slit = refracts_at_surface(optics.model()) ? ray.aperture_point : ray.aperture_point - offset;
+        const Vec2 slit = refracts_at_surface(optics.model()) ? ray.aperture_point
+                                                              : ray.aperture_point - offset;
         point = {offset, slit_is_horizontal(optics.sheet()) ? slit.y : slit.x};
     }
-    const auto film_point = film_point_imaging(optics, ray.point + (-50.0) * ray.direction, lens, point);
+    const auto film_point = film_point_imaging(optics, ray.point + (-50.0) * ray.direction, lens,
+                                               point);
     BOOST_REQUIRE(film_point);
     const double p = lattice.pitch();
     return {pixel_from_film(camera.film, *film_point) - centre,
-            {dot(lattice.across(), offset) / p, dot(lattice.along(), offset) / p}, point.slit};
+            {dot(lattice.across(), offset) / p, dot(lattice.along(), offset) / p},
+            point.slit};
 }
 
 inline LensIndex lens_at(const IntegralCamera& camera, Vec2 centre)
 {
-    const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, centre), camera.mapping);
+    const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, centre),
+                                                 camera.mapping);
     BOOST_REQUIRE(mapped.ray);
     return mapped.ray->lens;
 }
 
 /// Origins of a pixel's rays.
-inline std::vector<Origin> origins(const IntegralCamera& camera, Vec2 centre, const std::vector<PixelRay>& rays)
+inline std::vector<Origin> origins(const IntegralCamera& camera, Vec2 centre,
+                                   const std::vector<PixelRay>& rays)
 {
     std::vector<Origin> list;
     for (const PixelRay& ray : rays)
@@ -93,9 +104,11 @@ inline std::vector<Origin> origins(const IntegralCamera& camera, Vec2 centre, co
 /// Whether the four corners of a pixel image something, through one lens.
 inline bool whole(const IntegralCamera& camera, Vec2 centre)
 {
-    const MappedPoint middle = camera.optics.map(film_from_pixel(camera.film, centre), camera.mapping);
+    const MappedPoint middle = camera.optics.map(film_from_pixel(camera.film, centre),
+                                                 camera.mapping);
     for (const Vec2 corner : {Vec2{-0.5, -0.5}, Vec2{-0.5, 0.5}, Vec2{0.5, -0.5}, Vec2{0.5, 0.5}}) {
-        const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, centre + corner), camera.mapping);
+        const MappedPoint mapped = camera.optics.map(film_from_pixel(camera.film, centre + corner),
+                                                     camera.mapping);
         if (!middle.ray || !mapped.ray || mapped.ray->lens != middle.ray->lens)
             return false;
     }
@@ -103,7 +116,8 @@ inline bool whole(const IntegralCamera& camera, Vec2 centre)
 }
 
 /// Calls use(centre) for every pixel of a film, or for those that lie whole behind one lens.
-inline void for_each_pixel(const IntegralCamera& camera, bool only_whole, const std::function<void(Vec2)>& use)
+inline void for_each_pixel(const IntegralCamera& camera, bool only_whole,
+                           const std::function<void(Vec2)>& use)
 {
     for (int y = 0; y < camera.film.height; ++y)
         for (int x = 0; x < camera.film.width; ++x)
@@ -111,9 +125,11 @@ inline void for_each_pixel(const IntegralCamera& camera, bool only_whole, const 
                 use(centre);
 }
 
-constexpr Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal};
+constexpr Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square,
+                                        Arrangement::hexagonal};
 
-/// The four coordinates of a ray's origin, 0 to 1 over the pixel and (but for hexagonal lenses) the cell.
+/// The four coordinates of a ray's origin, 0 to 1 over the pixel and (but for hexagonal lenses) the
+/// cell.
 inline std::array<double, 4> unit_of(const Origin& at)
 {
     return {at.film.x + 0.5, 0.5 - at.film.y, at.lens.x + 0.5, at.lens.y + 0.5};

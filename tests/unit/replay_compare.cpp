@@ -101,7 +101,8 @@ BOOST_AUTO_TEST_CASE(encodings)
 BOOST_AUTO_TEST_CASE(sizes_must_agree)
 {
     BOOST_CHECK_THROW(compare(flat(3, 4, 3, 0), flat(4, 3, 3, 0)), std::invalid_argument);
-    BOOST_CHECK_THROW(difference_picture(flat(3, 4, 3, 0).image, flat(4, 3, 3, 0).image), std::invalid_argument);
+    BOOST_CHECK_THROW(difference_picture(flat(3, 4, 3, 0).image, flat(4, 3, 3, 0).image),
+                      std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_a_number_is_the_worst)
@@ -149,10 +150,12 @@ BOOST_AUTO_TEST_CASE(ssim_against_its_definition)
                     mb /= w;
                 }
             }
-            total += (2 * ma * mb + 1e-4) * (2 * cov + 9e-4) / ((ma * ma + mb * mb + 1e-4) * (va + vb + 9e-4));
+            total += (2 * ma * mb + 1e-4) * (2 * cov + 9e-4) /
+                     ((ma * ma + mb * mb + 1e-4) * (va + vb + 9e-4));
         }
     BOOST_TEST(windows == 13 * 4);
-    BOOST_TEST(structural_similarity(a, b, width, height) == total / windows, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(structural_similarity(a, b, width, height) == total / windows,
+               boost::test_tools::tolerance(1e-9));
     BOOST_TEST(structural_similarity(a, a, width, height) == 1);
     BOOST_TEST(structural_similarity(a, b, 2, 3) < 1); // smaller than a window
     BOOST_TEST(structural_similarity(a, a, 2, 3) == 1);
@@ -190,8 +193,10 @@ BOOST_AUTO_TEST_CASE(difference)
     store_pixel(a.image, 0, 0, {10 / 255.f, 50 / 255.f, 1, 1});
     store_pixel(b.image, 0, 0, {30 / 255.f, 20 / 255.f, 0, 1});
     const std::vector<std::uint8_t> plain = {20, 30, 255}, doubled = {40, 60, 255};
-    BOOST_CHECK(std::get<std::vector<std::uint8_t>>(difference_picture(a.image, b.image).samples) == plain);
-    BOOST_CHECK(std::get<std::vector<std::uint8_t>>(difference_picture(a.image, b.image, 2).samples) == doubled);
+    BOOST_CHECK(std::get<std::vector<std::uint8_t>>(difference_picture(a.image, b.image).samples) ==
+                plain);
+    BOOST_CHECK(std::get<std::vector<std::uint8_t>>(
+                    difference_picture(a.image, b.image, 2).samples) == doubled);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

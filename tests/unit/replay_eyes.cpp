@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Replay by an eye with a pupil, of a film off its focus and through real lens surfaces, by formulas of their own.
+// Replay by an eye with a pupil, of a film off its focus and through real lens surfaces, by
+// formulas of their own.
 #include "tests/unit/replay_frames.h"
 
 #include <boost/test/unit_test.hpp>
@@ -10,7 +11,8 @@ BOOST_AUTO_TEST_SUITE(replay_eyes)
 
 namespace {
 
-/// Judges each pixel of a view of frame_of_places by the film point that `expected(q, pole)` gives for its point of the sheet.
+/// Judges each pixel of a view of frame_of_places by the film point that `expected(q, pole)` gives
+/// for its point of the sheet.
 template <class Expected> void judge(const FrameMetadata& m, const View& view, Expected expected)
 {
     const auto image = replay(frame_of_places(m), view);
@@ -23,11 +25,13 @@ template <class Expected> void judge(const FrameMetadata& m, const View& view, E
             double margin;
             const Vec2 pole = nearest_pole(m.sheet, q, margin);
             const Vec2 f = expected(q, pole);
-            const double u = f.x / m.film.pixel_pitch.x + 0.5 * m.film.width, v = 0.5 * m.film.height - f.y / m.film.pixel_pitch.y;
+            const double u = f.x / m.film.pixel_pitch.x + 0.5 * m.film.width,
+                         v = 0.5 * m.film.height - f.y / m.film.pixel_pitch.y;
             if (margin < 1e-6 || u < 1 || v < 1 || u > m.film.width - 1 || v > m.film.height - 1)
                 continue;
             const Color seen = stored_pixel(*image, x, y);
-            worst = std::max({worst, std::fabs(seen.r * m.film.width - u), std::fabs(seen.g * m.film.height - v)});
+            worst = std::max({worst, std::fabs(seen.r * m.film.width - u),
+                              std::fabs(seen.g * m.film.height - v)});
             ++judged;
         }
     BOOST_TEST(judged > view.width * view.height / 2);
@@ -53,10 +57,15 @@ BOOST_AUTO_TEST_CASE(a_film_beside_the_focus_is_met_on_the_way_to_it)
 
 BOOST_AUTO_TEST_CASE(full_lenses_refract_where_the_line_of_sight_meets_their_surface)
 {
-    // Snell's law in vectors at the sphere or cylinder of radius t (n - 1)/n, then straight on to the film, also beside the focus. The
-    // line meets the surface at depth z = height(q + z slope) of the pole nearest there: found by iteration, as from
-    // these eyes the surface rises along the line by less than the line falls.
-    const struct { Eye eye; double gap; } eyes[] = {{{-40, 25, 250}, 0}, {{-40, 25, 250}, 0.7}, {{110, -60, 220}, 0}, {{110, -60, 220}, -1}};
+    // Snell's law in vectors at the sphere or cylinder of radius t (n - 1)/n, then straight on to
+    // the film, also beside the focus. The line meets the surface at depth z = height(q + z slope)
+    // of the pole nearest there: found by iteration, as from these eyes the surface rises along the
+    // line by less than the line falls.
+    const struct {
+        Eye eye;
+        double gap;
+    } eyes[] = {
+        {{-40, 25, 250}, 0}, {{-40, 25, 250}, 0.7}, {{110, -60, 220}, 0}, {{110, -60, 220}, -1}};
     for (const Case& c : cases)
         for (const auto& e : eyes) {
             const FrameMetadata m = geometry(c, 1000, 900, 0.02);
@@ -71,7 +80,8 @@ BOOST_AUTO_TEST_CASE(full_lenses_refract_where_the_line_of_sight_meets_their_sur
                 double x = 0, y = 0, root = 1, height = 0, margin;
                 for (int k = 0; k < 200; ++k) {
                     const Vec2 pole = nearest_pole(m.sheet, q, margin);
-                    x = (q.x - pole.x) / radius, y = (q.y - pole.y) / radius, root = std::sqrt(1 - x * x - y * y);
+                    x = (q.x - pole.x) / radius, y = (q.y - pole.y) / radius,
+                    root = std::sqrt(1 - x * x - y * y);
                     const double before = height;
                     height = radius * (1 - root);
                     q = {point.x + height * slope.x, point.y + height * slope.y};
@@ -94,15 +104,18 @@ BOOST_AUTO_TEST_CASE(full_lenses_refract_where_the_line_of_sight_meets_their_sur
 
 BOOST_AUTO_TEST_CASE(a_pupil_blurs_what_is_out_of_focus)
 {
-    // A bar's edge at depth z, seen by a pupil of diameter D that is focused on depth f from distance d: a uniform disc of diameter
-    // D |z - f|/(d + f) at f, seen from the pupil's centre as D |z - f| d/((d + f)(d + z)) on the sheet; the variance
-    // of the edge's spread is a 16th of its square. Fine lenses add little of their own.
+    // A bar's edge at depth z, seen by a pupil of diameter D that is focused on depth f from
+    // distance d: a uniform disc of diameter D |z - f|/(d + f) at f, seen from the pupil's centre
+    // as D |z - f| d/((d + f)(d + z)) on the sheet; the variance of the edge's spread is a 16th of
+    // its square. Fine lenses add little of their own.
     FrameMetadata m;
     m.sheet = {Arrangement::square, 0.1, 1, 1.5, 0, {}};
     m.film = {6000, 60, {0.005, 0.1}};
     const double d = 200;
     m.aperture = {d, 30, 60, ApertureShape::rectangle};
-    struct { double z, focus; } trials[] = {{20, 0}, {-20, 0}, {20, -15}, {20, 20}};
+    struct {
+        double z, focus;
+    } trials[] = {{20, 0}, {-20, 0}, {20, -15}, {20, 20}};
     for (const auto& trial : trials) {
         // Only across: the eye's disc along y sees the same, as the bar is endless there.
         const Frame frame = frame_of_bar(m, trial.z, 12);
@@ -115,9 +128,12 @@ BOOST_AUTO_TEST_CASE(a_pupil_blurs_what_is_out_of_focus)
         // the right edge's spread: moments of the light's fall, over the middle rows
         double weight = 0, mean = 0, square = 0;
         const double pixel = m.film.width * m.film.pixel_pitch.x / view.width;
-        const double blur = view.pupil * std::fabs(trial.z - trial.focus) * d / ((d + trial.focus) * (d + trial.z)) / 4;
-        const double edge = 6 * d / (d + trial.z), far = 2 * blur + 0.4; // the disc's half, and what lenses add
-        for (int x = int((edge - far) / pixel) + view.width / 2; x < int((edge + far) / pixel) + view.width / 2; ++x) {
+        const double blur = view.pupil * std::fabs(trial.z - trial.focus) * d /
+                            ((d + trial.focus) * (d + trial.z)) / 4;
+        const double edge = 6 * d / (d + trial.z),
+                     far = 2 * blur + 0.4; // the disc's half, and what lenses add
+        for (int x = int((edge - far) / pixel) + view.width / 2;
+             x < int((edge + far) / pixel) + view.width / 2; ++x) {
             double fall = 0;
             for (int y = 28; y < 32; ++y)
                 fall += light(x, y).g - light(x + 1, y).g;
@@ -128,7 +144,9 @@ BOOST_AUTO_TEST_CASE(a_pupil_blurs_what_is_out_of_focus)
         }
         mean /= weight;
         const double spread = std::sqrt(std::max(0.0, square / weight - mean * mean));
-        BOOST_TEST_MESSAGE("z " << trial.z << ", focus " << trial.focus << ": edge at " << mean << ", spread " << spread << ", " << blur << "; light " << weight / 4);
+        BOOST_TEST_MESSAGE("z " << trial.z << ", focus " << trial.focus << ": edge at " << mean
+                                << ", spread " << spread << ", " << blur << "; light "
+                                << weight / 4);
         BOOST_TEST(weight / 4 > 0.9);
         BOOST_TEST(std::fabs(mean - edge) < 0.1);
         BOOST_TEST(std::fabs(spread - blur) < 0.06);

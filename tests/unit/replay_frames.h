@@ -19,10 +19,11 @@ struct Case {
     double slant;
     Vec2 offset;
 };
-const Case cases[] = {{Arrangement::lenticular, 0, {0, 0}},     {Arrangement::lenticular, 9.46, {0.2, -0.1}},
-                      {Arrangement::lenticular, -60, {0, 0.3}}, {Arrangement::square, 0, {0, 0}},
-                      {Arrangement::square, 20, {-0.4, 0.3}},   {Arrangement::hexagonal, 0, {0, 0}},
-                      {Arrangement::hexagonal, -33, {0.1, 0.5}}};
+const Case cases[] = {
+    {Arrangement::lenticular, 0, {0, 0}},     {Arrangement::lenticular, 9.46, {0.2, -0.1}},
+    {Arrangement::lenticular, -60, {0, 0.3}}, {Arrangement::square, 0, {0, 0}},
+    {Arrangement::square, 20, {-0.4, 0.3}},   {Arrangement::hexagonal, 0, {0, 0}},
+    {Arrangement::hexagonal, -33, {0.1, 0.5}}};
 
 inline FrameMetadata geometry(const Case& c, int width, int height, double pixel)
 {
@@ -41,7 +42,8 @@ inline Frame frame_of_places(const FrameMetadata& m)
     frame.image = make_image<float>(m.film.width, m.film.height, 3, linear);
     for (int y = 0; y < m.film.height; ++y)
         for (int x = 0; x < m.film.width; ++x)
-            store_pixel(frame.image, x, y, {float((x + 0.5) / m.film.width), float((y + 0.5) / m.film.height), 1, 1});
+            store_pixel(frame.image, x, y,
+                        {float((x + 0.5) / m.film.width), float((y + 0.5) / m.film.height), 1, 1});
     set_metadata(frame, m);
     return frame;
 }
@@ -52,12 +54,14 @@ inline Vec2 nearest_pole(const LensSheet& s, Vec2 q, double& margin)
 {
     const double a = s.slant * pi / 180, p = s.pitch;
     const Vec2 d{q.x - s.offset.x, q.y - s.offset.y};
-    const Vec2 turned{d.x * std::cos(a) + d.y * std::sin(a), -d.x * std::sin(a) + d.y * std::cos(a)};
+    const Vec2 turned{d.x * std::cos(a) + d.y * std::sin(a),
+                      -d.x * std::sin(a) + d.y * std::cos(a)};
     double least = std::numeric_limits<double>::infinity(), second = least;
     Vec2 best;
     const bool lenticular = s.arrangement == Arrangement::lenticular;
     const double row = s.arrangement == Arrangement::hexagonal ? p * std::sqrt(3) / 2 : p;
-    const int j0 = lenticular ? 0 : int(std::floor(turned.y / row)), i0 = int(std::floor(turned.x / p));
+    const int j0 = lenticular ? 0 : int(std::floor(turned.y / row)),
+              i0 = int(std::floor(turned.x / p));
     for (int j = j0 - 2; j <= j0 + 2; ++j)
         for (int i = i0 - 2; i <= i0 + 2; ++i) {
             if (lenticular && j != j0)
@@ -94,8 +98,8 @@ inline Vec2 view_point(const FrameMetadata& m, const View& view, int x, int y)
             (0.5 - (y + 0.5) / view.height) * m.film.height * m.film.pixel_pitch.y};
 }
 
-/// A frame of a white bar, from x = -width/2 to width/2, at depth z on black: each channel's light is that of the ray from
-/// its own stripe's centre.
+/// A frame of a white bar, from x = -width/2 to width/2, at depth z on black: each channel's light
+/// is that of the ray from its own stripe's centre.
 inline Frame frame_of_bar(const FrameMetadata& m, double z, double width)
 {
     const SheetOptics optics(m.sheet, m.aperture);
@@ -104,10 +108,12 @@ inline Frame frame_of_bar(const FrameMetadata& m, double z, double width)
         for (int x = 0; x < m.film.width; ++x) {
             const auto light = [&](int channel) {
                 const double shift = m.film.subpixels == Subpixels::rgb ? (channel - 1) / 3.0 : 0;
-                const auto mapped = optics.map(film_from_pixel(m.film, {x + 0.5 + shift, y + 0.5}), LensMapping::automatic);
+                const auto mapped = optics.map(film_from_pixel(m.film, {x + 0.5 + shift, y + 0.5}),
+                                               LensMapping::automatic);
                 if (!mapped.ray)
                     return 0.0f;
-                const double at = mapped.ray->pole.x + z / mapped.ray->direction.z * mapped.ray->direction.x;
+                const double at = mapped.ray->pole.x +
+                                  z / mapped.ray->direction.z * mapped.ray->direction.x;
                 return std::fabs(at) < width / 2 ? 1.0f : 0.0f;
             };
             store_linear(frame.image, x, y, {light(0), light(1), light(2), 1});

@@ -32,7 +32,8 @@ std::string from_base64(const std::string& text)
 {
     const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     BOOST_REQUIRE_EQUAL(text.size() % 4, 0);
-    const std::size_t end = text.find('='), padding = end == std::string::npos ? 0 : text.size() - end;
+    const std::size_t end = text.find('='),
+                      padding = end == std::string::npos ? 0 : text.size() - end;
     BOOST_REQUIRE(padding <= 2);
     std::string bytes;
     unsigned bits = 0;
@@ -97,15 +98,18 @@ BOOST_AUTO_TEST_CASE(holds_geometry_and_start)
     start.model = LensModel::pinhole;
     const std::string page = replay_page(frame, start);
 
-    const std::string json = between(page, "<script type=\"application/json\" id=\"geometry\">", "</script>");
+    const std::string json = between(page, "<script type=\"application/json\" id=\"geometry\">",
+                                     "</script>");
     BOOST_TEST(json.find('<') == std::string::npos);
     const FrameMetadata read = frame_metadata_from_json(json);
     BOOST_TEST(read.render->scene == name);
     BOOST_TEST(read.sheet.pitch == frame.metadata->sheet.pitch);
     BOOST_TEST(read.film.width == 7);
 
-    const auto view = nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"start\">", "</script>"));
-    auto wanted = nlohmann::json::parse(R"({"eye": [1.5, -2, 300], "size": [0, 0], "samples": 5, "pupil": 4,
+    const auto view = nlohmann::json::parse(
+        between(page, "<script type=\"application/json\" id=\"start\">", "</script>"));
+    auto wanted = nlohmann::json::parse(
+        R"({"eye": [1.5, -2, 300], "size": [0, 0], "samples": 5, "pupil": 4,
                                                  "focus": -8, "film_gap": 0.1, "blur": 0.2, "model": "pinhole",
                                                  "part": [1, -2, 30, 20], "zone": [0, 0]})");
     const Vec2 zone = viewing_zone(*frame.metadata, 300);

@@ -23,7 +23,8 @@ Frame frame_of_disc(FrameMetadata m, Vec3 centre, double radius)
     Frame frame{make_image<std::uint16_t>(m.film.width, m.film.height, 3, {}), {}};
     for_each_row(m.film.height, 0, [&](int y) {
         for (int x = 0; x < m.film.width; ++x) {
-            const auto mapped = optics.map(film_from_pixel(m.film, {x + 0.5, y + 0.5}), LensMapping::automatic);
+            const auto mapped = optics.map(film_from_pixel(m.film, {x + 0.5, y + 0.5}),
+                                           LensMapping::automatic);
             if (!mapped.ray)
                 continue;
             // The line through the pole, which the viewer sees both ways.
@@ -66,7 +67,8 @@ Vec2 centroid(const Frame& frame, const Eye& eye)
 Vec2 parallax_error(const Frame& frame, double z, double baseline)
 {
     const double d = frame.metadata->aperture.distance, b = baseline / 2;
-    // Across a slanted lenticular sheet's slit an eye sees other than the recorded heights: stay on it.
+    // Across a slanted lenticular sheet's slit an eye sees other than the recorded heights: stay on
+    // it.
     const double v = frame.metadata->sheet.arrangement == Arrangement::lenticular ? 0 : b;
     const Vec2 moved = centroid(frame, {b, v, d}) - centroid(frame, {-b, -v, d});
     const double theory = baseline * z / (d + z);
@@ -75,9 +77,10 @@ Vec2 parallax_error(const Frame& frame, double z, double baseline)
 
 } // namespace
 
-// At 300 dpi 1.27 mm hold 15 pixels: nearly all lenses then show an eye the same one (thesis 5.3.1), the
-// views of an unslanted sheet jump by whole pixels, and parallax is only right on average over eyes. Slant,
-// or pixels of which the visual pitch is no whole number, spread the jumps over the sheet: these are measured.
+// At 300 dpi 1.27 mm hold 15 pixels: nearly all lenses then show an eye the same one
+// (thesis 5.3.1), the views of an unslanted sheet jump by whole pixels, and parallax is only right
+// on average over eyes. Slant, or pixels of which the visual pitch is no whole number, spread the
+// jumps over the sheet: these are measured.
 BOOST_AUTO_TEST_CASE(disc_before_and_behind_the_sheet)
 {
     const struct {
@@ -102,11 +105,14 @@ BOOST_AUTO_TEST_CASE(disc_before_and_behind_the_sheet)
             const Vec2 error = parallax_error(frame, z, 40);
             const bool vertical = s.arrangement != Arrangement::lenticular; // else there is none
             const auto where = [&](char axis) {
-                return std::to_string(int(s.arrangement)) + " slant " + std::to_string(s.slant) + " z " + std::to_string(z) + " along " + axis;
+                return std::to_string(int(s.arrangement)) + " slant " + std::to_string(s.slant) +
+                       " z " + std::to_string(z) + " along " + axis;
             };
-            BOOST_TEST_MESSAGE(where('x') << " " << 100 * error.x << "%, y " << 100 * error.y << "%");
+            BOOST_TEST_MESSAGE(where('x')
+                               << " " << 100 * error.x << "%, y " << 100 * error.y << "%");
             BOOST_TEST(std::fabs(error.x) < 0.006, where('x') << ": " << 100 * error.x << "%");
-            BOOST_TEST((!vertical || std::fabs(error.y) < 0.006), where('y') << ": " << 100 * error.y << "%");
+            BOOST_TEST((!vertical || std::fabs(error.y) < 0.006),
+                       where('y') << ": " << 100 * error.y << "%");
             worst = std::max({worst, std::fabs(error.x), vertical ? std::fabs(error.y) : 0});
         }
     BOOST_TEST_MESSAGE("greatest parallax error " << 100 * worst << "%");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where eyes go, parts of the sheet, lenses that blur, and frames made of what eyes see: by hand values and closed forms.
+// Where eyes go, parts of the sheet, lenses that blur, and frames made of what eyes see: by hand
+// values and closed forms.
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/perspective_views.h"
@@ -39,7 +40,8 @@ BOOST_AUTO_TEST_CASE(paths_by_hand)
     is_at(eyes[0], -150, 7, 300 * std::sqrt(0.75));
     is_at(eyes[1], 0, 7, 300);
     is_at(eyes[2], 150, 7, 300 * std::sqrt(0.75));
-    eyes = eye_path(EyePath::turntable, {0, 0, 300}, zone, {}, 2); // the zone's edges are in this direction
+    eyes = eye_path(EyePath::turntable, {0, 0, 300}, zone, {}, 2); // the zone's edges are in this
+                                                                   // direction
     BOOST_TEST(std::fabs(eyes[1].x / eyes[1].distance - 100.0 / 300) < 1e-12);
 
     eyes = eye_path(EyePath::circle, middle, zone, {}, 4);
@@ -97,7 +99,8 @@ BOOST_AUTO_TEST_CASE(a_part_is_cut_from_the_whole)
 
 BOOST_AUTO_TEST_CASE(blur_shows_the_part_of_its_spot_that_is_lit)
 {
-    // The film is white right of an edge. A spot whose middle is u radii left of it holds (acos u - u sqrt(1 - u^2))/pi white.
+    // The film is white right of an edge. A spot whose middle is u radii left of it holds (acos u -
+    // u sqrt(1 - u^2))/pi white.
     FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 2000, 400, 0.002);
     m.film.pixel_pitch.y = 0.02;
     constexpr double edge = 0.1, diameter = 0.4;
@@ -117,7 +120,8 @@ BOOST_AUTO_TEST_CASE(blur_shows_the_part_of_its_spot_that_is_lit)
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 16; ++x)
                 light += stored_pixel(*image, x, y).g / 256;
-        const double u = std::clamp((edge - film_point(m.sheet, {0, 0}, {0, 0}, view.eye).x) / (diameter / 2), -1.0, 1.0);
+        const double u = std::clamp(
+            (edge - film_point(m.sheet, {0, 0}, {0, 0}, view.eye).x) / (diameter / 2), -1.0, 1.0);
         const double lit = (std::acos(u) - u * std::sqrt(1 - u * u)) / pi;
         BOOST_TEST_MESSAGE("eye at " << eye_x << ": " << light << ", closed form " << lit);
         BOOST_TEST(std::fabs(light - lit) < 0.01);
@@ -126,15 +130,16 @@ BOOST_AUTO_TEST_CASE(blur_shows_the_part_of_its_spot_that_is_lit)
 
 BOOST_AUTO_TEST_CASE(spot_and_pupil_are_spread_independently)
 {
-    // A film that is a product of two ramps, one seen through each: were the spot's points tied to the pupil's, their product
-    // would not be that of the means.
+    // A film that is a product of two ramps, one seen through each: were the spot's points tied to
+    // the pupil's, their product would not be that of the means.
     FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 2000, 2000, 0.002);
     m.film.pixel_pitch.y = 0.002;
     Frame frame{make_image<float>(m.film.width, m.film.height, 3, linear), {}};
     for (int y = 0; y < m.film.height; ++y)
         for (int x = 0; x < m.film.width; ++x) {
             const Vec2 p = film_from_pixel(m.film, {x + 0.5, y + 0.5});
-            store_pixel(frame.image, x, y, {float(p.x * p.x), float(p.x * p.y), float(p.y * p.y), 1});
+            store_pixel(frame.image, x, y,
+                        {float(p.x * p.x), float(p.x * p.y), float(p.y * p.y), 1});
         }
     set_metadata(frame, m);
     View view{{0, 0, 300}, 32, 32, 8};
@@ -161,7 +166,8 @@ BOOST_AUTO_TEST_CASE(spot_and_pupil_are_spread_independently)
 
 BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
 {
-    // Light that is linear in the place where a line meets the plane at depth z: linear in eye and sheet, so that views hold all of it.
+    // Light that is linear in the place where a line meets the plane at depth z: linear in eye and
+    // sheet, so that views hold all of it.
     constexpr double z = 40;
     const EyeGrid eyes{{180, 140}, 280};
     for (const Case& c : cases)
@@ -169,14 +175,17 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
             FrameMetadata m = geometry(c, 200, 150, 0.2);
             m.film.subpixels = subpixels;
             const auto light = [&](Vec2 sheet, Vec2 eye) {
-                const double x = sheet.x + (sheet.x - eye.x) * z / eyes.distance, y = sheet.y + (sheet.y - eye.y) * z / eyes.distance;
-                return Color{float(0.5 + 0.004 * x), float(0.5 + 0.003 * y), float(0.5 + 0.002 * (x + y)), 1};
+                const double x = sheet.x + (sheet.x - eye.x) * z / eyes.distance,
+                             y = sheet.y + (sheet.y - eye.y) * z / eyes.distance;
+                return Color{float(0.5 + 0.004 * x), float(0.5 + 0.003 * y),
+                             float(0.5 + 0.002 * (x + y)), 1};
             };
             const ViewGrid grid{5, 4};
             std::vector<Image> views(grid.count(), make_image<float>(80, 60, 3, linear));
             const View window{{}, 80, 60};
             for (int k = 0; k < grid.count(); ++k) {
-                const Vec2 eye{((k % 5 + 0.5) / 5 - 0.5) * eyes.zone.x, ((k / 5 + 0.5) / 4 - 0.5) * eyes.zone.y};
+                const Vec2 eye{((k % 5 + 0.5) / 5 - 0.5) * eyes.zone.x,
+                               ((k / 5 + 0.5) / 4 - 0.5) * eyes.zone.y};
                 for (int y = 0; y < 60; ++y)
                     for (int x = 0; x < 80; ++x)
                         store_pixel(views[k], x, y, light(view_point(m, window, x, y), eye));
@@ -188,7 +197,8 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
             for (int y = 4; y < m.film.height - 4; ++y)
                 for (int x = 4; x < m.film.width - 4; ++x)
                     for (int channel = 0; channel < 3; ++channel) {
-                        // The ray by Snell's law in angles; behind lenticular lenses the height on the axis is the slit's affair.
+                        // The ray by Snell's law in angles; behind lenticular lenses the height on
+                        // the axis is the slit's affair.
                         const double shift = subpixels == Subpixels::none ? 0 : (1 - channel) / 3.0;
                         const Vec2 f = film_from_pixel(m.film, {x + 0.5 + shift, y + 0.5});
                         double margin;
@@ -196,13 +206,17 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
                         if (margin < 0.3 || m.sheet.arrangement == Arrangement::lenticular)
                             continue;
                         const double off = std::hypot(pole.x - f.x, pole.y - f.y);
-                        const double out = std::asin(m.sheet.ior * std::sin(std::atan(off / m.sheet.thickness)));
+                        const double out = std::asin(m.sheet.ior *
+                                                     std::sin(std::atan(off / m.sheet.thickness)));
                         const double reach = off > 0 ? eyes.distance * std::tan(out) / off : 0;
-                        const Vec2 eye{pole.x + reach * (pole.x - f.x), pole.y + reach * (pole.y - f.y)};
-                        if (std::fabs(eye.x) > 0.4 * eyes.zone.x || std::fabs(eye.y) > 0.37 * eyes.zone.y)
+                        const Vec2 eye{pole.x + reach * (pole.x - f.x),
+                                       pole.y + reach * (pole.y - f.y)};
+                        if (std::fabs(eye.x) > 0.4 * eyes.zone.x ||
+                            std::fabs(eye.y) > 0.37 * eyes.zone.y)
                             continue;
                         const Color expected = light(pole, eye), got = stored_pixel(*frame, x, y);
-                        const float e[] = {expected.r, expected.g, expected.b}, g[] = {got.r, got.g, got.b};
+                        const float e[] = {expected.r, expected.g, expected.b},
+                                    g[] = {got.r, got.g, got.b};
                         worst = std::max(worst, double(std::fabs(e[channel] - g[channel])));
                         ++judged;
                     }
@@ -210,7 +224,8 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
                 BOOST_TEST(judged > 1000);
             BOOST_TEST(worst < 1e-5);
         }
-    // Lenticular: the axis's point at which the light leaves lies at the height from which an eye of the slit's plane sees the film point.
+    // Lenticular: the axis's point at which the light leaves lies at the height from which an eye
+    // of the slit's plane sees the film point.
     const FrameMetadata m = geometry(cases[0], 200, 150, 0.2);
     std::vector<Image> views(2, make_image<float>(200, 150, 3, linear));
     for (Image& view : views)
@@ -220,15 +235,20 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
     const auto frame = frame_from_perspective_views(views, m, {2, 1}, {{150, 0}, 300});
     const SheetOptics optics(m.sheet, m.aperture);
     for (int y = 10; y < 140; ++y) {
-        const auto ray = optics.map(film_from_pixel(m.film, {60.5, y + 0.5}), LensMapping::automatic).ray;
+        const auto
+            ray = optics.map(film_from_pixel(m.film, {60.5, y + 0.5}), LensMapping::automatic).ray;
         BOOST_REQUIRE(ray);
         const double row = pixel_from_film(m.film, ray->pole).y - 0.5;
         BOOST_TEST(std::fabs(stored_pixel(*frame, 60, y).g - row / 150) < 1e-5);
-        BOOST_TEST(std::fabs(stored_pixel(*frame, 60, y).r - std::clamp((ray->aperture_point.x / 150 + 0.5) * 2 - 0.5, 0.0, 1.0)) < 1e-5);
+        BOOST_TEST(std::fabs(stored_pixel(*frame, 60, y).r -
+                             std::clamp((ray->aperture_point.x / 150 + 0.5) * 2 - 0.5, 0.0, 1.0)) <
+                   1e-5);
     }
-    BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {3, 1}, {{150, 0}, 300}), std::invalid_argument);
+    BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {3, 1}, {{150, 0}, 300}),
+                      std::invalid_argument);
     views[1] = make_image<float>(20, 15, 3, linear);
-    BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {2, 1}, {{150, 0}, 300}), std::invalid_argument);
+    BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {2, 1}, {{150, 0}, 300}),
+                      std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_quilt_whose_views_leave_a_rest)
@@ -236,10 +256,13 @@ BOOST_AUTO_TEST_CASE(a_quilt_whose_views_leave_a_rest)
     Image quilt = make_image<std::uint8_t>(7, 5, 3, Encoding());
     auto& samples = std::get<std::vector<std::uint8_t>>(quilt.samples);
     for (std::size_t k = 0; k < samples.size(); ++k)
-        samples[k] = std::uint8_t(k / 3); // the pixel's number
-    const auto views = views_of_quilt(quilt, {3, 2}); // 2 by 2 pixels each; a column at the right and a row at the top are no view's
+        samples[k] = std::uint8_t(k / 3);             // the pixel's number
+    const auto views = views_of_quilt(quilt, {3, 2}); // 2 by 2 pixels each; a column at the right
+                                                      // and a row at the top are no view's
     BOOST_REQUIRE(views.size() == 6);
-    const auto first = [&](int k) { return int(std::get<std::vector<std::uint8_t>>(views[k].samples).at(0)); };
+    const auto first = [&](int k) {
+        return int(std::get<std::vector<std::uint8_t>>(views[k].samples).at(0));
+    };
     BOOST_TEST(first(0) == 3 * 7);
     BOOST_TEST(first(2) == 3 * 7 + 4);
     BOOST_TEST(first(3) == 7);

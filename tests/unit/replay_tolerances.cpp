@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The tolerances of a suite: the document, which entries a name gets, and limits against figures; geometry compared.
+// The tolerances of a suite: the document, which entries a name gets, and limits against figures;
+// geometry compared.
 #include "integral/compare/compare_geometry.h"
 #include "integral/compare/tolerances.h"
 
@@ -27,7 +28,8 @@ std::string refusal(const std::string& text)
     return "";
 }
 
-const std::string kinds = "; there are: max_rmse, min_psnr, min_ssim, max_difference, max_micro_image_rmse";
+const std::string
+    kinds = "; there are: max_rmse, min_psnr, min_ssim, max_difference, max_micro_image_rmse";
 
 } // namespace
 
@@ -77,22 +79,33 @@ BOOST_AUTO_TEST_CASE(names_and_globs)
 BOOST_AUTO_TEST_CASE(what_is_refused)
 {
     BOOST_TEST(refusal("{}") == "");
-    BOOST_TEST(refusal("{\n\n\"defaults\": {\n\"max_rms\": 1}}") == "line 4: \"max_rms\" in \"defaults\" is unknown" + kinds);
-    BOOST_TEST(refusal("{\"files\": {\n\"a\": {\"min_rmse\": 1}}}") == "line 2: \"min_rmse\" in \"a\" is unknown" + kinds);
-    BOOST_TEST(refusal("{\"files\": {},\n\"default\": {}}") == "line 2: \"default\" is unknown; there are: defaults, files");
+    BOOST_TEST(refusal("{\n\n\"defaults\": {\n\"max_rms\": 1}}") ==
+               "line 4: \"max_rms\" in \"defaults\" is unknown" + kinds);
+    BOOST_TEST(refusal("{\"files\": {\n\"a\": {\"min_rmse\": 1}}}") ==
+               "line 2: \"min_rmse\" in \"a\" is unknown" + kinds);
+    BOOST_TEST(refusal("{\"files\": {},\n\"default\": {}}") ==
+               "line 2: \"default\" is unknown; there are: defaults, files");
     BOOST_TEST(refusal("{\n\"files\": []}") == "line 2: \"files\" must be an object, { ... }");
-    BOOST_TEST(refusal("{\"files\": {\n\n\"a\": 1}}") == "line 3: \"a\" must be an object, { ... }");
+    BOOST_TEST(refusal("{\"files\": {\n\n\"a\": 1}}") ==
+               "line 3: \"a\" must be an object, { ... }");
     BOOST_TEST(refusal("[1]") == "line 1: the document must be an object, { ... }");
     const std::string number = " must be a number from 0 to 1e+06, or null for no limit";
     for (const char* bad : {"-0.1", "\"1\"", "true", "[]", "{}", "1e7"})
-        BOOST_TEST(refusal(std::string("{\"defaults\":\n{\"max_rmse\": ") + bad + "}}") == "line 2: \"max_rmse\"" + number);
-    BOOST_TEST(refusal("{\"defaults\": {\"min_ssim\": 1.01}}") == "line 1: \"min_ssim\" must be a number from -1 to 1, or null for no limit");
-    BOOST_TEST(refusal("{\"files\": {\"a\": {},\n\"b\": {},\n\"a\": {}}}") == "line 3: the field a stands twice in one object");
-    BOOST_TEST(refusal("{\"files\": {\"a\": {\"max_rmse\": 1,\n\"max_rmse\": 2}}}") == "line 2: the field max_rmse stands twice in one object");
+        BOOST_TEST(refusal(std::string("{\"defaults\":\n{\"max_rmse\": ") + bad + "}}") ==
+                   "line 2: \"max_rmse\"" + number);
+    BOOST_TEST(refusal("{\"defaults\": {\"min_ssim\": 1.01}}") ==
+               "line 1: \"min_ssim\" must be a number from -1 to 1, or null for no limit");
+    BOOST_TEST(refusal("{\"files\": {\"a\": {},\n\"b\": {},\n\"a\": {}}}") ==
+               "line 3: the field a stands twice in one object");
+    BOOST_TEST(refusal("{\"files\": {\"a\": {\"max_rmse\": 1,\n\"max_rmse\": 2}}}") ==
+               "line 2: the field max_rmse stands twice in one object");
     BOOST_TEST(refusal("{\"files\": {\"a\": {\"max_rmse\": 1}, \"b\": {\"max_rmse\": 1}}}") == "");
-    BOOST_TEST(refusal("{\n\n\"files\": {,}\n}\n") == "line 3: this is no JSON: unexpected ','; expected string literal");
-    BOOST_TEST(refusal("") == "line 1: this is no JSON: unexpected end of input; expected '[', '{', or a literal");
-    BOOST_TEST(refusal("{\n\"defaults\": {\"max_rmse\": 1e999}}") == "line 2: a number is out of range");
+    BOOST_TEST(refusal("{\n\n\"files\": {,}\n}\n") ==
+               "line 3: this is no JSON: unexpected ','; expected string literal");
+    BOOST_TEST(refusal("") ==
+               "line 1: this is no JSON: unexpected end of input; expected '[', '{', or a literal");
+    BOOST_TEST(refusal("{\n\"defaults\": {\"max_rmse\": 1e999}}") ==
+               "line 2: a number is out of range");
     BOOST_TEST(refusal(std::string(100000, '[')) ==
                "line 1: objects and lists are nested more than 64 deep; nest them less");
 }
@@ -106,12 +119,15 @@ BOOST_AUTO_TEST_CASE(figures_against_limits)
     figures.largest_difference = std::nan("");
     Limits limits;
     BOOST_TEST(missed_limits(limits, figures).empty());
-    limits = {0.2, 1e6, 0.5, std::nullopt, 0}; // what is at its limit keeps it; there is no micro-image
+    limits = {0.2, 1e6, 0.5, std::nullopt, 0}; // what is at its limit keeps it; there is no
+                                               // micro-image
     BOOST_TEST(missed_limits(limits, figures).empty());
     limits = {0.19, 40, 0.51, 1, 0.1};
     figures.worst = WorstMicroImage{{}, {}, 0.11};
-    const std::vector<std::string> wanted = {"RMSE 0.2 is greater than 0.19", "SSIM 0.5 is less than 0.51",
-                                             "largest difference nan is greater than 1", "the worst micro-image's RMSE 0.11 is greater than 0.1"};
+    const std::vector<std::string> wanted = {
+        "RMSE 0.2 is greater than 0.19", "SSIM 0.5 is less than 0.51",
+        "largest difference nan is greater than 1",
+        "the worst micro-image's RMSE 0.11 is greater than 0.1"};
     BOOST_TEST(missed_limits(limits, figures) == wanted, boost::test_tools::per_element());
 }
 
@@ -134,16 +150,20 @@ BOOST_AUTO_TEST_CASE(geometry)
     other.sheet.pitch = 1.27 * (1 + 1e-12);
     BOOST_TEST(geometry_difference(reference, other) == "");
     other.render->pseudoscopic = true;
-    BOOST_TEST(geometry_difference(reference, other) == "render.pseudoscopic is there, its reference has none");
+    BOOST_TEST(geometry_difference(reference, other) ==
+               "render.pseudoscopic is there, its reference has none");
     other.render.reset(); // then nothing is known of it
     BOOST_TEST(geometry_difference(reference, other) == "");
     other.film.pixel_pitch.y = 0.2;
-    BOOST_TEST(geometry_difference(reference, other) == "film.pixel_pitch_mm[1] is 0.2, its reference's 0.1");
+    BOOST_TEST(geometry_difference(reference, other) ==
+               "film.pixel_pitch_mm[1] is 0.2, its reference's 0.1");
     other.sheet.arrangement = Arrangement::square;
-    BOOST_TEST(geometry_difference(reference, other) == "sheet.arrangement is \"square\", its reference's \"lenticular\"");
+    BOOST_TEST(geometry_difference(reference, other) ==
+               "sheet.arrangement is \"square\", its reference's \"lenticular\"");
     other = reference;
     other.aperture.width = 50;
-    BOOST_TEST(geometry_difference(reference, other) == "aperture.width_mm is 50.0, its reference's null");
+    BOOST_TEST(geometry_difference(reference, other) ==
+               "aperture.width_mm is 50.0, its reference's null");
     other = reference;
     other.quilt = QuiltRecord();
     BOOST_TEST(geometry_difference(other, reference) == "quilt is missing, its reference has it");

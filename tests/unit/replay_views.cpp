@@ -13,7 +13,8 @@ BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
     for (const Case& c : cases) {
         const FrameMetadata m = geometry(c, 1000, 900, 0.02);
         const Frame frame = frame_of_places(m);
-        for (const Eye eye : {Eye{0, 0, 300}, Eye{-80, 35, 250}, Eye{500, -200, 150}, Eye{3, 1, 2}}) {
+        for (const Eye eye :
+             {Eye{0, 0, 300}, Eye{-80, 35, 250}, Eye{500, -200, 150}, Eye{3, 1, 2}}) {
             const View view{eye, 211, 97, 1};
             const auto image = replay(frame, view);
             BOOST_REQUIRE(image);
@@ -29,14 +30,17 @@ BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
                     const double u = f.x / (m.film.width * m.film.pixel_pitch.x) + 0.5;
                     const double v = 0.5 - f.y / (m.film.height * m.film.pixel_pitch.y);
                     const Color seen = stored_pixel(*image, x, y);
-                    const double half_u = 0.5 / m.film.width + 1e-6, half_v = 0.5 / m.film.height + 1e-6;
+                    const double half_u = 0.5 / m.film.width + 1e-6,
+                                 half_v = 0.5 / m.film.height + 1e-6;
                     if (u < -1e-9 || u > 1 + 1e-9 || v < -1e-9 || v > 1 + 1e-9) {
                         BOOST_TEST(seen.b == 0);
                         ++black;
                     } else if (u > 1e-9 && u < 1 - 1e-9 && v > 1e-9 && v < 1 - 1e-9) {
-                        BOOST_TEST((std::fabs(seen.r - u) <= half_u && std::fabs(seen.g - v) <= half_v),
-                                   "arrangement " << int(c.arrangement) << " slant " << c.slant << " pixel " << x << "," << y
-                                                  << ": " << seen.r << "," << seen.g << " instead of " << u << "," << v);
+                        BOOST_TEST(
+                            (std::fabs(seen.r - u) <= half_u && std::fabs(seen.g - v) <= half_v),
+                            "arrangement " << int(c.arrangement) << " slant " << c.slant
+                                           << " pixel " << x << "," << y << ": " << seen.r << ","
+                                           << seen.g << " instead of " << u << "," << v);
                         ++judged;
                     }
                 }
@@ -48,8 +52,9 @@ BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
 
 BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stripe)
 {
-    // Each channel of a film pixel holds the place of its own stripe's centre, in pixels. What the eye sees of each is
-    // within half a pixel of the film point behind the lens, and within a whole one if the stripes are taken for pixels.
+    // Each channel of a film pixel holds the place of its own stripe's centre, in pixels. What the
+    // eye sees of each is within half a pixel of the film point behind the lens, and within a whole
+    // one if the stripes are taken for pixels.
     for (const Subpixels order : {Subpixels::rgb, Subpixels::bgr})
         for (const Case& c : cases) {
             FrameMetadata m = geometry(c, 300, 200, 0.05);
@@ -59,7 +64,8 @@ BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stri
             frame.image = make_image<float>(m.film.width, m.film.height, 3, linear);
             for (int y = 0; y < m.film.height; ++y)
                 for (int x = 0; x < m.film.width; ++x)
-                    store_pixel(frame.image, x, y, {float(x + 0.5 + red), float(x + 0.5), float(x + 0.5 - red), 1});
+                    store_pixel(frame.image, x, y,
+                                {float(x + 0.5 + red), float(x + 0.5), float(x + 0.5 - red), 1});
             set_metadata(frame, m);
             Frame as_pixels = frame;
             as_pixels.metadata->film.subpixels = Subpixels::none;
@@ -73,12 +79,14 @@ BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stri
                     double margin;
                     const Vec2 pole = nearest_pole(m.sheet, q, margin);
                     const Vec2 f = film_point(m.sheet, pole, q, view.eye);
-                    const double px = f.x / m.film.pixel_pitch.x + 150, py = 100 - f.y / m.film.pixel_pitch.y;
+                    const double px = f.x / m.film.pixel_pitch.x + 150,
+                                 py = 100 - f.y / m.film.pixel_pitch.y;
                     if (margin < 1e-6 || px < 1 || px > 299 || py < 0.01 || py > 199.99)
                         continue;
                     const auto farthest = [&](const Image& seen) {
                         const Color color = stored_pixel(seen, x, y);
-                        return std::max({std::fabs(color.r - px), std::fabs(color.g - px), std::fabs(color.b - px)});
+                        return std::max({std::fabs(color.r - px), std::fabs(color.g - px),
+                                         std::fabs(color.b - px)});
                     };
                     worst = std::max(worst, farthest(*image));
                     worst_ignored = std::max(worst_ignored, farthest(*ignored));
@@ -92,9 +100,11 @@ BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stri
 
 namespace {
 
-/// Where the bar's two edges are seen on average, mm on the sheet: what light each channel has to the left and to the right
-/// of the bar's middle.
-struct Edges { double left[3], right[3]; };
+/// Where the bar's two edges are seen on average, mm on the sheet: what light each channel has to
+/// the left and to the right of the bar's middle.
+struct Edges {
+    double left[3], right[3];
+};
 
 Edges edges_of(const Frame& frame, Eye eye)
 {
@@ -103,8 +113,10 @@ Edges edges_of(const Frame& frame, Eye eye)
     set_view_size(view, film, 600);
     const auto image = replay(frame, view);
     const LinearReader light(*image);
-    const double pixel = film.width * film.pixel_pitch.x / view.width / view.height; // mm, a row's part
-    const int middle = int(view.width * (0.5 + eye.x * 20 / (eye.distance + 20) / (film.width * film.pixel_pitch.x)));
+    const double pixel = film.width * film.pixel_pitch.x / view.width /
+                         view.height; // mm, a row's part
+    const int middle = int(
+        view.width * (0.5 + eye.x * 20 / (eye.distance + 20) / (film.width * film.pixel_pitch.x)));
     Edges edges{};
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
@@ -122,8 +134,8 @@ Edges edges_of(const Frame& frame, Eye eye)
 
 BOOST_AUTO_TEST_CASE(a_white_bar_on_a_film_of_subpixels_has_no_coloured_edges)
 {
-    // A panel of 0.207 mm pixels under slanted lenses, a white bar 20 mm behind the sheet. Taken for pixels, the stripes'
-    // channels would be seen z/t n times a third of a pixel apart.
+    // A panel of 0.207 mm pixels under slanted lenses, a white bar 20 mm behind the sheet. Taken
+    // for pixels, the stripes' channels would be seen z/t n times a third of a pixel apart.
     FrameMetadata m;
     m.sheet = {Arrangement::lenticular, 1.27, 3.08, 1.6, 9.46, {}};
     m.film = {480, 300, {0.207, 0.207}, Subpixels::rgb};
@@ -134,12 +146,15 @@ BOOST_AUTO_TEST_CASE(a_white_bar_on_a_film_of_subpixels_has_no_coloured_edges)
         frame.metadata->film.subpixels = Subpixels::none;
         const Edges ignored = edges_of(frame, eye);
         frame.metadata->film.subpixels = Subpixels::rgb;
-        const double apart = 2 / 3.0 * m.film.pixel_pitch.x * 20 * m.sheet.ior / m.sheet.thickness; // red and blue, paraxially
+        const double apart = 2 / 3.0 * m.film.pixel_pitch.x * 20 * m.sheet.ior /
+                             m.sheet.thickness; // red and blue, paraxially
         for (const auto side : {&Edges::left, &Edges::right}) {
             const double fringe = (seen.*side)[0] - (seen.*side)[2];
             const double fringe_ignored = (ignored.*side)[0] - (ignored.*side)[2];
-            BOOST_TEST_MESSAGE("eye " << eye.x << ": red beside blue by " << fringe / m.film.pixel_pitch.x << " pixels, "
-                                      << fringe_ignored / m.film.pixel_pitch.x << " if taken for pixels");
+            BOOST_TEST_MESSAGE("eye " << eye.x << ": red beside blue by "
+                                      << fringe / m.film.pixel_pitch.x << " pixels, "
+                                      << fringe_ignored / m.film.pixel_pitch.x
+                                      << " if taken for pixels");
             BOOST_TEST(std::fabs(fringe) < 0.2 * m.film.pixel_pitch.x);
             BOOST_TEST(std::fabs(std::fabs(fringe_ignored) / apart - 1) < 0.1);
         }
@@ -148,7 +163,8 @@ BOOST_AUTO_TEST_CASE(a_white_bar_on_a_film_of_subpixels_has_no_coloured_edges)
 
 BOOST_AUTO_TEST_CASE(subpixels_at_the_film_s_edge_and_alpha)
 {
-    // White to the film's very edge, every other column transparent; under one wide lens the eye sees the film plainly.
+    // White to the film's very edge, every other column transparent; under one wide lens the eye
+    // sees the film plainly.
     FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 30, 20, 0.01);
     m.sheet.pitch = 10;
     m.sheet.thickness = 30;
@@ -163,9 +179,12 @@ BOOST_AUTO_TEST_CASE(subpixels_at_the_film_s_edge_and_alpha)
     const auto image = replay(frame, view);
     int beyond = 0, first = 0, last = 0, mixed = 0;
     for (int x = 0; x < view.width; ++x) {
-        const double px = film_point(m.sheet, {0, 0}, view_point(m, view, x, 4), view.eye).x / 0.01 + 15;
+        const double px = film_point(m.sheet, {0, 0}, view_point(m, view, x, 4), view.eye).x /
+                              0.01 +
+                          15;
         const auto opaque = [&](double stripe) {
-            return px >= 0 && px < 30 && int(std::fmin(29, std::fmax(0, std::floor(px - stripe)))) % 2 == 0;
+            return px >= 0 && px < 30 &&
+                   int(std::fmin(29, std::fmax(0, std::floor(px - stripe)))) % 2 == 0;
         };
         const bool red = opaque(1 / 3.0), green = opaque(0), blue = opaque(-1 / 3.0);
         const Color seen = stored_pixel(*image, x, 4);
@@ -202,7 +221,8 @@ BOOST_AUTO_TEST_CASE(a_far_scene_is_seen_by_direction_and_repeats_in_the_side_lo
     set_metadata(frame, m);
     // As the colour is per axis, look from eyes on the axes, whose other sine is 0.
     for (const double angle : {-0.25, -0.1, 0.0, 0.15, 0.3}) {
-        const Eye eye{3000 * std::tan(angle), 0, 3000}; // far: the same direction everywhere to 3e-3
+        const Eye eye{3000 * std::tan(angle), 0, 3000}; // far: the same direction everywhere to
+                                                        // 3e-3
         const auto image = replay(frame, {eye, 64, 64, 1});
         for (int y = 4; y < 60; y += 7)
             for (int x = 4; x < 60; x += 3) {

@@ -8,21 +8,21 @@
 
 namespace vfePlatform
 {
-	void QuoteIntegralCamera(char **argv)
-	{
-		static std::list<std::string> replaced;
-		const std::string option = "Integral_Camera=";
-		for (; *argv != NULL; ++argv)
-		{
-			const std::string argument = *argv;
-			if (strncasecmp(argument.c_str(), option.c_str(), option.size()) != 0)
-				continue;
-			const std::string value = argument.substr(option.size());
-			if (value.empty() || value[0] == '"' || value[0] == '\'')
-				continue;
-			const char quote = value.find('"') == std::string::npos ? '"' : '\'';
-			replaced.push_back(option + quote + value + quote);
-			*argv = &replaced.back()[0];
-		}
-	}
+void QuoteIntegralCamera(char **argv)
+{
+    static std::list<std::string> replaced;
+    const std::string option = "Integral_Camera=";
+    for (; *argv != NULL; ++argv)
+    {
+        const std::string argument = *argv;
+        if (strncasecmp(argument.c_str(), option.c_str(), option.size()) != 0)
+            continue;
+        const std::string value = argument.substr(option.size());
+        if (value.empty() || value[0] == '"' || value[0] == '\'')
+            continue;
+        const char quote = value.find('"') == std::string::npos ? '"' : '\'';
+        replaced.push_back(option + quote + value + quote);
+        *argv = &replaced.back()[0];
+    }
+}
 }

@@ -6,9 +6,10 @@
 
 namespace vfePlatform
 {
-	/// Quotes the value of every argument of the form Integral_Camera=value (in any case) that is not quoted yet.
-	/// `argv` ends with a null pointer; its entries are replaced, and live as long as the program.
-	void QuoteIntegralCamera(char **argv);
+/// Quotes the value of every argument of the form Integral_Camera=value (in any case) that is not
+/// quoted yet. `argv` ends with a null pointer; its entries are replaced, and live as long as the
+/// program.
+void QuoteIntegralCamera(char **argv);
 }
 
 #endif

@@ -8,43 +8,40 @@
 
 namespace vfePlatform
 {
-	static bool Readable(const std::string& path)
-	{
-		return access(path.c_str(), R_OK) == 0;
-	}
+static bool Readable(const std::string& path) { return access(path.c_str(), R_OK) == 0; }
 
-	std::string IntegralShareDirectory()
-	{
-		char *program = realpath("/proc/self/exe", NULL);
-		if (program == NULL)
-			return "";
-		std::string directory(program);
-		free(program);
-		directory.erase(directory.rfind('/'));             // the program's folder, bin
-		directory.erase(directory.rfind('/') + 1);         // its parent, with a final slash
-		directory += "share/povray-integral-3.7";
-		return Readable(directory) ? directory : "";
-	}
+std::string IntegralShareDirectory()
+{
+    char *program = realpath("/proc/self/exe", NULL);
+    if (program == NULL)
+        return "";
+    std::string directory(program);
+    free(program);
+    directory.erase(directory.rfind('/'));     // the program's folder, bin
+    directory.erase(directory.rfind('/') + 1); // its parent, with a final slash
+    directory += "share/povray-integral-3.7";
+    return Readable(directory) ? directory : "";
+}
 
-	void UseIntegralSettings(std::string& system_conf, std::string& user_conf, std::string& system_ini)
-	{
-		const std::string share = IntegralShareDirectory();
-		if (!Readable(system_conf) && Readable(share + "/povray.conf"))
-			system_conf = share + "/povray.conf";
-		if (!Readable(system_ini) && Readable(share + "/povray.ini"))
-			system_ini = share + "/povray.ini";
-		if (!Readable(user_conf))
-			user_conf.clear();
-	}
+void UseIntegralSettings(std::string& system_conf, std::string& user_conf, std::string& system_ini)
+{
+    const std::string share = IntegralShareDirectory();
+    if (!Readable(system_conf) && Readable(share + "/povray.conf"))
+        system_conf = share + "/povray.conf";
+    if (!Readable(system_ini) && Readable(share + "/povray.ini"))
+        system_ini = share + "/povray.ini";
+    if (!Readable(user_conf))
+        user_conf.clear();
+}
 
-	void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options)
-	{
-		const std::string share = IntegralShareDirectory();
-		if (share.empty())
-			return;
-		options.AddLibraryPath(share);
-		options.AddLibraryPath(share + "/ini");
-		options.AddLibraryPath(share + "/include");
-		options.AddLibraryPath(share + "/scenes");
-	}
+void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options)
+{
+    const std::string share = IntegralShareDirectory();
+    if (share.empty())
+        return;
+    options.AddLibraryPath(share);
+    options.AddLibraryPath(share + "/ini");
+    options.AddLibraryPath(share + "/include");
+    options.AddLibraryPath(share + "/scenes");
+}
 }

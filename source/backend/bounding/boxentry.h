@@ -11,19 +11,22 @@
 namespace pov
 {
 
-/// Whether Ray_Enters_Box applies: the ray's direction has no component of 0, and the box no negative length.
+/// Whether Ray_Enters_Box applies: the ray's direction has no component of 0, and the box no
+/// negative length.
 inline bool Ray_Enters_Box_Applies(const BBOX& box, const Rayinfo& ray)
 {
-    return (ray.nonzero[X] & ray.nonzero[Y] & ray.nonzero[Z])
-        && !(std::signbit(box.Lengths[X]) | std::signbit(box.Lengths[Y]) | std::signbit(box.Lengths[Z]));
+    return (ray.nonzero[X] & ray.nonzero[Y] & ray.nonzero[Z]) &&
+           !(std::signbit(box.Lengths[X]) | std::signbit(box.Lengths[Y]) |
+             std::signbit(box.Lengths[Z]));
 }
 
-/// Whether the ray meets the box, and how far along it (`enters`, in lengths of its direction). The same numbers, to the
-/// last bit, as Check_And_Enqueue's comparisons axis by axis, with one unpredictable branch in place of up to ten: a
-/// processor guesses those wrongly half of the time.
+/// Whether the ray meets the box, and how far along it (`enters`, in lengths of its direction). The
+/// same numbers, to the last bit, as Check_And_Enqueue's comparisons axis by axis, with one
+/// unpredictable branch in place of up to ten: a processor guesses those wrongly half of the time.
 inline bool Ray_Enters_Box(const BBOX& box, const Rayinfo& ray, DBL& enters)
 {
-    const auto low = [&](int k) { return DBL((box.Lower_Left[k] - ray.slab_num[k]) * ray.slab_den[k]); };
+    const auto low = [&](int k)
+    { return DBL((box.Lower_Left[k] - ray.slab_num[k]) * ray.slab_den[k]); };
     const auto breadth = [&](int k) { return DBL(box.Lengths[k] * ray.slab_den[k]); };
     const DBL x = low(X), y = low(Y), z = low(Z);
     const DBL x1 = x + breadth(X), y1 = y + breadth(Y), z1 = z + breadth(Z);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What follows once a camera's words are known: where its sheet stands, what cannot work, and what the user should know.
+// What follows once a camera's words are known: where its sheet stands, what cannot work, and what
+// the user should know.
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
@@ -46,19 +47,25 @@ void IntegralGrammar::Settle(Camera& camera)
     DBL direction;
     VLength(direction, camera.Direction);
     if (!(direction > 0) || std::isinf(direction))
-        parser.Error("An integral camera needs a direction that is finite and not zero; it follows from location, look_at "
+        parser.Error("An integral camera needs a direction that is finite and not zero; it follows "
+                     "from location, look_at "
                      "and direction.");
-    const double distance = statement.parameters.sheet_distance ? *statement.parameters.sheet_distance
-                          : statement.look_at_distance > 0 ? statement.look_at_distance : direction;
+    const double distance = statement.parameters.sheet_distance
+                                ? *statement.parameters.sheet_distance
+                            : statement.look_at_distance > 0 ? statement.look_at_distance
+                                                             : direction;
     statement.sheet_distance_ratio = distance / direction;
 }
 
 /// Width and height of the picture, as the front end declares them to the scene.
 bool IntegralGrammar::Frame_Size(int& width, int& height)
 {
-    const auto number = [&](const char* name, int& value) {
+    const auto number = [&](const char *name, int& value)
+    {
         const auto found = parser.sceneData->declaredVariables.find(name);
-        value = found == parser.sceneData->declaredVariables.end() ? 0 : int(std::atof(found->second.c_str()));
+        value = found == parser.sceneData->declaredVariables.end()
+                    ? 0
+                    : int(std::atof(found->second.c_str()));
         return value > 0;
     };
     return number("image_width", width) & number("image_height", height);
@@ -72,19 +79,23 @@ void IntegralGrammar::Check(Camera& camera)
         Settle(camera);
     IntegralStatement& statement = Edit(camera);
     if (camera.Type != PERSPECTIVE_CAMERA)
-        parser.Error("An integral camera starts from the perspective camera; no other type goes with it.");
+        parser.Error(
+            "An integral camera starts from the perspective camera; no other type goes with it.");
     if (camera.Tnormal != NULL)
-        parser.Error("A camera normal does not go with an integral camera: it would bend the light of all lenses alike.");
+        parser.Error("A camera normal does not go with an integral camera: it would bend the light "
+                     "of all lenses alike.");
     if (option && camera.Aperture != 0 && camera.Blur_Samples > 0)
     {
-        parser.Warning(0, "Integral_Camera: the scene's focal blur (aperture, blur_samples) is left out: depth is focused by\n"
+        parser.Warning(0, "Integral_Camera: the scene's focal blur (aperture, blur_samples) is "
+                          "left out: depth is focused by\n"
                           "the eye that looks at the print.");
         camera.Blur_Samples = 0;
     }
     if (camera.Aperture != 0 && camera.Blur_Samples > 0)
-        parser.Error("Focal blur (aperture, blur_samples) does not go with an integral camera: its depth is focused by "
+        parser.Error("Focal blur (aperture, blur_samples) does not go with an integral camera: its "
+                     "depth is focused by "
                      "the eye that looks at the print.");
-    for (const char* word : {"lens_sheet", "film"})
+    for (const char *word : {"lens_sheet", "film"})
         if (!statement.given.count(word))
             parser.Error("An integral camera needs %s { ... }.", word);
     int width, height;
@@ -104,7 +115,8 @@ void IntegralGrammar::Finish(Camera& camera)
     if (option && !(camera.Integral && camera.Integral->integral))
     {
         if (camera.Type != PERSPECTIVE_CAMERA)
-            parser.Error("Integral_Camera applies to a perspective camera, and this scene's is of another type.");
+            parser.Error("Integral_Camera applies to a perspective camera, and this scene's is of "
+                         "another type.");
         Settle(camera);
         Check(camera);
     }
@@ -128,34 +140,49 @@ void IntegralGrammar::Warn(const Camera& camera)
     VLength(up, camera.Up);
     const double wanted = (film.height * film.pixel_pitch.y) / (film.width * film.pixel_pitch.x);
     if (std::fabs(up / right - wanted) > 0.01 * wanted)
-        parser.Warning(0, "Integral camera: |up|/|right| is %.4g, but the film's height is %.4g of its width, and the\n"
-                          "picture keeps the film's. A right of length %.6g beside this up would fit.",
+        parser.Warning(0,
+                       "Integral camera: |up|/|right| is %.4g, but the film's height is %.4g of "
+                       "its width, and the\n"
+                       "picture keeps the film's. A right of length %.6g beside this up would fit.",
                        up / right, wanted, up / wanted);
 
     const double pitch = optics.optics.sheet().pitch * optics.placement.units_per_mm;
     if (pitch < 0.05 || pitch > 100)
-        parser.Warning(0, "Integral camera: the lens pitch is %.3g scene units. POV-Ray's tolerances are absolute, and\n"
-                          "pixels go wrong outside of 0.05 to 100: scale scene and camera by about %.1g.",
-                       pitch, optics.optics.sheet().pitch / pitch);
+        parser.Warning(
+            0,
+            "Integral camera: the lens pitch is %.3g scene units. POV-Ray's tolerances are "
+            "absolute, and\n"
+            "pixels go wrong outside of 0.05 to 100: scale scene and camera by about %.1g.",
+            pitch, optics.optics.sheet().pitch / pitch);
 
     const integral::Aperture& aperture = optics.optics.aperture();
-    const auto filling = integral::filling_aperture(integral::modelled_sheet(optics.optics.sheet(), optics.optics.model()),
-                                                    aperture.distance);
-    const auto too_wide = [](double extent, double fills) { return fills > 0 && extent > 1.1 * fills; }; // a slit's height is free
-    if (filling && (too_wide(aperture.width, filling->width) || too_wide(aperture.height, filling->height)))
-        parser.Warning(0, "Integral camera: capture_aperture <%.4g, %.4g> is wider than the <%.4g, %.4g> mm that fill a lens:\n"
-                          "what its edges see stands behind the neighbouring lenses, and is seen double.",
-                       aperture.width, aperture.height, filling->width, filling->height);
+    const auto filling = integral::filling_aperture(
+        integral::modelled_sheet(optics.optics.sheet(), optics.optics.model()), aperture.distance);
+    const auto too_wide = [](double extent, double fills)
+    { return fills > 0 && extent > 1.1 * fills; }; // a slit's height is free
+    if (filling &&
+        (too_wide(aperture.width, filling->width) || too_wide(aperture.height, filling->height)))
+        parser.Warning(
+            0,
+            "Integral camera: capture_aperture <%.4g, %.4g> is wider than the <%.4g, %.4g> mm that "
+            "fill a lens:\n"
+            "what its edges see stands behind the neighbouring lenses, and is seen double.",
+            aperture.width, aperture.height, filling->width, filling->height);
 
     const integral::Coverage part = integral::coverage(optics, 20000);
     if (part.imaged == 0)
-        parser.Warning(0, "Integral camera: nothing will be imaged: every film point misses the capture aperture.");
+        parser.Warning(0, "Integral camera: nothing will be imaged: every film point misses the "
+                          "capture aperture.");
     else if (part.imaged < (optics.mapping == integral::LensMapping::closest ? 0.99 : 0.9))
-        parser.Warning(0, "Integral camera: about %.0f%% of the film will stay empty (%.0f%% misses the capture aperture,\n"
-                          "%.0f%% is totally reflected)%s.",
-                       100 * (part.outside_aperture + part.total_reflection), 100 * part.outside_aperture,
-                       100 * part.total_reflection,
-                       optics.mapping == integral::LensMapping::closest ? "; lens_mapping auto would lose less" : "");
+        parser.Warning(0,
+                       "Integral camera: about %.0f%% of the film will stay empty (%.0f%% misses "
+                       "the capture aperture,\n"
+                       "%.0f%% is totally reflected)%s.",
+                       100 * (part.outside_aperture + part.total_reflection),
+                       100 * part.outside_aperture, 100 * part.total_reflection,
+                       optics.mapping == integral::LensMapping::closest
+                           ? "; lens_mapping auto would lose less"
+                           : "");
 }
 
 }

@@ -57,7 +57,8 @@ template <class Kind> Kind IntegralGrammar::Parse_Kind()
     return *kind;
 }
 
-/// A word of the camera statement: how its value is read, and how Integral_Camera= puts it in the place of the scene's.
+/// A word of the camera statement: how its value is read, and how Integral_Camera= puts it in the
+/// place of the scene's.
 struct IntegralGrammar::Word
 {
     using Parameters = integral::CameraParameters;
@@ -67,12 +68,19 @@ struct IntegralGrammar::Word
     void (*replace)(const Parameters& from, Parameters& to);
 
     /// A word that sets one field, to what `Read` returns.
-    template <auto Field, auto Read> static Word Value(const char *name) { return {name, Set<Field, Read>, Replace<Field>}; }
-    template <auto Field, auto Read> static void Set(IntegralGrammar& grammar, IntegralStatement& statement)
+    template <auto Field, auto Read> static Word Value(const char *name)
+    {
+        return {name, Set<Field, Read>, Replace<Field>};
+    }
+    template <auto Field, auto Read>
+    static void Set(IntegralGrammar& grammar, IntegralStatement& statement)
     {
         statement.parameters.*Field = (grammar.*Read)();
     }
-    template <auto Field> static void Replace(const Parameters& from, Parameters& to) { to.*Field = from.*Field; }
+    template <auto Field> static void Replace(const Parameters& from, Parameters& to)
+    {
+        to.*Field = from.*Field;
+    }
 };
 
 /// All of them, in the order in which messages list them.
@@ -81,8 +89,11 @@ const std::vector<IntegralGrammar::Word>& IntegralGrammar::Words()
     using P = integral::CameraParameters;
     using G = IntegralGrammar;
     static const std::vector<Word> words = {
-        {"lens_sheet", [](G& grammar, IntegralStatement& statement) { grammar.Parse_Lens_Sheet(statement); }, Word::Replace<&P::sheet>},
-        {"film", [](G& grammar, IntegralStatement& statement) { grammar.Parse_Film(statement); }, Word::Replace<&P::film>},
+        {"lens_sheet",
+         [](G& grammar, IntegralStatement& statement) { grammar.Parse_Lens_Sheet(statement); },
+         Word::Replace<&P::sheet>},
+        {"film", [](G& grammar, IntegralStatement& statement) { grammar.Parse_Film(statement); },
+         Word::Replace<&P::film>},
         Word::Value<&P::sheet_distance, &G::Parse_Number>("sheet_distance"),
         Word::Value<&P::capture_aperture, &G::Parse_Vector>("capture_aperture"),
         Word::Value<&P::aperture_shape, &G::Parse_Kind<integral::ApertureShape>>("aperture_shape"),
@@ -140,7 +151,7 @@ std::string IntegralGrammar::Next_Word()
     return parser.Token.Token_String;
 }
 
-bool IntegralGrammar::Accept(const char* word)
+bool IntegralGrammar::Accept(const char *word)
 {
     if (Next_Word() != word || parser.Token.Token_Id == STRING_LITERAL_TOKEN)
         return false;
@@ -152,7 +163,7 @@ bool IntegralGrammar::Accept(const char* word)
 IntegralStatement& IntegralGrammar::Edit(Camera& camera)
 {
     auto statement = camera.Integral ? std::make_shared<IntegralStatement>(*camera.Integral)
-                                 : std::make_shared<IntegralStatement>();
+                                     : std::make_shared<IntegralStatement>();
     camera.Integral = statement;
     return *statement;
 }
@@ -184,8 +195,9 @@ bool IntegralGrammar::Parse_Modifier(Camera& camera)
         return Parse_Word(Edit(camera));
     // POV-Ray would go on to say that it misses a '}', which is of little help
     if (parser.Token.Token_Id == IDENTIFIER_TOKEN)
-        parser.Error("'%s' is not a word of an integral camera: %s, or one of the perspective camera's.",
-                     word.c_str(), List_Of_Words().c_str());
+        parser.Error(
+            "'%s' is not a word of an integral camera: %s, or one of the perspective camera's.",
+            word.c_str(), List_Of_Words().c_str());
     return false;
 }
 
@@ -212,7 +224,8 @@ integral::Vec2 IntegralGrammar::Parse_Pair(bool promote)
     if (terms == 1 && promote)
         return {components[X], components[X]};
     if (terms != 2)
-        parser.Error("%s expected but a %s found.", promote ? "A number or a vector <x, y>" : "A vector <x, y>",
+        parser.Error("%s expected but a %s found.",
+                     promote ? "A number or a vector <x, y>" : "A vector <x, y>",
                      terms == 1 ? "single number" : "vector with other than two components");
     return {components[X], components[Y]};
 }
@@ -250,16 +263,19 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
 {
     integral::LensSheet& sheet = statement.parameters.sheet;
     std::set<std::string> given;
-    const auto give = [&](const char* word) {
+    const auto give = [&](const char *word)
+    {
         if (!given.insert(word).second)
             parser.Error("%s is given twice in lens_sheet.", word);
     };
-    const auto arrange = [&](integral::Arrangement arrangement) {
+    const auto arrange = [&](integral::Arrangement arrangement)
+    {
         if (!given.insert("arrangement").second)
             parser.Error("lens_sheet has one arrangement: lenticular, square or hexagonal.");
         sheet.arrangement = arrangement;
     };
-    const auto number = [&](const char* word, double& value) {
+    const auto number = [&](const char *word, double& value)
+    {
         give(word);
         value = parser.Parse_Float();
         Check_Value(statement);
@@ -268,13 +284,20 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
     parser.Parse_Begin();
     while (true)
     {
-        if (Accept("lenticular")) arrange(integral::Arrangement::lenticular);
-        else if (Accept("square")) arrange(integral::Arrangement::square);
-        else if (Accept("hexagonal")) arrange(integral::Arrangement::hexagonal);
-        else if (Accept("pitch")) number("pitch", sheet.pitch);
-        else if (Accept("thickness")) number("thickness", sheet.thickness);
-        else if (Accept("ior")) number("ior", sheet.ior);
-        else if (Accept("slant")) number("slant", sheet.slant);
+        if (Accept("lenticular"))
+            arrange(integral::Arrangement::lenticular);
+        else if (Accept("square"))
+            arrange(integral::Arrangement::square);
+        else if (Accept("hexagonal"))
+            arrange(integral::Arrangement::hexagonal);
+        else if (Accept("pitch"))
+            number("pitch", sheet.pitch);
+        else if (Accept("thickness"))
+            number("thickness", sheet.thickness);
+        else if (Accept("ior"))
+            number("ior", sheet.ior);
+        else if (Accept("slant"))
+            number("slant", sheet.slant);
         else if (Accept("offset"))
         {
             give("offset");
@@ -282,8 +305,10 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
             Check_Value(statement);
         }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
-            parser.Error("'%s' is not a word of lens_sheet: lenticular, square, hexagonal, pitch, thickness, "
-                         "ior, slant or offset expected.", Next_Word().c_str());
+            parser.Error("'%s' is not a word of lens_sheet: lenticular, square, hexagonal, pitch, "
+                         "thickness, "
+                         "ior, slant or offset expected.",
+                         Next_Word().c_str());
         else
             break;
     }
@@ -291,7 +316,7 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
 
     if (!given.count("arrangement"))
         parser.Error("lens_sheet needs an arrangement: lenticular, square or hexagonal.");
-    for (const char* word : {"pitch", "thickness", "ior"})
+    for (const char *word : {"pitch", "thickness", "ior"})
         if (!given.count(word))
             parser.Error("lens_sheet needs %s%s.", word, std::string(word) == "ior" ? "" : " (mm)");
 }
@@ -300,7 +325,8 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
 {
     integral::FilmParameters& film = statement.parameters.film;
     std::set<std::string> given;
-    const auto give = [&](const char* word) {
+    const auto give = [&](const char *word)
+    {
         if (!given.insert(word).second)
             parser.Error("%s is given twice in film.", word);
     };
@@ -314,7 +340,9 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
             const integral::Vec2 dpi = Parse_Pair(true);
             for (const double value : {dpi.x, dpi.y})
                 if (!(value >= 0.00254 && value <= 25.4e6))
-                    parser.Error("Integral camera: dpi %g is out of range: it is 0.00254 to 25400000.", value);
+                    parser.Error(
+                        "Integral camera: dpi %g is out of range: it is 0.00254 to 25400000.",
+                        value);
             film.pixel_pitch = {integral::mm_per_inch / dpi.x, integral::mm_per_inch / dpi.y};
         }
         else if (Accept("pixel_pitch"))
@@ -333,7 +361,9 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
             Parse_Subpixels(film.subpixels);
         }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
-            parser.Error("'%s' is not a word of film: dpi, pixel_pitch, units_per_mm or subpixels expected.", Next_Word().c_str());
+            parser.Error(
+                "'%s' is not a word of film: dpi, pixel_pitch, units_per_mm or subpixels expected.",
+                Next_Word().c_str());
         else
             break;
         Check_Value(statement);
@@ -344,7 +374,8 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
         parser.Error("film needs one of dpi and pixel_pitch (mm), and not both.");
 }
 
-/// Stripes by their word, or the places of a pixel's colours: cells { PATTERN  <x, y> <x, y> <x, y> ... }.
+/// Stripes by their word, or the places of a pixel's colours: cells { PATTERN  <x, y> <x, y> <x, y>
+/// ... }.
 void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
 {
     subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>());
@@ -355,7 +386,8 @@ void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
     while (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
     {
         if (subpixels.number == integral::Subpixels::most_cells)
-            parser.Error("A panel has at most %d cells, of three places each.", integral::Subpixels::most_cells);
+            parser.Error("A panel has at most %d cells, of three places each.",
+                         integral::Subpixels::most_cells);
         for (integral::Vec2& place : subpixels.cell[subpixels.number])
         {
             if (Next_Word() == "}")
@@ -367,7 +399,8 @@ void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
     }
     parser.Parse_End();
     if (subpixels.number == 0)
-        parser.Error("cells needs the places of red, green and blue in a pixel: three vectors <x, y> a cell, in pixels.");
+        parser.Error("cells needs the places of red, green and blue in a pixel: three vectors <x, "
+                     "y> a cell, in pixels.");
 }
 
 void IntegralGrammar::Parse_Option()
@@ -376,11 +409,13 @@ void IntegralGrammar::Parse_Option()
     if (text.empty())
         return;
 
-    // the text goes before what is read next, as an include file does; it leaves the stack by itself
+    // the text goes before what is read next, as an include file does; it leaves the stack by
+    // itself
     option_level = ++parser.Include_File_Index;
     parser.Input_File = &parser.Include_Files[option_level];
-    parser.Input_File->In_File = new pov_base::ITextStream(ASCIItoUCS2String("Integral_Camera").c_str(),
-                                     new OptionTextStream("{ " + UCS2toASCIIString(text) + " }"));
+    parser.Input_File->In_File = new pov_base::ITextStream(
+        ASCIItoUCS2String("Integral_Camera").c_str(),
+        new OptionTextStream("{ " + UCS2toASCIIString(text) + " }"));
     parser.Input_File->R_Flag = false;
     parser.Echo_Indx = 0;
     parser.Add_Sym_Table();

@@ -13,15 +13,17 @@ namespace pov
 
 class OptionTextStream : public pov_base::IStream
 {
-    public:
-        /// `content` must not be empty.
-        explicit OptionTextStream(const std::string& content) : IStream(pov_base::POV_File_Text_INC), text(content)
-        {
-            f = fmemopen(&text[0], text.size(), "r");
-            fail = f == NULL;
-        }
-    private:
-        std::string text;
+public:
+    /// `content` must not be empty.
+    explicit OptionTextStream(const std::string& content)
+        : IStream(pov_base::POV_File_Text_INC), text(content)
+    {
+        f = fmemopen(&text[0], text.size(), "r");
+        fail = f == NULL;
+    }
+
+private:
+    std::string text;
 };
 
 }

@@ -24,12 +24,19 @@ namespace
 constexpr double usual_share = 0.005, picture_share = 0.05;
 constexpr long long least_pixels = 1000;
 
-std::uint64_t Key(int x, int y) { return (std::uint64_t(std::uint32_t(y)) << 32) | std::uint32_t(x); }
+std::uint64_t Key(int x, int y)
+{
+    return (std::uint64_t(std::uint32_t(y)) << 32) | std::uint32_t(x);
+}
 
 }
 
 IntegralAudit::IntegralAudit(const IntegralView& view, std::uint64_t seed)
-    : optics(view.optics), output(view.error.output), share(view.error.share), picture(view.error.picture), rows(view.rows),
+    : optics(view.optics),
+      output(view.error.output),
+      share(view.error.share),
+      picture(view.error.picture),
+      rows(view.rows),
       seed(seed)
 {
     if (share == 0 && !picture.empty())
@@ -60,16 +67,20 @@ void IntegralAudit::Note_One(int x, int y, const Colour& colour)
     const std::uint64_t hash = integral::random_bits(seed, Key(x, y));
     if (hash > threshold)
         return;
-    if (!optics->optics.map(integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5}), optics->mapping).ray)
+    if (!optics->optics
+             .map(integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5}), optics->mapping)
+             .ray)
         return;
     noted[Key(x, y)] = {hash, {colour.red(), colour.green(), colour.blue()}};
     Thin_Out();
 }
 
-/// Keeps no more pixels than may have to be audited: twice the share of those seen, and enough for a small frame.
+/// Keeps no more pixels than may have to be audited: twice the share of those seen, and enough for
+/// a small frame.
 void IntegralAudit::Thin_Out()
 {
-    const double most = std::max(200.0 * least_pixels, 2 * std::max(share, usual_share) * double(seen));
+    const double most = std::max(200.0 * least_pixels,
+                                 2 * std::max(share, usual_share) * double(seen));
     if (double(noted.size()) <= most)
         return;
     threshold /= 2;
@@ -83,15 +94,17 @@ void IntegralAudit::Choose()
     begun = std::chrono::steady_clock::now();
     const double kept = (double(threshold) + 1) / std::pow(2.0, 64); // part of all hashes
     lit_pixels = std::round(noted.size() / kept);
-    const double wanted = share > 0 ? std::ceil(share * lit_pixels)
-                                    : std::max(double(least_pixels), std::ceil(usual_share * lit_pixels));
+    const double wanted = share > 0
+                              ? std::ceil(share * lit_pixels)
+                              : std::max(double(least_pixels), std::ceil(usual_share * lit_pixels));
     std::vector<std::pair<std::uint64_t, std::uint64_t>> order; // hash, pixel
     for (const auto& pixel : noted)
         order.emplace_back(pixel.second.hash, pixel.first);
     std::sort(order.begin(), order.end());
     order.resize(std::min<std::size_t>(order.size(), std::size_t(wanted)));
     for (const auto& entry : order)
-        pixels.push_back({int(std::uint32_t(entry.second)), int(entry.second >> 32), noted[entry.second].light});
+        pixels.push_back(
+            {int(std::uint32_t(entry.second)), int(entry.second >> 32), noted[entry.second].light});
     noted.clear();
 }
 
@@ -115,24 +128,27 @@ std::optional<integral::ErrorEstimate> IntegralAudit::Result()
     error->lit_pixels = (long long)(lit_pixels);
     error->samples = samples;
     picture_failed = !picture.empty() && !Write_Picture();
-    error->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    error->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun)
+                         .count();
     return error;
 }
 
-/// Each square of the frame in the grey of its pixels' RMS error: squares of some 8 audited pixels, so that it can be seen
-/// where the error is.
+/// Each square of the frame in the grey of its pixels' RMS error: squares of some 8 audited pixels,
+/// so that it can be seen where the error is.
 bool IntegralAudit::Write_Picture() const
 {
     const integral::Film& film = optics->film;
     const double area = double(film.width) * film.height;
     const int side = std::max(1, int(std::ceil(std::sqrt(8 * area / pixels.size()))));
     const int across = (film.width + side - 1) / side;
-    std::vector<integral::ErrorSums> squares(std::size_t(across) * ((film.height + side - 1) / side));
+    std::vector<integral::ErrorSums> squares(std::size_t(across) *
+                                             ((film.height + side - 1) / side));
     if (pixels.size() >= lit_pixels) // all of them: each for itself
     {
         std::vector<double> errors(std::size_t(area), 0.0);
         for (const Pixel& pixel : pixels)
-            errors[std::size_t(pixel.y) * film.width + pixel.x] = std::sqrt(std::max(0.0, pixel.squared_error));
+            errors[std::size_t(pixel.y) * film.width + pixel.x] = std::sqrt(
+                std::max(0.0, pixel.squared_error));
         return pov_base::Write_Integral_Picture(picture, film.width, film.height, errors);
     }
     for (const Pixel& pixel : pixels)
@@ -143,7 +159,8 @@ bool IntegralAudit::Write_Picture() const
         for (int x = 0; x < film.width; x++)
         {
             const integral::ErrorSums& square = squares[std::size_t(y / side) * across + x / side];
-            errors.push_back(square.pixels > 0 ? std::sqrt(std::max(0.0, square.sum / square.pixels)) : 0.0);
+            errors.push_back(
+                square.pixels > 0 ? std::sqrt(std::max(0.0, square.sum / square.pixels)) : 0.0);
         }
     return pov_base::Write_Integral_Picture(picture, film.width, film.height, errors);
 }
@@ -153,13 +170,15 @@ static IntegralAudit *Audit_Of(const Camera& camera)
     return camera.Integral_View ? camera.Integral_View->audit.get() : NULL;
 }
 
-void Note_Integral_Pixels(const Camera& camera, const POVRect& rect, const std::vector<Colour>& pixels)
+void Note_Integral_Pixels(const Camera& camera, const POVRect& rect,
+                          const std::vector<Colour>& pixels)
 {
     if (IntegralAudit *audit = Audit_Of(camera))
         audit->Note(rect, pixels);
 }
 
-void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions, const std::vector<Colour>& colours)
+void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions,
+                          const std::vector<Colour>& colours)
 {
     if (IntegralAudit *audit = Audit_Of(camera))
         audit->Note(positions, colours);
@@ -181,7 +200,8 @@ void IntegralAuditTask::Run()
         {
             Colour colour;
             trace.Integral().Audit(index);
-            trace(pixel->x, pixel->y, GetViewData()->GetWidth(), GetViewData()->GetHeight(), colour);
+            trace(pixel->x, pixel->y, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
+                  colour);
             samples[index] = {colour.red(), colour.green(), colour.blue()};
             Cooperate();
         }

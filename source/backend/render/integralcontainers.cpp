@@ -26,21 +26,25 @@ using integral::Vec3;
 /// Whether a ray inside of it, and of nothing else, behaves otherwise than one outside.
 bool Matters(const Interior& interior)
 {
-    return !interior.hollow || interior.IOR != 1.0f || interior.Dispersion != 1.0f || interior.Old_Refract != 1.0f
-        || interior.Fade_Power != 0.0f || !interior.media.empty() || interior.subsurface != NULL;
+    return !interior.hollow || interior.IOR != 1.0f || interior.Dispersion != 1.0f ||
+           interior.Old_Refract != 1.0f || interior.Fade_Power != 0.0f || !interior.media.empty() ||
+           interior.subsurface != NULL;
 }
 
-/// Whether the region and an object's bounding box meet: no plane along a face of the box, along the region or along an
-/// edge of each parts them (the theorem of the separating axis).
+/// Whether the region and an object's bounding box meet: no plane along a face of the box, along
+/// the region or along an edge of each parts them (the theorem of the separating axis).
 bool Meet(const StartRegion& region, const BBOX& box)
 {
     const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
-    const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y], 0.5 * box.Lengths[Z]}; // boxes are in single precision
+    const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y],
+                    0.5 * box.Lengths[Z]}; // boxes are in single precision
     const Vec3 between = low + half - region.centre;
     const double slack = 1e-6 * (length(low) + length(half) + length(region.centre));
-    const auto parts = [&](Vec3 axis) {
-        const double reach = half.x * std::fabs(axis.x) + half.y * std::fabs(axis.y) + half.z * std::fabs(axis.z)
-                           + std::fabs(dot(region.half_x, axis)) + std::fabs(dot(region.half_y, axis));
+    const auto parts = [&](Vec3 axis)
+    {
+        const double reach = half.x * std::fabs(axis.x) + half.y * std::fabs(axis.y) +
+                             half.z * std::fabs(axis.z) + std::fabs(dot(region.half_x, axis)) +
+                             std::fabs(dot(region.half_y, axis));
         return std::fabs(dot(between, axis)) > reach + slack * length(axis);
     };
     const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -52,8 +56,8 @@ bool Meet(const StartRegion& region, const BBOX& box)
     return true;
 }
 
-/// Whether an object may contain a point of the region. A plane's outside is convex: with the four corners out there,
-/// all of the region is.
+/// Whether an object may contain a point of the region. A plane's outside is convex: with the four
+/// corners out there, all of the region is.
 bool May_Contain(const ObjectPtr object, const StartRegion& region, TraceThreadData *thread)
 {
     if (!Meet(region, object->BBox))
@@ -73,18 +77,22 @@ bool May_Contain(const ObjectPtr object, const StartRegion& region, TraceThreadD
 
 }
 
-void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneData& scene, TraceThreadData *thread)
+void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneData& scene,
+                                TraceThreadData *thread)
 {
     const auto region = start_region(camera);
     std::vector<ObjectPtr> chosen;
     for (const ObjectPtr object : scene.objects)
         if (object->interior != NULL && (!region || May_Contain(object, *region, thread)))
             chosen.push_back(object);
-    // beside one that matters, the others do: what a ray meets as it leaves an overlap depends on all that it is in
-    if (std::none_of(chosen.begin(), chosen.end(), [](const ObjectPtr object) { return Matters(*object->interior); }))
+    // beside one that matters, the others do: what a ray meets as it leaves an overlap depends on
+    // all that it is in
+    if (std::none_of(chosen.begin(), chosen.end(),
+                     [](const ObjectPtr object) { return Matters(*object->interior); }))
         chosen.clear();
 
-    left_to_pov = scene.boundingMethod == 2 || !region; // a tree finds them faster than a list of all
+    left_to_pov = scene.boundingMethod == 2 ||
+                  !region; // a tree finds them faster than a list of all
     candidates.clear();
     if (scene.boundingMethod == 0 || scene.boundingSlabs == NULL || left_to_pov)
         candidates = chosen;
@@ -92,7 +100,8 @@ void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneDat
         Choose_From(scene.boundingSlabs, chosen);
 }
 
-/// Takes over those of the chosen that are below a node, in the order of POV-Ray's own way through the tree.
+/// Takes over those of the chosen that are below a node, in the order of POV-Ray's own way through
+/// the tree.
 void IntegralContainers::Choose_From(BBOX_TREE *node, const std::vector<ObjectPtr>& chosen)
 {
     if (node->Entries == 0)

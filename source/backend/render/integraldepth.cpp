@@ -23,7 +23,8 @@ IntegralDepth::IntegralDepth(const IntegralView& view, const std::string& file)
     : optics(view.optics),
       sampler(view.sampler),
       file(file),
-      depths(std::size_t(optics->film.width) * optics->film.height, std::numeric_limits<float>::quiet_NaN())
+      depths(std::size_t(optics->film.width) * optics->film.height,
+             std::numeric_limits<float>::quiet_NaN())
 {
 }
 
@@ -52,7 +53,9 @@ void IntegralDepth::Find_Row(int row, Trace& trace)
         float& depth = depths[std::size_t(row) * optics->film.width + x];
         depth = std::numeric_limits<float>::infinity();
         if (trace.FindIntersection(met, ray, seen, any))
-            depth = float(integral::sheet_from_scene(optics->placement, line.origin + met.Depth * line.direction).z);
+            depth = float(integral::sheet_from_scene(optics->placement,
+                                                     line.origin + met.Depth * line.direction)
+                              .z);
     }
 }
 

@@ -26,22 +26,25 @@ constexpr float pass_share = 0.5f; // of the progress that is shown
 /// A colour as anti-aliasing compares it.
 class ComparedEncoding
 {
-    public:
-        explicit ComparedEncoding(const GammaCurvePtr& gamma)
-            : curve([&](float value) { return GammaCurve::Encode(gamma, value); })
-        {
-        }
-        integral::ComparedColour operator()(const Colour& colour) const
-        {
-            return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
-        }
+public:
+    explicit ComparedEncoding(const GammaCurvePtr& gamma)
+        : curve([&](float value) { return GammaCurve::Encode(gamma, value); })
+    {
+    }
+    integral::ComparedColour operator()(const Colour& colour) const
+    {
+        return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
+    }
 
-    private:
-        integral::TabulatedCurve curve;
+private:
+    integral::TabulatedCurve curve;
 };
 
 /// Where the first samples begin, behind the colours.
-std::size_t First_Samples_At(const integral::Film& film) { return sizeof(Colour) * film.width * film.height; }
+std::size_t First_Samples_At(const integral::Film& film)
+{
+    return sizeof(Colour) * film.width * film.height;
+}
 
 IntegralSampling *Sampling_Of(const Camera& camera)
 {
@@ -50,7 +53,8 @@ IntegralSampling *Sampling_Of(const Camera& camera)
 
 }
 
-IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows, int side,
+IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
+                                   const pov_base::IntegralRows& rows, int side,
                                    std::size_t most_memory)
     : rows(rows),
       width(camera.film.width),
@@ -63,11 +67,13 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera, const
 {
 }
 
-std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film, std::size_t most) const
+std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film,
+                                                                   std::size_t most) const
 {
     const std::size_t top = std::max(0LL, (long long)rows.first - side - reach);
     const std::size_t end = std::min<long long>(height, (long long)rows.last + side + reach + 1);
-    const std::size_t samples = First_Samples_At(film), row = integral::FirstSamples::bytes(film) / height;
+    const std::size_t samples = First_Samples_At(film),
+                      row = integral::FirstSamples::bytes(film) / height;
     const bool in_file = bytes_a_pixel * width * (end - top) > most;
     auto memory = std::make_shared<pov_base::IntegralMemory>(samples + row * height, in_file);
     memory->Reserve(top * width * sizeof(Colour), end * width * sizeof(Colour));
@@ -100,8 +106,8 @@ int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int thr
     return method > 0 && Sampling_Of(camera) ? threads : 0;
 }
 
-IntegralFirstPassTask::IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible,
-                                             bool continued)
+IntegralFirstPassTask::IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma,
+                                             bool reproducible, bool continued)
     : IntegralTask(view, true), gamma(gamma), reproducible(reproducible), continued(continued)
 {
 }
@@ -125,7 +131,8 @@ void IntegralFirstPassTask::Run()
                 trace(x, y, view.GetWidth(), view.GetHeight(), colour);
                 GetViewDataPtr()->Stats()[Number_Of_Pixels]++;
                 if (trace.Integral().Imaged())
-                    sampling.First().set(x, y, compared(colour), trace.Integral().Lens(), trace.Integral().Depth());
+                    sampling.First().set(x, y, compared(colour), trace.Integral().Lens(),
+                                         trace.Integral().Depth());
                 pixels.push_back(colour);
                 Cooperate();
             }
@@ -145,91 +152,103 @@ namespace
 /// The second pass over one block.
 class BlockRefinement
 {
-    public:
-        BlockRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace, Trace::CooperateFunctor& cooperate,
-                        const IntegralRefinementOptions& options, IntegralSampling& sampling)
-            : view(view), thread(thread), trace(trace), cooperate(cooperate), options(options), sampling(sampling), compared(options.gamma)
-        {
-        }
+public:
+    BlockRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                    Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options,
+                    IntegralSampling& sampling)
+        : view(view),
+          thread(thread),
+          trace(trace),
+          cooperate(cooperate),
+          options(options),
+          sampling(sampling),
+          compared(options.gamma)
+    {
+    }
 
-        /// The block's pixels, row by row, to `pixels`; those that do not count as they are.
-        void Run(const POVRect& of, bool counts, std::vector<Colour>& pixels)
-        {
-            block = of;
-            pixels.clear();
-            waiting.clear();
-            refined.assign(block.GetArea(), false);
-            for (int y = block.top; y <= int(block.bottom); y++)
-                for (int x = block.left; x <= int(block.right); x++)
-                {
-                    pixels.push_back(sampling.At(x, y));
-                    if (counts && sampling.First().contrast(x, y) >= options.rule.threshold)
-                        Want(x, y);
-                }
-            for (std::size_t next = 0; next < waiting.size(); next++)
+    /// The block's pixels, row by row, to `pixels`; those that do not count as they are.
+    void Run(const POVRect& of, bool counts, std::vector<Colour>& pixels)
+    {
+        block = of;
+        pixels.clear();
+        waiting.clear();
+        refined.assign(block.GetArea(), false);
+        for (int y = block.top; y <= int(block.bottom); y++)
+            for (int x = block.left; x <= int(block.right); x++)
             {
-                const int x = waiting[next].first, y = waiting[next].second;
-                const bool busy = Refine(x, y, pixels[Index(x, y)]);
-                if (busy) // what is in this pixel's beam may have escaped its neighbours' first samples
-                    sampling.First().for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
+                pixels.push_back(sampling.At(x, y));
+                if (counts && sampling.First().contrast(x, y) >= options.rule.threshold)
+                    Want(x, y);
             }
-        }
-
-    private:
-        std::size_t Index(int x, int y) const { return std::size_t(y - block.top) * block.GetWidth() + (x - block.left); }
-
-        void Want(int x, int y)
+        for (std::size_t next = 0; next < waiting.size(); next++)
         {
-            if (x < int(block.left) || x > int(block.right) || y < int(block.top) || y > int(block.bottom) || refined[Index(x, y)])
-                return;
-            refined[Index(x, y)] = true;
-            waiting.emplace_back(x, y);
+            const int x = waiting[next].first, y = waiting[next].second;
+            const bool busy = Refine(x, y, pixels[Index(x, y)]);
+            if (busy) // what is in this pixel's beam may have escaped its neighbours' first samples
+                sampling.First().for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
         }
+    }
 
-        /// Whether the pixel's samples differ by as much as makes a pixel worth refining.
-        bool Refine(int x, int y, Colour& colour)
-        {
-            thread.Stats()[Number_Of_Pixels_Supersampled]++;
-            trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y));
-            integral::Refinement refinement(options.rule, sampling.First().contrast(x, y));
-            bool any = false;
-            std::uint32_t index = 0;
-            while (const int wanted = refinement.wanted())
-                for (int k = 0; k < wanted; k++)
-                {
-                    Colour seen;
-                    trace.Integral().Take(index++);
-                    trace(x, y, view.GetWidth(), view.GetHeight(), seen);
-                    if (trace.Integral().Imaged())
-                        refinement.add(compared(seen));
-                    else
-                        refinement.add_none();
-                    any = any || trace.Integral().Imaged();
-                    thread.Stats()[Number_Of_Samples]++;
-                    cooperate();
-                }
-            if (any)
-                colour = trace.Integral().Refined();
-            trace.Integral().End_Refinement();
-            return refinement.scatter() >= options.rule.threshold;
-        }
+private:
+    std::size_t Index(int x, int y) const
+    {
+        return std::size_t(y - block.top) * block.GetWidth() + (x - block.left);
+    }
 
-        ViewData& view;
-        ViewThreadData& thread;
-        TracePixel& trace;
-        Trace::CooperateFunctor& cooperate;
-        const IntegralRefinementOptions& options;
-        IntegralSampling& sampling;
-        ComparedEncoding compared;
-        POVRect block;
-        std::vector<bool> refined; ///< or waiting to be
-        std::vector<std::pair<int, int>> waiting;
+    void Want(int x, int y)
+    {
+        if (x < int(block.left) || x > int(block.right) || y < int(block.top) ||
+            y > int(block.bottom) || refined[Index(x, y)])
+            return;
+        refined[Index(x, y)] = true;
+        waiting.emplace_back(x, y);
+    }
+
+    /// Whether the pixel's samples differ by as much as makes a pixel worth refining.
+    bool Refine(int x, int y, Colour& colour)
+    {
+        thread.Stats()[Number_Of_Pixels_Supersampled]++;
+        trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y));
+        integral::Refinement refinement(options.rule, sampling.First().contrast(x, y));
+        bool any = false;
+        std::uint32_t index = 0;
+        while (const int wanted = refinement.wanted())
+            for (int k = 0; k < wanted; k++)
+            {
+                Colour seen;
+                trace.Integral().Take(index++);
+                trace(x, y, view.GetWidth(), view.GetHeight(), seen);
+                if (trace.Integral().Imaged())
+                    refinement.add(compared(seen));
+                else
+                    refinement.add_none();
+                any = any || trace.Integral().Imaged();
+                thread.Stats()[Number_Of_Samples]++;
+                cooperate();
+            }
+        if (any)
+            colour = trace.Integral().Refined();
+        trace.Integral().End_Refinement();
+        return refinement.scatter() >= options.rule.threshold;
+    }
+
+    ViewData& view;
+    ViewThreadData& thread;
+    TracePixel& trace;
+    Trace::CooperateFunctor& cooperate;
+    const IntegralRefinementOptions& options;
+    IntegralSampling& sampling;
+    ComparedEncoding compared;
+    POVRect block;
+    std::vector<bool> refined; ///< or waiting to be
+    std::vector<std::pair<int, int>> waiting;
 };
 
 }
 
-bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace, RadiosityFunction& radiosity,
-                          Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options)
+bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                          RadiosityFunction& radiosity, Trace::CooperateFunctor& cooperate,
+                          const IntegralRefinementOptions& options)
 {
     IntegralSampling *sampling = Sampling_Of(view.GetCamera());
     if (!sampling)
@@ -244,13 +263,15 @@ bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& tr
     while (view.GetNextRectangle(block, serial))
     {
         radiosity.BeforeTile(options.reproducible ? serial : 0);
-        // A block is refined as a whole, for its pixels set each other off. One that does not count is never final: +C may go on with others.
+        // A block is refined as a whole, for its pixels set each other off. One that does not count
+        // is never final: +C may go on with others.
         const bool counts = rows.Meet(block.top, block.bottom);
         refinement.Run(block, counts, pixels);
         sampling->Done(block);
         radiosity.AfterTile();
         thread.AfterTile();
-        const int before = int(std::min(block.bottom, sampled.bottom)) - int(std::max(block.top, sampled.top)) + 1; // rows
+        const int before = int(std::min(block.bottom, sampled.bottom)) -
+                           int(std::max(block.top, sampled.top)) + 1; // rows
         const float share = 1 - pass_share * std::max(0, before) / block.GetHeight();
         view.CompletedRectangle(block, serial, pixels, 1, options.final && counts, share);
         cooperate();

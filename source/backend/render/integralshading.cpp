@@ -27,10 +27,11 @@ namespace pov
 namespace
 {
 
-constexpr int square_bits = 2, square = 1 << square_bits; // neighbouring patches, 4 x 4 of them, are neighbours in the table
+constexpr int square_bits = 2, square = 1 << square_bits; // neighbouring patches, 4 x 4 of them,
+                                                          // are neighbours in the table
 constexpr std::size_t row_length = square * square;
 constexpr std::uint64_t word_step = 0x9e3779b97f4a7c15u; // any odd number without a pattern
-constexpr int height_steps = 4; // patch sizes that a patch is high
+constexpr int height_steps = 4;                          // patch sizes that a patch is high
 
 double Random(std::uint64_t bits) { return double(bits >> 11) * 0x1p-53; }
 
@@ -42,7 +43,8 @@ void Turn_Out(VECTOR normal, const ObjectBase *object)
             normal[k] = -normal[k];
 }
 
-/// A number for an object that does not depend on where it is in memory, and is rarely another object's as well.
+/// A number for an object that does not depend on where it is in memory, and is rarely another
+/// object's as well.
 std::uint64_t Number_Of(const ObjectBase& object)
 {
     std::uint64_t number = object.Type;
@@ -57,7 +59,8 @@ std::uint64_t Number_Of(const ObjectBase& object)
     return number;
 }
 
-/// More than a frame's patches, but for very large frames; a small frame's table stays in the processor's cache.
+/// More than a frame's patches, but for very large frames; a small frame's table stays in the
+/// processor's cache.
 std::size_t Slots_For(const integral::Film& film)
 {
     constexpr double slots_a_pixel = 8;
@@ -78,14 +81,16 @@ int Exponent(double x)
 
 double Against(const VECTOR normal, const Ray& ray)
 {
-    return normal[X] * ray.Direction[X] + normal[Y] * ray.Direction[Y] + normal[Z] * ray.Direction[Z];
+    return normal[X] * ray.Direction[X] + normal[Y] * ray.Direction[Y] +
+           normal[Z] * ray.Direction[Z];
 }
 
 }
 
 IntegralShadingCache::IntegralShadingCache(const integral::IntegralCamera& camera, double cells)
     : camera(camera),
-      spread(camera.optics.medium().n * camera.film.pixel_pitch.x / camera.optics.sheet().thickness),
+      spread(camera.optics.medium().n * camera.film.pixel_pitch.x /
+             camera.optics.sheet().thickness),
       cells(cells),
       scale(length(camera.placement.z)),
       patches(Slots_For(camera.film)),
@@ -98,8 +103,8 @@ std::size_t IntegralShadingCache::Slot(std::uint64_t row, std::size_t column) co
     return std::size_t(row % locks.size()) * row_length + column;
 }
 
-/// A pixel's beam is as broad as its lens at the sheet, and spreads by the pixel's angle; along a cylindrical lens it is
-/// a pixel high there, and spreads from the aperture.
+/// A pixel's beam is as broad as its lens at the sheet, and spreads by the pixel's angle; along a
+/// cylindrical lens it is a pixel high there, and spreads from the aperture.
 int IntegralShadingCache::Level(const VECTOR point) const
 {
     const integral::Placement& at = camera.placement;
@@ -107,7 +112,8 @@ int IntegralShadingCache::Level(const VECTOR point) const
     const double pitch = camera.optics.sheet().pitch;
     double area = pitch * pitch + z * spread * z * spread;
     if (camera.optics.sheet().arrangement == integral::Arrangement::lenticular)
-        area = std::sqrt(area) * camera.film.pixel_pitch.y * (1 + z / camera.optics.aperture().distance);
+        area = std::sqrt(area) * camera.film.pixel_pitch.y *
+               (1 + z / camera.optics.aperture().distance);
     return Exponent(scale * scale * (area / cells));
 }
 
@@ -132,7 +138,9 @@ bool IntegralShadingCache::Of_Use() const
 bool IntegralShadingCache::Find(std::size_t slot, std::uint64_t key, Patch& patch) const
 {
     std::atomic_flag& lock = locks[slot / row_length];
-    while (lock.test_and_set(std::memory_order_acquire)) {}
+    while (lock.test_and_set(std::memory_order_acquire))
+    {
+    }
     patch = patches[slot];
     lock.clear(std::memory_order_release);
     return patch.key == key;
@@ -141,12 +149,15 @@ bool IntegralShadingCache::Find(std::size_t slot, std::uint64_t key, Patch& patc
 void IntegralShadingCache::Store(std::size_t slot, const Patch& patch)
 {
     std::atomic_flag& lock = locks[slot / row_length];
-    while (lock.test_and_set(std::memory_order_acquire)) {}
+    while (lock.test_and_set(std::memory_order_acquire))
+    {
+    }
     patches[slot] = patch;
     lock.clear(std::memory_order_release);
 }
 
-IntegralCachedShading::IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally, TraceThreadData *thread)
+IntegralCachedShading::IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally,
+                                             TraceThreadData *thread)
     : patches(patches), tally(tally), thread(thread)
 {
 }
@@ -177,8 +188,9 @@ static bool Depends_On_Eye(const BLEND_MAP *map)
     for (int k = 0; k < map->Number_Of_Entries; k++)
     {
         const BLEND_MAP_ENTRY& entry = map->Blend_Map_Entries[k];
-        if (Depends_On_Eye(map->Type == PIGMENT_TYPE ? static_cast<const TPATTERN *>(entry.Vals.Pigment)
-                                                     : static_cast<const TPATTERN *>(entry.Vals.Tnormal)))
+        if (Depends_On_Eye(map->Type == PIGMENT_TYPE
+                               ? static_cast<const TPATTERN *>(entry.Vals.Pigment)
+                               : static_cast<const TPATTERN *>(entry.Vals.Tnormal)))
             return true;
     }
     return false;
@@ -189,8 +201,8 @@ static bool Depends_On_Eye(const TPATTERN *pattern)
 {
     if (pattern == NULL)
         return false;
-    return pattern->Type == AOI_PATTERN || Depends_On_Eye(pattern->Blend_Map)
-        || (pattern->Type == PIGMENT_PATTERN && Depends_On_Eye(pattern->Vals.Pigment));
+    return pattern->Type == AOI_PATTERN || Depends_On_Eye(pattern->Blend_Map) ||
+           (pattern->Type == PIGMENT_PATTERN && Depends_On_Eye(pattern->Vals.Pigment));
 }
 
 static bool Is_Lit(const RGBColour& colour)
@@ -201,21 +213,24 @@ static bool Is_Lit(const RGBColour& colour)
 IntegralCachedShading::Kind IntegralCachedShading::Kind_Of(const TEXTURE *texture)
 {
     Kind kind = steady;
-    for (const TEXTURE *layer = texture; layer != NULL; layer = static_cast<const TEXTURE *>(layer->Next))
+    for (const TEXTURE *layer = texture; layer != NULL;
+         layer = static_cast<const TEXTURE *>(layer->Next))
     {
         if (layer->Type == AOI_PATTERN || layer->Type == NO_PATTERN)
             return own;
         if (layer->Type == PLAIN_PATTERN)
         {
             const FINISH *finish = layer->Finish;
-            if (finish == NULL || layer->Pigment == NULL || (layer->Pigment->Flags & HAS_FILTER) != 0
-                || finish->Specular != 0 || finish->Phong != 0
-                || finish->Irid != 0 || finish->Crand != 0 || finish->UseSubsurface || Is_Lit(finish->Reflection_Max)
-                || Depends_On_Eye(layer->Pigment) || Depends_On_Eye(layer->Tnormal))
+            if (finish == NULL || layer->Pigment == NULL ||
+                (layer->Pigment->Flags & HAS_FILTER) != 0 || finish->Specular != 0 ||
+                finish->Phong != 0 || finish->Irid != 0 || finish->Crand != 0 ||
+                finish->UseSubsurface || Is_Lit(finish->Reflection_Max) ||
+                Depends_On_Eye(layer->Pigment) || Depends_On_Eye(layer->Tnormal))
                 return own;
         }
         else if (layer->Type == BITMAP_PATTERN)
-            for (const TEXTURE *material = layer->Materials; material != NULL; material = material->Next_Material)
+            for (const TEXTURE *material = layer->Materials; material != NULL;
+                 material = material->Next_Material)
                 kind = std::max(kind, Kind_Of(material));
         else if (layer->Blend_Map == NULL || layer->Blend_Map->Type != TEXTURE_TYPE)
             return own;
@@ -229,14 +244,16 @@ IntegralCachedShading::Kind IntegralCachedShading::Kind_Of(const TEXTURE *textur
 IntegralCachedShading::Kind IntegralCachedShading::Known_Kind_Of(const TEXTURE *texture)
 {
     const auto known = kinds.find(texture);
-    return known != kinds.end() ? known->second : kinds.emplace(texture, Kind_Of(texture)).first->second;
+    return known != kinds.end() ? known->second
+                                : kinds.emplace(texture, Kind_Of(texture)).first->second;
 }
 
 IntegralCachedShading::Kind IntegralCachedShading::Kind_Of(const Intersection& isect, bool inside)
 {
     const ObjectBase *object = isect.Object;
     if (!Test_Flag(object, MULTITEXTURE_FLAG) && object->Texture != NULL)
-        return Known_Kind_Of(inside && object->Interior_Texture != NULL ? object->Interior_Texture : object->Texture);
+        return Known_Kind_Of(inside && object->Interior_Texture != NULL ? object->Interior_Texture
+                                                                        : object->Texture);
     if (!Test_Flag(object, MULTITEXTURE_FLAG) && !Test_Flag(object, CUTAWAY_TEXTURES_FLAG))
         return own;
     Intersection met = isect;
@@ -250,8 +267,8 @@ IntegralCachedShading::Kind IntegralCachedShading::Kind_Of(const Intersection& i
 
 bool IntegralCachedShading::May_Share(const Ray& ray)
 {
-    if (ray.IsShadowTestRay() || ray.IsPhotonRay() || ray.IsRadiosityRay() || ray.IsPretraceRay() || ray.IsMonochromaticRay()
-        || ray.IsSubsurfaceRay())
+    if (ray.IsShadowTestRay() || ray.IsPhotonRay() || ray.IsRadiosityRay() || ray.IsPretraceRay() ||
+        ray.IsMonochromaticRay() || ray.IsSubsurfaceRay())
         return false;
     const RayInteriorVector& interiors = ray.GetInteriors();
     for (RayInteriorVector::const_iterator i(interiors.begin()); i != interiors.end(); i++)
@@ -269,7 +286,8 @@ bool IntegralCachedShading::Side_Seen(Intersection& isect, const Ray& ray, VECTO
 }
 
 /// `coarser`: steps of the scale by which patches are larger than for colours.
-bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser, Place& place) const
+bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR normal, bool inside,
+                                   int coarser, Place& place) const
 {
     place.inside = inside;
     place.axis = std::fabs(normal[X]) >= std::fabs(normal[Y]) ? X : Y;
@@ -278,7 +296,8 @@ bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR norma
     place.positive = (normal[place.axis] > 0) != place.inside;
     const int level = patches.Level(isect.IPoint) + coarser;
     place.size = IntegralShadingCache::Size(level);
-    std::uint64_t spot = level * 16 + place.axis * 4 + place.positive * 2 + place.inside, row = spot;
+    std::uint64_t spot = level * 16 + place.axis * 4 + place.positive * 2 + place.inside,
+                  row = spot;
     place.column = 0;
     for (int k = 0; k < 3; k++)
     {
@@ -294,8 +313,11 @@ bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR norma
             place.column = place.column * square + (cell & (square - 1));
     }
     place.spot = spot;
-    const auto address = [](const void *of) { return std::uint64_t(reinterpret_cast<std::uintptr_t>(of)); };
-    place.key = integral::random_bits(address(isect.Object) * word_step + address(isect.Csg), spot) | 1;
+    const auto address = [](const void *of)
+    { return std::uint64_t(reinterpret_cast<std::uintptr_t>(of)); };
+    place.key = integral::random_bits(address(isect.Object) * word_step + address(isect.Csg),
+                                      spot) |
+                1;
     place.row = integral::random_bits(Number_Of(*isect.Object), row);
     return true;
 }
@@ -315,14 +337,17 @@ float IntegralCachedShading::Height_Of(const Intersection& at, const Place& plac
 }
 
 /// The patch's point may be on another fold of the surface.
-bool IntegralCachedShading::On_Patch(const IntegralShadingCache::Patch& patch, const Place& place, const Intersection& isect)
+bool IntegralCachedShading::On_Patch(const IntegralShadingCache::Patch& patch, const Place& place,
+                                     const Intersection& isect)
 {
     constexpr float far = 2.5f;
     return std::fabs(Height_Of(isect, place) - patch.height) <= far;
 }
 
-/// The patch's point: where a line along its axis, at a random place of it, first meets the side that is seen. `ray` becomes that line.
-bool IntegralCachedShading::Put(const Place& place, const Intersection& isect, Trace& trace, Ray& ray, Intersection& at) const
+/// The patch's point: where a line along its axis, at a random place of it, first meets the side
+/// that is seen. `ray` becomes that line.
+bool IntegralCachedShading::Put(const Place& place, const Intersection& isect, Trace& trace,
+                                Ray& ray, Intersection& at) const
 {
     const double sign = place.positive ? 1 : -1;
     const double reach = (0.5 * height_steps + 2) * place.size;
@@ -335,7 +360,8 @@ bool IntegralCachedShading::Put(const Place& place, const Intersection& isect, T
     ray.Origin[place.axis] += sign * reach;
     ray.Direction[place.axis] = -sign;
     for (int k = 1; k < 3; k++)
-        ray.Origin[(place.axis + k) % 3] += (Random(integral::random_bits(place.spot, k)) - 0.5) * place.size;
+        ray.Origin[(place.axis + k) % 3] += (Random(integral::random_bits(place.spot, k)) - 0.5) *
+                                            place.size;
     if (!trace.FindIntersection(isect.Object, at, ray, 2 * reach))
         return false;
     at.Csg = isect.Csg;
@@ -345,7 +371,8 @@ bool IntegralCachedShading::Put(const Place& place, const Intersection& isect, T
 }
 
 template <class Look>
-bool IntegralCachedShading::Take(const Place& place, const Intersection& isect, Trace& trace, IntegralShadingCache::Patch& patch, Look look)
+bool IntegralCachedShading::Take(const Place& place, const Intersection& isect, Trace& trace,
+                                 IntegralShadingCache::Patch& patch, Look look)
 {
     const std::size_t slot = patches.Slot(place.row, place.column);
     bool worked_out = false;
@@ -370,7 +397,8 @@ bool IntegralCachedShading::Take(const Place& place, const Intersection& isect, 
 }
 
 template <class Shade>
-bool IntegralCachedShading::Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade)
+bool IntegralCachedShading::Colour_Of(Intersection& isect, const Ray& ray, Trace& trace,
+                                      Colour& colour, Shade shade)
 {
     if (!May_Share(ray))
         return false;
@@ -405,10 +433,11 @@ bool IntegralCachedShading::Colour_Of(Intersection& isect, const Ray& ray, Trace
 }
 
 template <class Test>
-bool IntegralCachedShading::Light_Of(int light, const Vector3d& point, const ObjectBase *object, Trace& trace, RGBColour& colour, Test test)
+bool IntegralCachedShading::Light_Of(int light, const Vector3d& point, const ObjectBase *object,
+                                     Trace& trace, RGBColour& colour, Test test)
 {
-    if (!lit.located || object != lit.isect.Object || point[X] != lit.isect.IPoint[X] || point[Y] != lit.isect.IPoint[Y]
-        || point[Z] != lit.isect.IPoint[Z])
+    if (!lit.located || object != lit.isect.Object || point[X] != lit.isect.IPoint[X] ||
+        point[Y] != lit.isect.IPoint[Y] || point[Z] != lit.isect.IPoint[Z])
         return false;
     const Place place = Of_Light(lit.place, light);
     IntegralShadingCache::Patch patch;
@@ -428,7 +457,8 @@ bool IntegralCachedShading::Light_Of(int light, const Vector3d& point, const Obj
     return true;
 }
 
-bool Trace::ComputeCachedTextureColour(Intersection& isect, Colour& colour, const Ray& ray, TraceTicket& ticket)
+bool Trace::ComputeCachedTextureColour(Intersection& isect, Colour& colour, const Ray& ray,
+                                       TraceTicket& ticket)
 {
     const auto shade = [&](Intersection& at, const Ray& from, Colour& seen)
     {
@@ -438,8 +468,9 @@ bool Trace::ComputeCachedTextureColour(Intersection& isect, Colour& colour, cons
     return integralShading->Colour_Of(isect, ray, *this, colour, shade);
 }
 
-bool Trace::ComputeCachedShadow(const LightSource& light, int light_index, const Vector3d& point, ConstObjectPtr object,
-                                const Ray& eye, RGBColour& colour, TraceTicket& ticket)
+bool Trace::ComputeCachedShadow(const LightSource& light, int light_index, const Vector3d& point,
+                                ConstObjectPtr object, const Ray& eye, RGBColour& colour,
+                                TraceTicket& ticket)
 {
     const auto test = [&](const Vector3d& at, RGBColour& full, RGBColour& left)
     {
@@ -453,7 +484,8 @@ bool Trace::ComputeCachedShadow(const LightSource& light, int light_index, const
     return integralShading->Light_Of(light_index, point, object, *this, colour, test);
 }
 
-/// What cast the last shadow is tried first. A patch must not depend on which ray was traced before.
+/// What cast the last shadow is tried first. A patch must not depend on which ray was traced
+/// before.
 void Trace::Forget_Shadow_Casters()
 {
     lightSourceLevel1ShadowCache.assign(lightSourceLevel1ShadowCache.size(), NULL);

@@ -17,11 +17,12 @@ IntegralTask::IntegralTask(ViewData *view, bool counted)
     : RenderTask(view),
       counted(counted),
       cooperate(*this),
-      trace(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel, view->GetSceneData()->parsedAdcBailout,
-            view->GetQualityFeatureFlags(), cooperate, media, radiosity),
+      trace(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel,
+            view->GetSceneData()->parsedAdcBailout, view->GetQualityFeatureFlags(), cooperate,
+            media, radiosity),
       media(GetViewDataPtr(), &trace, &photons),
-      radiosity(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings, view->GetRadiosityCache(),
-                cooperate, true, Vector3d(view->GetCamera().Location)),
+      radiosity(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings,
+                view->GetRadiosityCache(), cooperate, true, Vector3d(view->GetCamera().Location)),
       photons(&view->GetSceneData()->mediaPhotonMap, view->GetSceneData()->photonSettings)
 {
     GetViewDataPtr()->qualityFlags = view->GetQualityFeatureFlags();
@@ -31,7 +32,8 @@ void IntegralTask::Finish()
 {
     if (!counted)
         GetViewDataPtr()->Stats() = RenderStatistics();
-    GetViewDataPtr()->timeType = counted ? SceneThreadData::kRenderTime : SceneThreadData::kUnknownTime;
+    GetViewDataPtr()->timeType = counted ? SceneThreadData::kRenderTime
+                                         : SceneThreadData::kUnknownTime;
     GetViewDataPtr()->realTime = ConsumedRealTime();
     GetViewDataPtr()->cpuTime = ConsumedCPUTime();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What our tasks of a view have in common: a tracer of their own, and whether what they trace counts as the frame's.
+// What our tasks of a view have in common: a tracer of their own, and whether what they trace
+// counts as the frame's.
 #ifndef POVRAY_BACKEND_INTEGRALTASK_H
 #define POVRAY_BACKEND_INTEGRALTASK_H
 
@@ -15,34 +16,36 @@ namespace pov
 
 class IntegralTask : public RenderTask
 {
+public:
+    virtual void Stopped() {}
+    virtual void Finish();
+
+protected:
+    /// `counted`: its rays and its time are the frame's; else they stay out of POV-Ray's own
+    /// statistics.
+    IntegralTask(ViewData *view, bool counted);
+
+private:
+    class CooperateFunction : public Trace::CooperateFunctor
+    {
     public:
-        virtual void Stopped() {}
-        virtual void Finish();
-
-    protected:
-        /// `counted`: its rays and its time are the frame's; else they stay out of POV-Ray's own statistics.
-        IntegralTask(ViewData *view, bool counted);
+        explicit CooperateFunction(Task& t) : task(t) {}
+        virtual void operator()() { task.Cooperate(); }
 
     private:
-        class CooperateFunction : public Trace::CooperateFunctor
-        {
-            public:
-                explicit CooperateFunction(Task& t) : task(t) {}
-                virtual void operator()() { task.Cooperate(); }
-            private:
-                Task& task;
-        };
+        Task& task;
+    };
 
-        bool counted;
-        CooperateFunction cooperate;
+    bool counted;
+    CooperateFunction cooperate;
 
-    protected:
-        TracePixel trace;
-        MediaFunction media;
-        RadiosityFunction radiosity;
+protected:
+    TracePixel trace;
+    MediaFunction media;
+    RadiosityFunction radiosity;
 
-    private:
-        PhotonGatherer photons;
+private:
+    PhotonGatherer photons;
 };
 
 }

@@ -39,7 +39,8 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     view->counts->containers = containers.Number();
     view->counts->objects = int(scene.objects.size());
     shading.reset();
-    if (view->shading_cache && view->shading_cache->Of_Use() && (!view->caches_dear_shading_only || IntegralCachedShading::Pays(scene)))
+    if (view->shading_cache && view->shading_cache->Of_Use() &&
+        (!view->caches_dear_shading_only || IntegralCachedShading::Pays(scene)))
         shading.reset(new IntegralCachedShading(*view->shading_cache, *tally, thread));
 }
 
@@ -74,7 +75,8 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
     return imaged = !rays.empty();
 }
 
-/// Where the pixel is in `run`, which is worked out anew where pixels come one after the other; -1: not in it.
+/// Where the pixel is in `run`, which is worked out anew where pixels come one after the other; -1:
+/// not in it.
 int IntegralTracer::Place_In_Run(DBL x, DBL y)
 {
     if (!runs)
@@ -94,7 +96,8 @@ int IntegralTracer::Place_In_Run(DBL x, DBL y)
 }
 
 /// The same where a pixel has one ray, which it makes, too.
-bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length)
+bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
+                                    DBL& length)
 {
     integral::PixelOutcome outcome;
     const int place = Place_In_Run(x, y);
@@ -124,7 +127,8 @@ void IntegralTracer::Refine(int x, int y, bool alike, double depth)
 }
 
 /// The one ray that sees along a line what the viewer would.
-void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pretrace, DBL& length) const
+void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pretrace,
+                              DBL& length) const
 {
     ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
     Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
@@ -134,7 +138,8 @@ void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pr
     length = line.length;
 }
 
-void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace, DBL& length) const
+void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace,
+                              DBL& length) const
 {
     Make_Ray(ray, integral::sight_line(*view->optics, beam), pretrace, length);
 }
@@ -143,7 +148,10 @@ void IntegralTracer::Keep_Depth(const Ray& ray, DBL distance)
 {
     last_depth = HUGE_VAL;
     if (distance < HUGE_VAL)
-        last_depth = integral::sheet_from_scene(view->optics->placement, From_POV(ray.Origin) + distance * From_POV(ray.Direction)).z;
+        last_depth = integral::sheet_from_scene(view->optics->placement,
+                                                From_POV(ray.Origin) +
+                                                    distance * From_POV(ray.Direction))
+                         .z;
 }
 
 void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)
@@ -185,8 +193,9 @@ void IntegralTracer::Count_Error(DBL y, const Light& light)
     if (!view->rows.Have(int(y)) || light.rays[0] == 0 || light.rays[1] == 0)
         return;
     const Colour first = light.Mean(0), second = light.Mean(1);
-    tally->errors.add(integral::halves_error(view->error.output, {first.red(), first.green(), first.blue()},
-                                             {second.red(), second.green(), second.blue()}, light.rays[0], light.rays[1]));
+    tally->errors.add(integral::halves_error(
+        view->error.output, {first.red(), first.green(), first.blue()},
+        {second.red(), second.green(), second.blue()}, light.rays[0], light.rays[1]));
 }
 
 }

@@ -25,21 +25,29 @@
 namespace pov
 {
 
-std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera, int width, int height)
+std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera,
+                                                                     int width, int height)
 {
     const IntegralStatement& statement = *camera.Integral;
     const integral::ViewFrame view = {From_POV(camera.Location), From_POV(camera.Direction),
                                       From_POV(camera.Right), From_POV(camera.Up),
                                       statement.sheet_distance_ratio};
-    return std::make_shared<integral::IntegralCamera>(integral::make_camera(statement.parameters, view, width, height));
+    return std::make_shared<integral::IntegralCamera>(
+        integral::make_camera(statement.parameters, view, width, height));
 }
 
-/// Patches enough that what they leave out is little against what so many samples miss. Of the samples at the sharpest edges a quarter will do:
-/// few pixels have as many. Behind cylinders, whose beams are narrow and have small patches, fewer do.
-static double Patches_In_Beam(const integral::IntegralCamera& optics, const pov_base::IntegralRenderOptions& given)
+/// Patches enough that what they leave out is little against what so many samples miss. Of the
+/// samples at the sharpest edges a quarter will do: few pixels have as many. Behind cylinders,
+/// whose beams are narrow and have small patches, fewer do.
+static double Patches_In_Beam(const integral::IntegralCamera& optics,
+                              const pov_base::IntegralRenderOptions& given)
 {
-    const double least = optics.optics.sheet().arrangement == integral::Arrangement::lenticular ? 12 : 24, at_edges = 0.25;
-    const double samples = std::max(double(optics.pixel_samples) * optics.beam_samples, at_edges * given.edge_samples);
+    const double least = optics.optics.sheet().arrangement == integral::Arrangement::lenticular
+                             ? 12
+                             : 24,
+                 at_edges = 0.25;
+    const double samples = std::max(double(optics.pixel_samples) * optics.beam_samples,
+                                    at_edges * given.edge_samples);
     return given.patches_in_beam > 0 ? given.patches_in_beam : std::max(least, samples);
 }
 
@@ -55,7 +63,8 @@ void Choose_Integral_Bounding(SceneData& scene)
     const integral::IntegralCamera& optics = *statement->optics;
     const auto is_finite = [](const ObjectPtr object) { return !Test_Flag(object, INFINITE_FLAG); };
     const double finite = std::count_if(scene.objects.begin(), scene.objects.end(), is_finite);
-    const double rays = double(optics.film.width) * optics.film.height * optics.pixel_samples * optics.beam_samples;
+    const double rays = double(optics.film.width) * optics.film.height * optics.pixel_samples *
+                        optics.beam_samples;
     if (finite >= least_objects && rays >= rays_an_object * finite)
         scene.boundingMethod = 2;
 }
@@ -78,15 +87,18 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         view->rows = given.rows;
         view->error = {given.audit, given.audit_share, given.output, given.error_picture};
         view->caches_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
-        if (given.sharing == pov_base::IntegralSharing::on || (view->caches_dear_shading_only && given.antialias))
-            view->shading_cache = std::make_shared<IntegralShadingCache>(*view->optics, Patches_In_Beam(*view->optics, given));
+        if (given.sharing == pov_base::IntegralSharing::on ||
+            (view->caches_dear_shading_only && given.antialias))
+            view->shading_cache = std::make_shared<IntegralShadingCache>(
+                *view->optics, Patches_In_Beam(*view->optics, given));
         if (given.antialias && given.light_field)
-            view->sampling = std::make_shared<IntegralSampling>(*view->optics, given.rows, given.block_side,
-                                                                given.most_memory);
+            view->sampling = std::make_shared<IntegralSampling>(
+                *view->optics, given.rows, given.block_side, given.most_memory);
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
         // the halves know nothing of the samples that anti-aliasing adds, and make no picture
-        if (given.audit && (given.antialias || !given.error_picture.empty() || !view->sampler->halves_tell_error()))
+        if (given.audit && (given.antialias || !given.error_picture.empty() ||
+                            !view->sampler->halves_tell_error()))
             view->audit = std::make_shared<IntegralAudit>(*view, given.seed);
     }
     catch (const std::invalid_argument& problem)
@@ -136,7 +148,8 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     const IntegralView& view = *camera.Integral_View;
     IntegralCounts& counts = *view.counts;
     std::lock_guard<std::mutex> lock(counts.mutex);
-    const auto set_total = [&](POVMSType key, OwnCount IntegralTally::*count) {
+    const auto set_total = [&](POVMSType key, OwnCount IntegralTally::*count)
+    {
         long long sum = 0;
         for (const IntegralTally& tally : counts.tallies)
             sum += (tally.*count).Get();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Whether a point is inside of all parts of an intersection or difference. Simple parts are asked before compound ones.
+// Whether a point is inside of all parts of an intersection or difference. Simple parts are asked
+// before compound ones.
 #ifndef POVRAY_BACKEND_INSIDEALL_H
 #define POVRAY_BACKEND_INSIDEALL_H
 
@@ -11,9 +12,11 @@
 namespace pov
 {
 
-/// Whether a point is inside of each of `parts`, `but` excepted (NULL: none). Compound parts are asked last: they are slow to
-/// answer, and most points are outside of a simple part already. A light counts as a part only if it has a looks_like.
-inline bool Inside_All(const std::vector<ObjectPtr>& parts, const ObjectBase *but, const VECTOR point, TraceThreadData *thread)
+/// Whether a point is inside of each of `parts`, `but` excepted (NULL: none). Compound parts are
+/// asked last: they are slow to answer, and most points are outside of a simple part already. A
+/// light counts as a part only if it has a looks_like.
+inline bool Inside_All(const std::vector<ObjectPtr>& parts, const ObjectBase *but,
+                       const VECTOR point, TraceThreadData *thread)
 {
     bool compounds = false;
     for (const ObjectPtr part : parts)
@@ -27,7 +30,8 @@ inline bool Inside_All(const std::vector<ObjectPtr>& parts, const ObjectBase *bu
     {
         if (!(part->Type & IS_COMPOUND_OBJECT) || part == but)
             continue;
-        const bool asked = !(part->Type & LIGHT_SOURCE_OBJECT) || !static_cast<const LightSource *>(part)->children.empty();
+        const bool asked = !(part->Type & LIGHT_SOURCE_OBJECT) ||
+                           !static_cast<const LightSource *>(part)->children.empty();
         if (asked && !Inside_Object(point, part, thread))
             return false;
     }

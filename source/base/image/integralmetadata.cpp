@@ -31,22 +31,20 @@ namespace
 {
 
 /// How a file's samples encode linear light; `curve` may be empty: the format's own default.
-integral::Encoding Encoding_Of(const SimpleGammaCurvePtr& curve, integral::Encoding::Kind by_default)
+integral::Encoding Encoding_Of(const SimpleGammaCurvePtr& curve,
+                               integral::Encoding::Kind by_default)
 {
     integral::Encoding encoding;
     encoding.kind = by_default;
     if (curve)
         switch (curve->GetTypeId())
         {
-            case kPOVList_GammaType_Neutral:
-                encoding.kind = integral::Encoding::Kind::linear;
-                break;
-            case kPOVList_GammaType_PowerLaw:
-                encoding.kind = integral::Encoding::Kind::power;
-                encoding.gamma = curve->ApproximateDecodingGamma();
-                break;
-            default:
-                encoding.kind = integral::Encoding::Kind::srgb;
+        case kPOVList_GammaType_Neutral: encoding.kind = integral::Encoding::Kind::linear; break;
+        case kPOVList_GammaType_PowerLaw:
+            encoding.kind = integral::Encoding::Kind::power;
+            encoding.gamma = curve->ApproximateDecodingGamma();
+            break;
+        default: encoding.kind = integral::Encoding::Kind::srgb;
         }
     return encoding;
 }
@@ -59,10 +57,11 @@ void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::Writ
     if (!IntegralFrame::Current())
         return;
     const integral::Vec2 pitch = IntegralFrame::Pixel_Pitch();
-    png_set_pHYs(png, info, png_uint_32(std::lround(1000 / pitch.x)), png_uint_32(std::lround(1000 / pitch.y)),
-                 PNG_RESOLUTION_METER);
+    png_set_pHYs(png, info, png_uint_32(std::lround(1000 / pitch.x)),
+                 png_uint_32(std::lround(1000 / pitch.y)), PNG_RESOLUTION_METER);
 
-    std::string document = IntegralFrame::Document(Encoding_Of(options.encodingGamma, integral::Encoding::Kind::srgb));
+    std::string document = IntegralFrame::Document(
+        Encoding_Of(options.encodingGamma, integral::Encoding::Kind::srgb));
     char keyword[] = "integral", empty[] = "";
     png_text text = {};
     text.compression = PNG_ITXT_COMPRESSION_NONE;
@@ -89,7 +88,8 @@ void Set_Integral_EXR(Imf::Header& header)
 }
 #endif
 
-void Write_Integral_Companion(const UCS2String& file, int file_type, const Image::WriteOptions& options)
+void Write_Integral_Companion(const UCS2String& file, int file_type,
+                              const Image::WriteOptions& options)
 {
     if (!IntegralFrame::Current() || file_type == Image::PNG || file_type == Image::EXR)
         return;
@@ -99,7 +99,8 @@ void Write_Integral_Companion(const UCS2String& file, int file_type, const Image
     const bool linear = file_type == Image::HDR;
     const std::string name = picture + ".json", beside = name + ".tmp";
     const std::string document = IntegralFrame::Document(
-        Encoding_Of(options.encodingGamma, linear ? integral::Encoding::Kind::linear : integral::Encoding::Kind::srgb));
+        Encoding_Of(options.encodingGamma,
+                    linear ? integral::Encoding::Kind::linear : integral::Encoding::Kind::srgb));
     std::FILE *stream = std::fopen(beside.c_str(), "w");
     bool good = stream != NULL;
     if (good)

@@ -25,7 +25,8 @@ void Set_Integral_EXR(Imf::Header& header);
 #endif
 
 /// Every other format, once the picture has been written: the document as FILE.json.
-void Write_Integral_Companion(const UCS2String& file, int file_type, const Image::WriteOptions& options);
+void Write_Integral_Companion(const UCS2String& file, int file_type,
+                              const Image::WriteOptions& options);
 
 }
 

@@ -10,13 +10,14 @@
 namespace pov_base
 {
 
-/// Encodes red, green and blue as whole numbers from 0 to `max`, the same as GetEncodedRGBValue's, if `dithering` is a NoDither;
-/// otherwise returns false and does nothing. It leaves out the rounding errors, which only a dithered neighbour needs and
-/// which take as long as the encoding.
+/// Encodes red, green and blue as whole numbers from 0 to `max`, the same as GetEncodedRGBValue's,
+/// if `dithering` is a NoDither; otherwise returns false and does nothing. It leaves out the
+/// rounding errors, which only a dithered neighbour needs and which take as long as the encoding.
 template <class NoDither>
-inline bool Encode_Undithered(const DitherHandler& dithering, const GammaCurvePtr& gamma, unsigned int max,
-                                       float linear_red, float linear_green, float linear_blue,
-                                       unsigned int& red, unsigned int& green, unsigned int& blue)
+inline bool Encode_Undithered(const DitherHandler& dithering, const GammaCurvePtr& gamma,
+                              unsigned int max, float linear_red, float linear_green,
+                              float linear_blue, unsigned int& red, unsigned int& green,
+                              unsigned int& blue)
 {
     if (typeid(dithering) != typeid(NoDither))
         return false;

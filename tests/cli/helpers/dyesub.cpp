@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reads what Gutenprint's driver of DNP printers sends to the printer, for print_cups.test; shares nothing with libintegral.
+// Reads what Gutenprint's driver of DNP printers sends to the printer, for print_cups.test; shares
+// nothing with libintegral.
 //
-//   dyesub FILE PAGE WIDTH HEIGHT   "N samples differ": the three planes (yellow, magenta, cyan, each a BMP of 8 bits, 255: no
-//                                   dye; its rows are the page's columns from the left) against a page of samples R, G, B in the
-//                                   middle of the sheet, without round it
+//   dyesub FILE PAGE WIDTH HEIGHT   "N samples differ": the three planes (yellow, magenta, cyan,
+//   each a BMP of 8 bits, 255: no
+//                                   dye; its rows are the page's columns from the left) against a
+//                                   page of samples R, G, B in the middle of the sheet, without
+//                                   round it
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -45,12 +48,15 @@ int main(int count, char** arguments)
         if (bmp == std::string::npos)
             return 3;
         const std::size_t pixels = bmp + std::size_t(number(sent, bmp + 10));
-        const long rows = number(sent, bmp + 18), columns = number(sent, bmp + 22); // of the page: the plane is turned
+        const long rows = number(sent, bmp + 18),
+                   columns = number(sent, bmp + 22); // of the page: the plane is turned
         const long left = (columns - width) / 2, top = (rows - height) / 2;
         for (long x = 0; x < columns; ++x)
             for (long y = 0; y < rows; ++y) {
                 const bool inside = x >= left && x < left + width && y >= top && y < top + height;
-                const char wanted = inside ? page[std::size_t((y - top) * width + x - left) * 3 + std::size_t(2 - plane)] : char(255);
+                const char wanted = inside ? page[std::size_t((y - top) * width + x - left) * 3 +
+                                                  std::size_t(2 - plane)]
+                                           : char(255);
                 differ += sent.at(pixels + std::size_t(x * rows + y)) != wanted;
             }
     }

@@ -2,14 +2,16 @@
 // A flatbed scanner, simulated, for integral_rectify.test; shares nothing with libintegral.
 //
 //   scan PAGE.png SCAN.png WORD=VALUE...   PAGE is 8 or 16 bits, sRGB; SCAN is 8 bits
-//     page=D  size=W,H  dpi=D          dots an inch of the page (300), pixels of the scan, dots an inch that it claims (600)
-//     scale=F or F,F                   its true dots an inch over those, across and down (1)
-//     turn=DEGREES                     anticlockwise, of the page in the scan (0)
-//     at=X,Y                           page pixel, from the top left, in the middle of the scan (the page's middle)
-//     light=A,B                        light falls by A from left to right and by B from the middle to the corners (0,0)
-//     cast=R,G,B  noise=S  seed=N      the channels' gains; Gaussian noise, of 255; its seed
-//     flat                             PAGE is white (its name is ignored)
-// Prints where the page's middle is in the scan, pixels from its top left. The page's pixels are boxes; a scan pixel is the mean of 6 x 6 points of it.
+//     page=D  size=W,H  dpi=D          dots an inch of the page (300), pixels of the scan, dots an
+//     inch that it claims (600) scale=F or F,F                   its true dots an inch over those,
+//     across and down (1) turn=DEGREES                     anticlockwise, of the page in the scan
+//     (0) at=X,Y                           page pixel, from the top left, in the middle of the scan
+//     (the page's middle) light=A,B                        light falls by A from left to right and
+//     by B from the middle to the corners (0,0) cast=R,G,B  noise=S  seed=N      the channels'
+//     gains; Gaussian noise, of 255; its seed flat                             PAGE is white (its
+//     name is ignored)
+// Prints where the page's middle is in the scan, pixels from its top left. The page's pixels are
+// boxes; a scan pixel is the mean of 6 x 6 points of it.
 #include <png.h>
 
 #include <algorithm>
@@ -29,7 +31,10 @@ struct Page {
 };
 
 double decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
-double encoded(double v) { return v <= 0 ? 0 : v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+double encoded(double v)
+{
+    return v <= 0 ? 0 : v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+}
 
 bool read_page(const char* name, Page& page)
 {
@@ -61,8 +66,10 @@ bool write_scan(const char* name, int width, int height, double dpi, std::vector
     if (setjmp(png_jmpbuf(png)))
         return false;
     png_init_io(png, file);
-    png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_pHYs(png, info, png_uint_32(std::lround(dpi / 0.0254)), png_uint_32(std::lround(dpi / 0.0254)), PNG_RESOLUTION_METER);
+    png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_pHYs(png, info, png_uint_32(std::lround(dpi / 0.0254)),
+                 png_uint_32(std::lround(dpi / 0.0254)), PNG_RESOLUTION_METER);
     png_set_compression_level(png, 1);
     png_write_info(png, info);
     for (int y = 0; y < height; ++y)
@@ -81,7 +88,9 @@ int main(int count, char** arguments)
     std::map<std::string, std::string> words;
     for (int k = 3; k < count; ++k) {
         const std::string word = arguments[k];
-        words[word.substr(0, word.find('='))] = word.find('=') < word.size() ? word.substr(word.find('=') + 1) : "";
+        words[word.substr(0, word.find('='))] = word.find('=') < word.size()
+                                                    ? word.substr(word.find('=') + 1)
+                                                    : "";
     }
     const auto numbers = [&](const char* name, std::vector<double> fallback) {
         if (!words.count(name))
@@ -102,12 +111,15 @@ int main(int count, char** arguments)
     if (!words.count("flat") && !read_page(arguments[1], page))
         return 3;
     const double page_dpi = numbers("page", {300})[0], dpi = numbers("dpi", {600})[0];
-    const auto size = numbers("size", {100, 100}), scale = numbers("scale", {1, 1}), light = numbers("light", {0, 0}), cast = numbers("cast", {1, 1, 1});
+    const auto size = numbers("size", {100, 100}), scale = numbers("scale", {1, 1}),
+               light = numbers("light", {0, 0}), cast = numbers("cast", {1, 1, 1});
     const auto at = numbers("at", {0.5 * page.width, 0.5 * page.height});
-    const double turn = numbers("turn", {0})[0] * std::acos(-1.0) / 180, noise = numbers("noise", {0})[0];
+    const double turn = numbers("turn", {0})[0] * std::acos(-1.0) / 180,
+                 noise = numbers("noise", {0})[0];
     const int width = int(size[0]), height = int(size[1]);
     // Page pixels a scan pixel, along the scan's axes.
-    const double across = page_dpi / (dpi * scale[0]), down = page_dpi / (dpi * scale[1]), c = std::cos(turn), s = std::sin(turn);
+    const double across = page_dpi / (dpi * scale[0]), down = page_dpi / (dpi * scale[1]),
+                 c = std::cos(turn), s = std::sin(turn);
     std::mt19937 random(unsigned(numbers("seed", {1})[0]));
     std::normal_distribution<double> normal(0, 1);
     std::vector<png_byte> bytes(std::size_t(width) * height * 3);
@@ -118,22 +130,33 @@ int main(int count, char** arguments)
             for (int j = 0; j < points; ++j)
                 for (int i = 0; i < points; ++i) {
                     // Right and up of the middle, by the page's pixels, turned back clockwise.
-                    const double right = (x + (i + 0.5) / points - 0.5 * width) * across, up = -(y + (j + 0.5) / points - 0.5 * height) * down;
-                    const int column = int(std::floor(at[0] + c * right + s * up)), row = int(std::floor(at[1] - (-s * right + c * up)));
-                    const bool inside = column >= 0 && row >= 0 && column < page.width && row < page.height;
+                    const double right = (x + (i + 0.5) / points - 0.5 * width) * across,
+                                 up = -(y + (j + 0.5) / points - 0.5 * height) * down;
+                    const int column = int(std::floor(at[0] + c * right + s * up)),
+                              row = int(std::floor(at[1] - (-s * right + c * up)));
+                    const bool inside = column >= 0 && row >= 0 && column < page.width &&
+                                        row < page.height;
                     for (int k = 0; k < 3; ++k)
-                        sums[k] += inside ? page.linear[(std::size_t(row) * page.width + column) * 3 + k] : words.count("flat") ? 0.9 : 0.05;
+                        sums[k] += inside
+                                       ? page.linear[(std::size_t(row) * page.width + column) * 3 +
+                                                     k]
+                                   : words.count("flat") ? 0.9
+                                                         : 0.05;
                 }
             const double u = 2 * (x + 0.5) / width - 1, v = 2 * (y + 0.5) / height - 1;
-            const double lit = (1 - light[0] * 0.5 * (1 + u)) * (1 - light[1] * 0.5 * (u * u + v * v));
+            const double lit = (1 - light[0] * 0.5 * (1 + u)) *
+                               (1 - light[1] * 0.5 * (u * u + v * v));
             for (int k = 0; k < 3; ++k) {
-                const double value = 255 * encoded(sums[k] / (points * points) * lit * cast[k]) + noise * normal(random);
-                bytes[(std::size_t(y) * width + x) * 3 + k] = png_byte(std::clamp(value + 0.5, 0.0, 255.0));
+                const double value = 255 * encoded(sums[k] / (points * points) * lit * cast[k]) +
+                                     noise * normal(random);
+                bytes[(std::size_t(y) * width + x) * 3 + k] = png_byte(
+                    std::clamp(value + 0.5, 0.0, 255.0));
             }
         }
     if (!write_scan(arguments[2], width, height, dpi, bytes))
         return 4;
     // The page's middle from the scan's middle, turned anticlockwise.
     const double right = 0.5 * page.width - at[0], up = at[1] - 0.5 * page.height;
-    std::printf("%.6f %.6f\n", 0.5 * width + (c * right - s * up) / across, 0.5 * height - (s * right + c * up) / down);
+    std::printf("%.6f %.6f\n", 0.5 * width + (c * right - s * up) / across,
+                0.5 * height - (s * right + c * up) / down);
 }

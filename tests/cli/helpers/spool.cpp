@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Prints a page of noise through integral/output/spool.h, for print_cups.test.
 //
-//   spool [--printer NAME] [--title TITLE] [--size WxH] [--dpi X,Y] [--levels N] [--border N] [--pages N] [--copies N] [--medium NAME] [--option NAME=VALUE]
+//   spool [--printer NAME] [--title TITLE] [--size WxH] [--dpi X,Y] [--levels N] [--border N]
+//   [--pages N] [--copies N] [--medium NAME] [--option NAME=VALUE]
 //         [--patience SECONDS] [--stop-at STEPS] [--keep FILE]
 //
-// Every sample is one of N levels (of 256: any value), `border` pixels round the page white. --keep: the pages' samples
-// as they are (R, G, B; row by row), page after page. --stop-at: progress says stop at that many steps of 1000. Prints the job's number,
-// or "interrupted", and how progress went; with --printers the server's printers instead.
+// Every sample is one of N levels (of 256: any value), `border` pixels round the page white.
+// --keep: the pages' samples as they are (R, G, B; row by row), page after page. --stop-at:
+// progress says stop at that many steps of 1000. Prints the job's number, or "interrupted", and how
+// progress went; with --printers the server's printers instead.
 #include "integral/base/file_bytes.h"
 #include "integral/output/spool.h"
 
@@ -48,7 +50,8 @@ int main(int count, char** arguments)
             else if (name == "--medium")
                 job.medium = value;
             else if (name == "--option")
-                job.options.emplace_back(value.substr(0, value.find('=')), value.substr(value.find('=') + 1));
+                job.options.emplace_back(value.substr(0, value.find('=')),
+                                         value.substr(value.find('=') + 1));
             else if (name == "--patience")
                 job.patience = std::stod(value);
             else if (name == "--stop-at")
@@ -64,8 +67,13 @@ int main(int count, char** arguments)
             std::vector<std::uint8_t>& samples = std::get<std::vector<std::uint8_t>>(page.samples);
             for (int y = 0; y < height; ++y)
                 for (int i = 0; i < width * 3; ++i) {
-                    const bool inside = y >= border && y < height - border && i / 3 >= border && i / 3 < width - border;
-                    samples[std::size_t(y) * width * 3 + i] = inside ? std::uint8_t((random() >> 8) % unsigned(levels) * 255 / unsigned(levels - 1)) : 255;
+                    const bool inside = y >= border && y < height - border && i / 3 >= border &&
+                                        i / 3 < width - border;
+                    samples[std::size_t(y) * width * 3 + i] = inside ? std::uint8_t(
+                                                                           (random() >> 8) %
+                                                                           unsigned(levels) * 255 /
+                                                                           unsigned(levels - 1))
+                                                                     : 255;
                 }
             kept.append(samples.begin(), samples.end());
             job.pages.push_back(std::move(page));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Reads depth frames for the tests of the renderer, with OpenEXR alone.
 //
-// depths count FILE                  prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without, EMPTY"
-// depths range FILE                  prints the least and the greatest depth of a surface, mm
-// depths near FILE ORACLE MASK LOW HIGH TOLERANCE FRACTION  the frame ORACLE shows depths: green is 0 at LOW mm and 1 at HIGH,
-//                                    red 1 where there is no surface, in linear light. Of the pixels that MASK calls imaged (1),
-//                                    at least FRACTION have that depth in FILE, within TOLERANCE mm; the others are empty
+// depths count FILE                  prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without,
+// EMPTY" depths range FILE                  prints the least and the greatest depth of a surface,
+// mm depths near FILE ORACLE MASK LOW HIGH TOLERANCE FRACTION  the frame ORACLE shows depths: green
+// is 0 at LOW mm and 1 at HIGH,
+//                                    red 1 where there is no surface, in linear light. Of the
+//                                    pixels that MASK calls imaged (1), at least FRACTION have that
+//                                    depth in FILE, within TOLERANCE mm; the others are empty
 // Exit status: 0 yes, 1 no, 2 unreadable or wrong usage.
 #include "tests/render/helpers/frames.h"
 
@@ -42,14 +44,15 @@ Depths read_depths(const char* name)
             throw std::runtime_error(std::string(name) + " has no channel " + channel);
     Imf::FrameBuffer buffer;
     buffer.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(d.z.data()), 4, 4 * d.width));
-    buffer.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(d.alpha.data()), 4, 4 * d.width));
+    buffer.insert("A",
+                  Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(d.alpha.data()), 4, 4 * d.width));
     file.setFrameBuffer(buffer);
     file.readPixels(window.min.y, window.max.y);
     return d;
 }
 
-bool near(const Depths& d, const frames::Frame& oracle, const std::string& mask_name, double low, double high,
-          double tolerance, double fraction)
+bool near(const Depths& d, const frames::Frame& oracle, const std::string& mask_name, double low,
+          double high, double tolerance, double fraction)
 {
     const auto imaged = frames::read_imaged(mask_name, d.z.size());
     std::vector<bool> is_imaged(d.z.size());
@@ -60,8 +63,11 @@ bool near(const Depths& d, const frames::Frame& oracle, const std::string& mask_
         const auto& pixel = oracle.pixels[k];
         const bool surface = pixel[0] < 32768;
         open += !surface;
-        const double expected = low + (high - low) * pixel[1] / 65535.0, off = std::fabs(d.z[k] - expected);
-        const bool alike = d.alpha[k] == 1 && (surface ? off <= tolerance : d.z[k] == std::numeric_limits<float>::infinity());
+        const double expected = low + (high - low) * pixel[1] / 65535.0,
+                     off = std::fabs(d.z[k] - expected);
+        const bool alike = d.alpha[k] == 1 &&
+                           (surface ? off <= tolerance
+                                    : d.z[k] == std::numeric_limits<float>::infinity());
         good += alike;
         if (alike && surface)
             worst = std::max(worst, off);
@@ -71,7 +77,8 @@ bool near(const Depths& d, const frames::Frame& oracle, const std::string& mask_
             std::cout << "pixel " << k % d.width << ", " << k / d.width << " should be empty\n";
             return false;
         }
-    std::cout << good << " of " << imaged.size() << " depths agree, to " << worst << " mm; " << open << " are open\n";
+    std::cout << good << " of " << imaged.size() << " depths agree, to " << worst << " mm; " << open
+              << " are open\n";
     return !imaged.empty() && good >= fraction * imaged.size();
 }
 
@@ -82,8 +89,8 @@ bool run(int argc, char** argv)
         throw std::runtime_error("usage: see the head of depths.cpp");
     const Depths d = read_depths(argv[2]);
     if (command == "near")
-        return near(d, frames::read_oracle(argv[3], d.height), argv[4], std::stod(argv[5]), std::stod(argv[6]),
-                    std::stod(argv[7]), std::stod(argv[8]));
+        return near(d, frames::read_oracle(argv[3], d.height), argv[4], std::stod(argv[5]),
+                    std::stod(argv[6]), std::stod(argv[7]), std::stod(argv[8]));
     long seen = 0, open = 0, empty = 0;
     float least = std::numeric_limits<float>::infinity(), most = -least;
     for (std::size_t k = 0; k < d.z.size(); ++k) {
@@ -97,7 +104,8 @@ bool run(int argc, char** argv)
         }
     }
     if (command == "count")
-        std::cout << d.width << "x" << d.height << ", " << seen << ", " << open << ", " << empty << "\n";
+        std::cout << d.width << "x" << d.height << ", " << seen << ", " << open << ", " << empty
+                  << "\n";
     else
         std::cout << least << " " << most << "\n";
     return true;

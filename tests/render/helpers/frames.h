@@ -20,7 +20,9 @@ struct Frame {
 };
 
 /// A pixel's column and row; those of the lines of `oracle mirrored` are -1 where there is none.
-struct Place { int i, j; };
+struct Place {
+    int i, j;
+};
 
 /// One of the frames whose mean is compared with.
 struct Part {
@@ -33,8 +35,8 @@ struct Part {
 
 /// Any PNG, as 16-bit RGBA.
 Frame read_frame(const std::string& name);
-/// POV-Ray's mesh_camera shows its row of faces j in the frame's row j + 1 (and its row 0 twice): the oracle's frames
-/// are one row higher, and lose their first row here.
+/// POV-Ray's mesh_camera shows its row of faces j in the frame's row j + 1 (and its row 0 twice):
+/// the oracle's frames are one row higher, and lose their first row here.
 Frame read_oracle(const std::string& name, int height);
 /// Writes `to`: each pixel is that of `from` at its place, and all else is as in `from`.
 void rerecord(const std::string& from, const std::vector<Place>& places, const std::string& to);
@@ -61,8 +63,10 @@ bool alike(const Frame& a, const Frame& b, double limit);
 bool masked_alike(const Frame& a, const Frame& b, const std::string& mask_name, double limit);
 /// Prints the root mean square difference over the imaged pixels.
 bool error(const Frame& a, const Frame& b, const std::string& mask_name);
-/// Whether, over the imaged pixels, the brightness of `where` correlates with the difference by `least` or more.
-bool points_at(const Frame& where, const Frame& a, const Frame& b, const std::string& mask_name, double least);
+/// Whether, over the imaged pixels, the brightness of `where` correlates with the difference by
+/// `least` or more.
+bool points_at(const Frame& where, const Frame& a, const Frame& b, const std::string& mask_name,
+               double least);
 /// The rectangle whose top-left pixel is (x, y).
 Frame part(const Frame& a, int x, int y, int width, int height);
 /// The means of the squares of n by n pixels, the middle one counted twice.
@@ -74,9 +78,11 @@ Frame shrink(const Frame& a, int n);
 std::vector<Part> read_parts(const std::vector<std::string>& w, std::size_t from, int height);
 /// Whether ours is the parts' mean, but for few pixels; writes their places to the file `far_name`.
 bool oracle(const Frame& ours, const std::string& far_name, const std::vector<Part>& parts);
-/// Whether ours lies, at each place, within what the places' rows of the parts' frames show of its neighbourhood.
+/// Whether ours lies, at each place, within what the places' rows of the parts' frames show of its
+/// neighbourhood.
 bool edges(const Frame& ours, const std::vector<Place>& places, const std::vector<Part>& parts);
-/// Whether two of our frames differ from two of the oracle's by chance alone; in the channel `only`, or in all if < 0.
+/// Whether two of our frames differ from two of the oracle's by chance alone; in the channel
+/// `only`, or in all if < 0.
 bool unbiased(const std::array<Frame, 4>& frames, const std::string& mask_name, int only);
 
 } // namespace frames

@@ -14,14 +14,17 @@ namespace frames {
 int difference(const Pixel& a, const Pixel& b)
 {
     int most = 0;
-    for (int c = 0; c < 4; c++) most = std::max(most, std::abs(a[c] - b[c]));
+    for (int c = 0; c < 4; c++)
+        most = std::max(most, std::abs(a[c] - b[c]));
     return most;
 }
 
 void need_same_size(const Frame& a, const Frame& b)
 {
-    if (a.width == b.width && a.height == b.height) return;
-    std::cout << "sizes differ: " << a.width << 'x' << a.height << " and " << b.width << 'x' << b.height << '\n';
+    if (a.width == b.width && a.height == b.height)
+        return;
+    std::cout << "sizes differ: " << a.width << 'x' << a.height << " and " << b.width << 'x'
+              << b.height << '\n';
     throw 1;
 }
 
@@ -31,8 +34,10 @@ bool all_equal(const Frame& b, const std::function<Pixel(int, int)>& of)
     int most = 0;
     for (int j = 0; j < b.height; j++)
         for (int i = 0; i < b.width; i++)
-            if (const int d = difference(of(i, j), b.at(i, j))) unequal++, most = std::max(most, d);
-    std::cout << unequal << " of " << b.pixels.size() << " pixels differ, at most by " << most / 257.0 << "/255\n";
+            if (const int d = difference(of(i, j), b.at(i, j)))
+                unequal++, most = std::max(most, d);
+    std::cout << unequal << " of " << b.pixels.size() << " pixels differ, at most by "
+              << most / 257.0 << "/255\n";
     return unequal == 0;
 }
 
@@ -51,7 +56,8 @@ bool alike(const Frame& a, const Frame& b, double limit)
     need_same_size(a, b);
     double sum = 0;
     for (std::size_t p = 0; p < a.pixels.size(); p++)
-        for (int c = 0; c < 4; c++) sum += std::pow((a.pixels[p][c] - b.pixels[p][c]) / 257.0, 2);
+        for (int c = 0; c < 4; c++)
+            sum += std::pow((a.pixels[p][c] - b.pixels[p][c]) / 257.0, 2);
     const double rmse = std::sqrt(sum / a.pixels.size() / 4);
     std::cout << "root mean square difference " << rmse << "/255\n";
     return rmse <= limit;
@@ -73,21 +79,25 @@ bool error(const Frame& a, const Frame& b, const std::string& mask_name)
     double sum = 0;
     long count = 0;
     for (const std::size_t p : read_imaged(mask_name, a.pixels.size()))
-        for (int c = 0; c < 3; c++, count++) sum += std::pow((a.pixels[p][c] - b.pixels[p][c]) / 65535.0, 2);
+        for (int c = 0; c < 3; c++, count++)
+            sum += std::pow((a.pixels[p][c] - b.pixels[p][c]) / 65535.0, 2);
     std::printf("%.9f\n", std::sqrt(sum / count));
     return count > 0;
 }
 
-bool points_at(const Frame& where, const Frame& a, const Frame& b, const std::string& mask_name, double least)
+bool points_at(const Frame& where, const Frame& a, const Frame& b, const std::string& mask_name,
+               double least)
 {
     need_same_size(where, a);
     need_same_size(a, b);
     double n = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
     for (const std::size_t p : read_imaged(mask_name, a.pixels.size())) {
         double squares = 0;
-        for (int c = 0; c < 3; c++) squares += std::pow((a.pixels[p][c] - b.pixels[p][c]) / 65535.0, 2) / 3;
+        for (int c = 0; c < 3; c++)
+            squares += std::pow((a.pixels[p][c] - b.pixels[p][c]) / 65535.0, 2) / 3;
         const double bright = where.pixels[p][1] / 65535.0, error = std::sqrt(squares);
-        n++, x += bright, y += error, xx += bright * bright, yy += error * error, xy += bright * error;
+        n++, x += bright, y += error, xx += bright * bright, yy += error * error,
+            xy += bright * error;
     }
     const double r = (xy - x * y / n) / std::sqrt((xx - x * x / n) * (yy - y * y / n));
     std::cout << "correlated by " << r << '\n';
@@ -103,7 +113,8 @@ Frame part(const Frame& a, int x, int y, int width, int height)
         throw std::runtime_error("the part is larger than the whole");
     b.pixels.clear();
     for (int j = 0; j < b.height; j++)
-        for (int i = 0; i < b.width; i++) b.pixels.push_back(a.at(x + i, y + j));
+        for (int i = 0; i < b.width; i++)
+            b.pixels.push_back(a.at(x + i, y + j));
     return b;
 }
 
@@ -116,10 +127,14 @@ Frame shrink(const Frame& a, int n)
     for (int j = 0; j < b.height * n; j++)
         for (int i = 0; i < b.width * n; i++)
             for (int c = 0; c < 4; c++)
-                b.pixels[std::size_t(j / n) * b.width + i / n][c] +=
-                    a.at(i, j)[c] * (i % n == n / 2 && j % n == n / 2 ? 2 : 1);
+                b.pixels[std::size_t(j / n) * b.width + i / n][c] += a.at(i, j)[c] *
+                                                                     (i % n == n / 2 &&
+                                                                              j % n == n / 2
+                                                                          ? 2
+                                                                          : 1);
     for (Pixel& p : b.pixels)
-        for (int& c : p) c = (c + n * n / 2) / (n * n + 1);
+        for (int& c : p)
+            c = (c + n * n / 2) / (n * n + 1);
     return b;
 }
 

@@ -19,7 +19,8 @@ void complain(png_structp, png_const_charp message) { throw std::runtime_error(m
 Frame read_frame(const std::string& name)
 {
     std::FILE* file = std::fopen(name.c_str(), "rb");
-    if (!file) throw std::runtime_error(name + ": cannot be opened");
+    if (!file)
+        throw std::runtime_error(name + ": cannot be opened");
     Frame f;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, complain, complain);
     png_infop info = png_create_info_struct(png);
@@ -36,15 +37,18 @@ Frame read_frame(const std::string& name)
         png_set_interlace_handling(png);
         png_read_update_info(png, info);
         const std::size_t row = png_get_rowbytes(png, info);
-        if (row != std::size_t(f.width) * 8) throw std::runtime_error("not 16-bit RGBA after expansion");
+        if (row != std::size_t(f.width) * 8)
+            throw std::runtime_error("not 16-bit RGBA after expansion");
         std::vector<png_byte> bytes(row * f.height);
         std::vector<png_bytep> rows;
-        for (int j = 0; j < f.height; j++) rows.push_back(bytes.data() + row * j);
+        for (int j = 0; j < f.height; j++)
+            rows.push_back(bytes.data() + row * j);
         png_read_image(png, rows.data());
         png_read_end(png, nullptr);
         f.pixels.resize(std::size_t(f.width) * f.height);
         for (std::size_t p = 0; p < f.pixels.size(); p++)
-            for (int c = 0; c < 4; c++) f.pixels[p][c] = bytes[p * 8 + c * 2] << 8 | bytes[p * 8 + c * 2 + 1];
+            for (int c = 0; c < 4; c++)
+                f.pixels[p][c] = bytes[p * 8 + c * 2] << 8 | bytes[p * 8 + c * 2 + 1];
     } catch (const std::exception& error) {
         std::fclose(file);
         throw std::runtime_error(name + ": " + error.what());
@@ -57,7 +61,8 @@ Frame read_frame(const std::string& name)
 Frame read_oracle(const std::string& name, int height)
 {
     Frame f = read_frame(name);
-    if (f.height != height + 1) throw std::runtime_error(name + ": not one row more than the frame compared");
+    if (f.height != height + 1)
+        throw std::runtime_error(name + ": not one row more than the frame compared");
     f.pixels.erase(f.pixels.begin(), f.pixels.begin() + f.width);
     f.height--;
     return f;
@@ -67,12 +72,14 @@ void rerecord(const std::string& from, const std::vector<Place>& places, const s
 {
     std::FILE* in = std::fopen(from.c_str(), "rb");
     std::FILE* out = std::fopen(to.c_str(), "wb");
-    if (!in || !out) throw std::runtime_error(from + " or " + to + ": cannot be opened");
+    if (!in || !out)
+        throw std::runtime_error(from + " or " + to + ": cannot be opened");
     png_structp reader = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, complain, complain);
     png_infop info = png_create_info_struct(reader), end = png_create_info_struct(reader);
     png_init_io(reader, in);
     png_read_info(reader, info);
-    const int width = png_get_image_width(reader, info), height = png_get_image_height(reader, info);
+    const int width = png_get_image_width(reader, info),
+              height = png_get_image_height(reader, info);
     const std::size_t row = png_get_rowbytes(reader, info), pixel = row / width;
     if (places.size() != std::size_t(width) * height)
         throw std::runtime_error("not a place for every pixel of " + from);
@@ -85,7 +92,8 @@ void rerecord(const std::string& from, const std::vector<Place>& places, const s
     for (std::size_t n = 0; n < places.size(); n++)
         if (places[n].i >= 0)
             std::copy_n(rows[places[n].j] + pixel * places[n].i, pixel, moved.begin() + pixel * n);
-    png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, complain, complain);
+    png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, complain,
+                                                 complain);
     png_init_io(writer, out);
     png_write_info(writer, info);
     png_write_image(writer, moved_rows.data());
@@ -100,7 +108,8 @@ std::vector<Place> read_places(const std::string& name)
 {
     std::vector<Place> places;
     std::ifstream in(name);
-    for (Place place; in >> place.i >> place.j;) places.push_back(place);
+    for (Place place; in >> place.i >> place.j;)
+        places.push_back(place);
     return places;
 }
 
@@ -108,7 +117,8 @@ std::vector<std::string> read_mask(const std::string& name)
 {
     std::ifstream in(name);
     std::vector<std::string> rows;
-    for (std::string row; in >> row;) rows.push_back(row);
+    for (std::string row; in >> row;)
+        rows.push_back(row);
     return rows;
 }
 
@@ -118,7 +128,8 @@ std::vector<std::size_t> read_imaged(const std::string& mask_name, std::size_t p
     std::ifstream mask(mask_name);
     char imaged;
     for (std::size_t p = 0; p < pixels && mask >> imaged; p++)
-        if (imaged == '1') places.push_back(p);
+        if (imaged == '1')
+            places.push_back(p);
     return places;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The tests' own integral camera, computed from optics.md alone, in long double and by brute force: it searches every
-// lens within reach, finds the slit's root by bisection, and shares no line with integral/optics.
+// The tests' own integral camera, computed from optics.md alone, in long double and by brute force:
+// it searches every lens within reach, finds the slit's root by bisection, and shares no line with
+// integral/optics.
 #ifndef TESTS_RENDER_HELPERS_ORACLE_H
 #define TESTS_RENDER_HELPERS_ORACLE_H
 
@@ -16,30 +17,38 @@ using Real = long double;
 using Point2 = std::array<Real, 2>;
 using Point3 = std::array<Real, 3>;
 
-/// A camera as the test's command line gives it. Lengths of sheet and aperture in mm, of the scene in scene units.
+/// A camera as the test's command line gives it. Lengths of sheet and aperture in mm, of the scene
+/// in scene units.
 struct Description {
-    std::string arrangement = "lenticular", mapping = "auto", shape = "rectangle", model = "extended_pinhole", subpixels = "none";
+    std::string arrangement = "lenticular", mapping = "auto", shape = "rectangle",
+                model = "extended_pinhole", subpixels = "none";
     Real pitch = 1.27L, thickness = 3.08L, ior = 1.6L, slant = 0; ///< slant in degrees
     Point2 offset{0, 0}, dpi{300, 300};
-    std::optional<Point2> pixel_pitch;      ///< mm; instead of dpi
-    int width = 160, height = 120;          ///< pixels
-    std::optional<Point2> aperture;         ///< mm; default: fills a lens
-    std::optional<Point2> depth_range;      ///< mm; in the camera's text alone: the oracle's scene is clipped instead
+    std::optional<Point2> pixel_pitch; ///< mm; instead of dpi
+    int width = 160, height = 120;     ///< pixels
+    std::optional<Point2> aperture;    ///< mm; default: fills a lens
+    std::optional<Point2> depth_range; ///< mm; in the camera's text alone: the oracle's scene is
+                                       ///< clipped instead
     std::optional<Real> sheet_distance, units_per_mm, angle;
     std::optional<Point3> look_at;
-    std::string pattern = "same";           ///< of subpixels=cells,
-    std::vector<Point2> places;             ///< and each cell's red, green, blue: pixels to the right and up
+    std::string pattern = "same"; ///< of subpixels=cells,
+    std::vector<Point2> places;   ///< and each cell's red, green, blue: pixels to the right and up
     Point3 location{0, 0, 0}, direction{0, 0, 1}, right{4 / 3.0L, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
-    struct Transform { std::string kind; Point3 value; };
-    std::vector<Transform> transforms;      ///< rotate, scale, translate in order
+    struct Transform {
+        std::string kind;
+        Point3 value;
+    };
+    std::vector<Transform> transforms;       ///< rotate, scale, translate in order
     int beam_samples = 0, pixel_samples = 1; ///< beam_samples 0: not given
     bool pseudoscopic = false, display_prefilter = false;
 
     // What the oracle alone is told:
-    std::optional<Real> start;              ///< mm before the sheet where its rays start; default: at the aperture
-    int channel = 1;                        ///< 0 red, 1 green, 2 blue: which of a pixel's film points, with subpixels
-    int marginal = 0;                       ///< which of hybrid's 3 or 5 rays, the pole's first
-    /// For tests whose rays differ by where they start: a file with a number for every pixel, and the pixels of this number alone.
+    std::optional<Real> start; ///< mm before the sheet where its rays start; default: at the
+                               ///< aperture
+    int channel = 1;  ///< 0 red, 1 green, 2 blue: which of a pixel's film points, with subpixels
+    int marginal = 0; ///< which of hybrid's 3 or 5 rays, the pole's first
+    /// For tests whose rays differ by where they start: a file with a number for every pixel, and
+    /// the pixels of this number alone.
     std::string groups;
     int group = 0;
 };
@@ -54,28 +63,41 @@ std::string perspective_text(const Description& description);
 
 /// The sheet in the scene: where its frame's millimetres are.
 struct Placed {
-    Point3 location;          ///< the aperture's centre
-    Point3 x, y, z;           ///< one mm along the sheet frame's axes, in scene units
-    Real distance;            ///< the aperture's, mm
+    Point3 location; ///< the aperture's centre
+    Point3 x, y, z;  ///< one mm along the sheet frame's axes, in scene units
+    Real distance;   ///< the aperture's, mm
 };
 Placed place(const Description& description);
 
 /// A lens by its lattice indices; a lenticular sheet uses the first alone.
-struct Lens { long first = 0, second = 0; };
+struct Lens {
+    long first = 0, second = 0;
+};
 
-/// The ray of one film point through one lens, before any aperture: A on the aperture plane and the direction from A
-/// into the scene, both in the sheet frame (mm; A's z is -d).
-struct SheetRay { Lens lens; Point2 aperture_point; Point3 direction; };
+/// The ray of one film point through one lens, before any aperture: A on the aperture plane and the
+/// direction from A into the scene, both in the sheet frame (mm; A's z is -d).
+struct SheetRay {
+    Lens lens;
+    Point2 aperture_point;
+    Point3 direction;
+};
 
 /// Section 3, steps 1 to 4, by the pole; nothing if it is totally reflected.
-std::optional<SheetRay> ray_through(const Description&, Real distance, Point2 film_point, Lens lens);
+std::optional<SheetRay> ray_through(const Description&, Real distance, Point2 film_point,
+                                    Lens lens);
 
-/// A point of a lens: offset from its pole (lenticular: across its axis), mm, and the height at which the slit is passed, mm.
-struct LensPoint { Point2 offset{0, 0}; Real eta = 0; };
+/// A point of a lens: offset from its pole (lenticular: across its axis), mm, and the height at
+/// which the slit is passed, mm.
+struct LensPoint {
+    Point2 offset{0, 0};
+    Real eta = 0;
+};
 
-/// The ray through any point of a lens, by the description's lens model: for hybrid and full refracted at the curved surface,
-/// for the others the pole's ray moved sideways. Pseudoscopic: of the film point on the pole's other side.
-std::optional<SheetRay> beam_ray(const Description&, Real distance, Point2 film_point, Lens lens, const LensPoint& point);
+/// The ray through any point of a lens, by the description's lens model: for hybrid and full
+/// refracted at the curved surface, for the others the pole's ray moved sideways. Pseudoscopic: of
+/// the film point on the pole's other side.
+std::optional<SheetRay> beam_ray(const Description&, Real distance, Point2 film_point, Lens lens,
+                                 const LensPoint& point);
 
 /// The film point on the other side of the lens's pole (lenticular: of its axis), as far away.
 Point2 mirrored_in_lens(const Description&, Point2 film_point, Lens lens);
@@ -84,22 +106,29 @@ Point2 mirrored_in_lens(const Description&, Point2 film_point, Lens lens);
 std::vector<LensPoint> hybrid_points(const Description&);
 std::vector<Real> hybrid_weights(const Description&);
 
-/// Sections 3 and 4: the ray that the film point gets; nothing if it images nothing. `margin` becomes the least relative
-/// distance of any decision taken (tie, aperture's edge) from the other outcome, where that is less than it was.
-std::optional<SheetRay> film_ray(const Description&, Real distance, Point2 film_point, Real& margin);
+/// Sections 3 and 4: the ray that the film point gets; nothing if it images nothing. `margin`
+/// becomes the least relative distance of any decision taken (tie, aperture's edge) from the other
+/// outcome, where that is less than it was.
+std::optional<SheetRay> film_ray(const Description&, Real distance, Point2 film_point,
+                                 Real& margin);
 
-/// Numbers in [0, 1) to choose a sample by: two for the pixel's area, two for the lens's cell or the cell and the slit.
+/// Numbers in [0, 1) to choose a sample by: two for the pixel's area, two for the lens's cell or
+/// the cell and the slit.
 using Numbers = std::array<Real, 4>;
 
-/// `count` rays of the pixel (i, j), chosen by what `next` gives, over all that the description samples: the pixel's area with
-/// pixel_samples > 1, the lens's cell and the slit with beam_samples > 1 or by default. Those of another lens, of no lens
-/// and those totally reflected are replaced by others. With the display prefilter, tents twice as wide, and no lens is another. None where the pixel's centre images nothing.
-std::vector<SheetRay> pixel_rays(const Description&, Real distance, int i, int j, int count, const std::function<Numbers()>& next);
+/// `count` rays of the pixel (i, j), chosen by what `next` gives, over all that the description
+/// samples: the pixel's area with pixel_samples > 1, the lens's cell and the slit with beam_samples
+/// > 1 or by default. Those of another lens, of no lens and those totally reflected are replaced by
+/// others. With the display prefilter, tents twice as wide, and no lens is another. None where the
+/// pixel's centre images nothing.
+std::vector<SheetRay> pixel_rays(const Description&, Real distance, int i, int j, int count,
+                                 const std::function<Numbers()>& next);
 
 /// Continuous pixel coordinates -> mm on the film, of the description's colour channel.
 Point2 film_from_pixel(const Description&, Real px, Real py);
 
-/// Section 5: the aperture given or, by default, the one that fills a lens; its full width and height, mm.
+/// Section 5: the aperture given or, by default, the one that fills a lens; its full width and
+/// height, mm.
 Point2 aperture_size(const Description&, Real distance);
 
 } // namespace oracle

@@ -21,13 +21,22 @@ Real index(const Description& d) { return d.model == "pinhole" ? 1 : d.ior; }
 Point2 subpixel_shift(const Description& d, Real px, Real py)
 {
     const Real third = (d.channel - 1) / 3.0L;
-    if (d.subpixels == "rgb") return {third, 0};
-    if (d.subpixels == "bgr") return {-third, 0};
-    if (d.subpixels == "vrgb") return {0, -third};
-    if (d.subpixels == "vbgr") return {0, third};
-    if (d.subpixels != "cells") return {0, 0};
-    const int column = int(std::floor(px)), row = int(std::floor(py)), number = int(d.places.size() / 3);
-    const std::map<std::string, int> cells{{"same", 0}, {"checkerboard", (column + row) % 2}, {"columns", column % 2}, {"rows", row % 2},
+    if (d.subpixels == "rgb")
+        return {third, 0};
+    if (d.subpixels == "bgr")
+        return {-third, 0};
+    if (d.subpixels == "vrgb")
+        return {0, -third};
+    if (d.subpixels == "vbgr")
+        return {0, third};
+    if (d.subpixels != "cells")
+        return {0, 0};
+    const int column = int(std::floor(px)), row = int(std::floor(py)),
+              number = int(d.places.size() / 3);
+    const std::map<std::string, int> cells{{"same", 0},
+                                           {"checkerboard", (column + row) % 2},
+                                           {"columns", column % 2},
+                                           {"rows", row % 2},
                                            {"staggered", (row + 2 * (column % 2)) % 4}};
     return d.places.at(3 * (cells.at(d.pattern) % number) + d.channel);
 }
@@ -35,23 +44,27 @@ Point2 subpixel_shift(const Description& d, Real px, Real py)
 /// Of a colour's own area, in pixels.
 Point2 subpixel_size(const Description& d)
 {
-    if (d.subpixels == "none") return {1, 1};
-    if (d.subpixels == "cells") return {std::sqrt(1 / 3.0L), std::sqrt(1 / 3.0L)};
+    if (d.subpixels == "none")
+        return {1, 1};
+    if (d.subpixels == "cells")
+        return {std::sqrt(1 / 3.0L), std::sqrt(1 / 3.0L)};
     return d.subpixels[0] == 'v' ? Point2{1, 1 / 3.0L} : Point2{1 / 3.0L, 1};
 }
 
 bool curved(const Description& d) { return d.model == "hybrid" || d.model == "full"; }
 
-/// A lens's pole as the lattice has it; for a lenticular sheet, the point of its axis that is nearest to the lattice's own
-/// origin.
+/// A lens's pole as the lattice has it; for a lenticular sheet, the point of its axis that is
+/// nearest to the lattice's own origin.
 Point2 pole(const Description& d, Lens lens)
 {
     const Real p = d.pitch, angle = d.slant * pi / 180;
     Point2 q{lens.first * p, 0};
-    if (d.arrangement == "square") q[1] = lens.second * p;
+    if (d.arrangement == "square")
+        q[1] = lens.second * p;
     if (d.arrangement == "hexagonal") {
         q[1] = lens.second * p * std::sqrt(3.0L) / 2;
-        if (lens.second % 2 != 0) q[0] += p / 2;
+        if (lens.second % 2 != 0)
+            q[0] += p / 2;
     }
     return {d.offset[0] + q[0] * std::cos(angle) - q[1] * std::sin(angle),
             d.offset[1] + q[0] * std::sin(angle) + q[1] * std::cos(angle)};
@@ -62,7 +75,8 @@ Real lens_distance(const Description& d, Point2 f, Lens lens)
 {
     const Point2 q = pole(d, lens);
     const Real dx = q[0] - f[0], dy = q[1] - f[1], angle = d.slant * pi / 180;
-    if (d.arrangement == "lenticular") return std::fabs(dx * std::cos(angle) + dy * std::sin(angle));
+    if (d.arrangement == "lenticular")
+        return std::fabs(dx * std::cos(angle) + dy * std::sin(angle));
     return std::hypot(dx, dy);
 }
 
@@ -70,82 +84,111 @@ Real lens_distance(const Description& d, Point2 f, Lens lens)
 void each_lens(const Description& d, Point2 f, Real reach, const std::function<void(Lens)>& visit)
 {
     const Real angle = d.slant * pi / 180, x = f[0] - d.offset[0], y = f[1] - d.offset[1];
-    const Real u = x * std::cos(angle) + y * std::sin(angle), v = y * std::cos(angle) - x * std::sin(angle);
+    const Real u = x * std::cos(angle) + y * std::sin(angle),
+               v = y * std::cos(angle) - x * std::sin(angle);
     const Real row = d.arrangement == "hexagonal" ? d.pitch * std::sqrt(3.0L) / 2 : d.pitch;
-    const long i0 = std::floor((u - reach) / d.pitch) - 1, i1 = std::ceil((u + reach) / d.pitch) + 1;
+    const long i0 = std::floor((u - reach) / d.pitch) - 1,
+               i1 = std::ceil((u + reach) / d.pitch) + 1;
     long j0 = 0, j1 = 0;
-    if (d.arrangement != "lenticular") j0 = std::floor((v - reach) / row) - 1, j1 = std::ceil((v + reach) / row) + 1;
+    if (d.arrangement != "lenticular")
+        j0 = std::floor((v - reach) / row) - 1, j1 = std::ceil((v + reach) / row) + 1;
     for (long i = i0; i <= i1; i++)
         for (long j = j0; j <= j1; j++)
-            if (lens_distance(d, f, {i, j}) <= reach) visit({i, j});
+            if (lens_distance(d, f, {i, j}) <= reach)
+                visit({i, j});
 }
 
-/// A point of a lens where light leaves it: at depth z behind the poles, the normal towards the viewer.
-struct Exit { Point2 at; Real z = 0; Point3 normal{0, 0, -1}; };
+/// A point of a lens where light leaves it: at depth z behind the poles, the normal towards the
+/// viewer.
+struct Exit {
+    Point2 at;
+    Real z = 0;
+    Point3 normal{0, 0, -1};
+};
 
-/// The point `offset` from the pole (lenticular: from the axis): on the plane of the poles, or on the spherical or cylindrical
-/// surface of radius t (n - 1)/n. Nothing beyond its edge.
+/// The point `offset` from the pole (lenticular: from the axis): on the plane of the poles, or on
+/// the spherical or cylindrical surface of radius t (n - 1)/n. Nothing beyond its edge.
 std::optional<Exit> exit_at(const Description& d, Point2 pole, Point2 offset)
 {
-    if (!curved(d)) return Exit{{pole[0] + offset[0], pole[1] + offset[1]}};
+    if (!curved(d))
+        return Exit{{pole[0] + offset[0], pole[1] + offset[1]}};
     const Real radius = d.thickness * (d.ior - 1) / d.ior, r = std::hypot(offset[0], offset[1]);
-    if (r > radius) return std::nullopt;
+    if (r > radius)
+        return std::nullopt;
     const Real rise = std::sqrt(radius * radius - r * r);
-    return Exit{{pole[0] + offset[0], pole[1] + offset[1]}, radius - rise, {offset[0] / radius, offset[1] / radius, -rise / radius}};
+    return Exit{{pole[0] + offset[0], pole[1] + offset[1]},
+                radius - rise,
+                {offset[0] / radius, offset[1] / radius, -rise / radius}};
 }
 
 /// Steps 2 to 4 from film point f through a point of the lens: Snell's law in its vector form.
-std::optional<SheetRay> refract(const Description& d, Real distance, Point2 f, const Exit& exit, Lens lens)
+std::optional<SheetRay> refract(const Description& d, Real distance, Point2 f, const Exit& exit,
+                                Lens lens)
 {
     const Real n = index(d);
     Point3 u{exit.at[0] - f[0], exit.at[1] - f[1], exit.z - d.thickness};
     const Real length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     Real cosine = 0;
-    for (int i = 0; i < 3; i++) u[i] /= length, cosine += u[i] * exit.normal[i];
+    for (int i = 0; i < 3; i++)
+        u[i] /= length, cosine += u[i] * exit.normal[i];
     const Real rest = 1 - n * n * (1 - cosine * cosine);
-    if (rest <= 0 || cosine <= 0) return std::nullopt;
+    if (rest <= 0 || cosine <= 0)
+        return std::nullopt;
     Point3 w{};
-    for (int i = 0; i < 3; i++) w[i] = n * u[i] + (std::sqrt(rest) - n * cosine) * exit.normal[i];
-    if (w[2] >= 0) return std::nullopt;
+    for (int i = 0; i < 3; i++)
+        w[i] = n * u[i] + (std::sqrt(rest) - n * cosine) * exit.normal[i];
+    if (w[2] >= 0)
+        return std::nullopt;
     const Real way = (distance + exit.z) / -w[2];
-    return SheetRay{lens, {exit.at[0] + w[0] * way, exit.at[1] + w[1] * way}, {-w[0], -w[1], -w[2]}};
+    return SheetRay{
+        lens, {exit.at[0] + w[0] * way, exit.at[1] + w[1] * way}, {-w[0], -w[1], -w[2]}};
 }
 
 bool horizontal_slit(const Description& d) { return std::fabs(d.slant) <= 45; }
 
-/// The ray of a line of a cylinder lens, v across from its axis, that meets the slit, A_y = eta or A_x = eta, by bisection along
-/// the line.
-std::optional<SheetRay> slit_ray(const Description& d, Real distance, Point2 f, Lens lens, Real v, Real eta)
+/// The ray of a line of a cylinder lens, v across from its axis, that meets the slit, A_y = eta or
+/// A_x = eta, by bisection along the line.
+std::optional<SheetRay> slit_ray(const Description& d, Real distance, Point2 f, Lens lens, Real v,
+                                 Real eta)
 {
     const Real angle = d.slant * pi / 180, n = index(d);
     const Point2 b{std::cos(angle), std::sin(angle)};
     const int e = horizontal_slit(d) ? 1 : 0; // the coordinate that the slit fixes
     Point2 a{-std::sin(angle), std::cos(angle)};
-    if (a[e] < 0) a = {-a[0], -a[1]};
+    if (a[e] < 0)
+        a = {-a[0], -a[1]};
     const Point2 q0 = pole(d, lens);
     const Real h = (q0[0] - f[0]) * b[0] + (q0[1] - f[1]) * b[1];
-    const auto line = exit_at(d, {f[0] + h * b[0], f[1] + h * b[1]}, {v * b[0], v * b[1]}); // where it is nearest to f
-    if (!line) return std::nullopt;
+    const auto line = exit_at(d, {f[0] + h * b[0], f[1] + h * b[1]},
+                              {v * b[0], v * b[1]}); // where it is nearest to f
+    if (!line)
+        return std::nullopt;
     const auto at = [&](Real tau) {
         Exit exit = *line;
         exit.at[0] += tau * a[0], exit.at[1] += tau * a[1];
         return exit;
     };
-    // Where the slit is missed: below (-1) or above (1); total reflection is infinitely far on its own side.
+    // Where the slit is missed: below (-1) or above (1); total reflection is infinitely far on its
+    // own side.
     const auto side = [&](Real tau) {
         const auto ray = refract(d, distance, f, at(tau), lens);
-        const Real value = ray ? ray->aperture_point[e] - eta : curved(d) ? tau * a[e] : at(tau).at[e] - f[e];
+        const Real value = ray         ? ray->aperture_point[e] - eta
+                           : curved(d) ? tau * a[e]
+                                       : at(tau).at[e] - f[e];
         return value < 0 ? -1 : 1;
     };
     Real low, high;
     if (n > 1) {
         const Real depth = d.thickness - line->z, to_line = h + v;
-        const Real into = to_line * (line->normal[0] * b[0] + line->normal[1] * b[1]) - depth * line->normal[2];
+        const Real into = to_line * (line->normal[0] * b[0] + line->normal[1] * b[1]) -
+                          depth * line->normal[2];
         const Real limit = into * into * n * n / (n * n - 1) - to_line * to_line - depth * depth;
-        if (into <= 0 || limit <= 0) return std::nullopt;
+        if (into <= 0 || limit <= 0)
+            return std::nullopt;
         high = std::sqrt(limit);
         if (curved(d)) { // it may be sent sideways before it is totally reflected
-            if (!refract(d, distance, f, at(0), lens)) return std::nullopt;
+            if (!refract(d, distance, f, at(0), lens))
+                return std::nullopt;
             const auto end = [&](Real fails) {
                 Real passes = 0;
                 for (int step = 0; step < 200; step++) {
@@ -156,18 +199,21 @@ std::optional<SheetRay> slit_ray(const Description& d, Real distance, Point2 f, 
             };
             low = end(-high);
             high = end(high);
-            if (side(low) > 0 || side(high) < 0) return std::nullopt;
+            if (side(low) > 0 || side(high) < 0)
+                return std::nullopt;
         } else if (high * a[e] <= std::fabs(h * b[e]))
             return std::nullopt;
         else
             low = -high;
     } else {
-        for (high = d.thickness + std::fabs(h); side(high) < 0 || side(-high) > 0; high *= 2) {}
+        for (high = d.thickness + std::fabs(h); side(high) < 0 || side(-high) > 0; high *= 2) {
+        }
         low = -high;
     }
     for (int step = 0; step < 200; step++) {
         const Real middle = (low + high) / 2;
-        if (middle <= low || middle >= high) break;
+        if (middle <= low || middle >= high)
+            break;
         (side(middle) < 0 ? low : high) = middle;
     }
     return refract(d, distance, f, at((low + high) / 2), lens);
@@ -178,9 +224,11 @@ bool wins_tie(const Description& d, Lens one, Lens other)
 {
     const Real tie = 1e-9L * d.pitch;
     const Real mine = lens_distance(d, {0, 0}, one), theirs = lens_distance(d, {0, 0}, other);
-    if (std::fabs(mine - theirs) > tie) return mine < theirs;
+    if (std::fabs(mine - theirs) > tie)
+        return mine < theirs;
     const Point2 p = pole(d, one), q = pole(d, other);
-    if (std::fabs(p[0] - q[0]) > tie) return p[0] < q[0];
+    if (std::fabs(p[0] - q[0]) > tie)
+        return p[0] < q[0];
     return p[1] < q[1];
 }
 
@@ -188,7 +236,8 @@ bool wins_tie(const Description& d, Lens one, Lens other)
 Real edge_ratio(const Description& d, Point2 size, Point2 a)
 {
     const Real x = std::fabs(a[0]) / (size[0] / 2), y = std::fabs(a[1]) / (size[1] / 2);
-    if (d.arrangement == "lenticular") return horizontal_slit(d) ? x : y;
+    if (d.arrangement == "lenticular")
+        return horizontal_slit(d) ? x : y;
     return d.shape == "ellipse" ? std::hypot(x, y) : std::max(x, y);
 }
 
@@ -198,47 +247,65 @@ bool inside(Real ratio, Real& margin)
     return ratio <= 1 + 1e-9L;
 }
 
-/// How far a lens that images the aperture can be from the film point: within total reflection, and near enough for A
-/// to be in an aperture of this size, since |A| >= |delta| (1 + d/t) - |F| for the refracted ray as for the straight one.
+/// How far a lens that images the aperture can be from the film point: within total reflection, and
+/// near enough for A to be in an aperture of this size, since |A| >= |delta| (1 + d/t) - |F| for
+/// the refracted ray as for the straight one.
 Real search_reach(const Description& d, Real distance, Point2 f, Point2 size)
 {
-    const Real straight = (std::hypot(f[0], f[1]) + std::hypot(size[0], size[1])) / (1 + distance / d.thickness);
+    const Real straight = (std::hypot(f[0], f[1]) + std::hypot(size[0], size[1])) /
+                          (1 + distance / d.thickness);
     const Real n = index(d);
-    if (n <= 1) return straight + d.pitch;
+    if (n <= 1)
+        return straight + d.pitch;
     return std::min(straight, d.thickness / std::sqrt(n * n - 1)) + d.pitch;
 }
 
-std::optional<SheetRay> closest(const Description& d, Real distance, Point2 f, Point2 size, Real& margin)
+std::optional<SheetRay> closest(const Description& d, Real distance, Point2 f, Point2 size,
+                                Real& margin)
 {
     Real least = infinity;
-    each_lens(d, f, 2 * d.pitch, [&](Lens lens) { least = std::min(least, lens_distance(d, f, lens)); });
+    each_lens(d, f, 2 * d.pitch,
+              [&](Lens lens) { least = std::min(least, lens_distance(d, f, lens)); });
     std::optional<Lens> best;
     each_lens(d, f, least + d.pitch / 2, [&](Lens lens) {
         const Real more = lens_distance(d, f, lens) - least;
-        if (more > 1e-12L * d.pitch) margin = std::min(margin, more / d.pitch);
-        if (more > 1e-9L * d.pitch) return;
-        if (!best || wins_tie(d, lens, *best)) best = lens;
+        if (more > 1e-12L * d.pitch)
+            margin = std::min(margin, more / d.pitch);
+        if (more > 1e-9L * d.pitch)
+            return;
+        if (!best || wins_tie(d, lens, *best))
+            best = lens;
     });
     const auto ray = ray_through(d, distance, f, *best);
-    if (!ray || !inside(edge_ratio(d, size, ray->aperture_point), margin)) return std::nullopt;
+    if (!ray || !inside(edge_ratio(d, size, ray->aperture_point), margin))
+        return std::nullopt;
     return ray;
 }
 
-std::optional<SheetRay> accurate(const Description& d, Real distance, Point2 f, Point2 size, Real& margin)
+std::optional<SheetRay> accurate(const Description& d, Real distance, Point2 f, Point2 size,
+                                 Real& margin)
 {
     const auto away = [&](const SheetRay& ray) {
-        if (d.arrangement == "lenticular") return std::fabs(ray.aperture_point[horizontal_slit(d) ? 0 : 1]);
+        if (d.arrangement == "lenticular")
+            return std::fabs(ray.aperture_point[horizontal_slit(d) ? 0 : 1]);
         return std::hypot(ray.aperture_point[0], ray.aperture_point[1]);
     };
     std::optional<SheetRay> best;
     each_lens(d, f, search_reach(d, distance, f, size), [&](Lens lens) {
         const auto ray = ray_through(d, distance, f, lens);
-        if (!ray || !inside(edge_ratio(d, size, ray->aperture_point), margin)) return;
-        if (!best) { best = ray; return; }
+        if (!ray || !inside(edge_ratio(d, size, ray->aperture_point), margin))
+            return;
+        if (!best) {
+            best = ray;
+            return;
+        }
         const Real difference = away(*ray) - away(*best);
         const Real scale = std::hypot(size[0], size[1]);
-        if (std::fabs(difference) > 1e-12L * scale) margin = std::min(margin, std::fabs(difference) / scale);
-        if (std::fabs(difference) > 1e-9L * d.pitch ? difference < 0 : wins_tie(d, lens, best->lens)) best = ray;
+        if (std::fabs(difference) > 1e-12L * scale)
+            margin = std::min(margin, std::fabs(difference) / scale);
+        if (std::fabs(difference) > 1e-9L * d.pitch ? difference < 0
+                                                    : wins_tie(d, lens, best->lens))
+            best = ray;
     });
     return best;
 }
@@ -248,35 +315,44 @@ std::optional<SheetRay> accurate(const Description& d, Real distance, Point2 f, 
 std::optional<SheetRay> ray_through(const Description& d, Real distance, Point2 f, Lens lens)
 {
     Description flat = d; // the pole's ray is the same for every model
-    if (curved(d)) flat.model = "extended_pinhole";
-    if (d.arrangement == "lenticular") return slit_ray(flat, distance, f, lens, 0, 0);
+    if (curved(d))
+        flat.model = "extended_pinhole";
+    if (d.arrangement == "lenticular")
+        return slit_ray(flat, distance, f, lens, 0, 0);
     return refract(flat, distance, f, Exit{pole(d, lens)}, lens);
 }
 
 Point2 mirrored_in_lens(const Description& d, Point2 f, Lens lens)
 {
     const Point2 q = pole(d, lens);
-    if (d.arrangement != "lenticular") return {2 * q[0] - f[0], 2 * q[1] - f[1]};
+    if (d.arrangement != "lenticular")
+        return {2 * q[0] - f[0], 2 * q[1] - f[1]};
     const Real angle = d.slant * pi / 180;
     const Point2 b{std::cos(angle), std::sin(angle)};
     const Real h = (q[0] - f[0]) * b[0] + (q[1] - f[1]) * b[1];
     return {f[0] + 2 * h * b[0], f[1] + 2 * h * b[1]};
 }
 
-std::optional<SheetRay> beam_ray(const Description& d, Real distance, Point2 f, Lens lens, const LensPoint& point)
+std::optional<SheetRay> beam_ray(const Description& d, Real distance, Point2 f, Lens lens,
+                                 const LensPoint& point)
 {
     const Point2 q = pole(d, lens);
     const Real angle = d.slant * pi / 180;
     const Point2 b{std::cos(angle), std::sin(angle)};
     const bool lenticular = d.arrangement == "lenticular";
-    if (d.pseudoscopic) f = mirrored_in_lens(d, f, lens);
+    if (d.pseudoscopic)
+        f = mirrored_in_lens(d, f, lens);
     if (curved(d)) {
-        if (lenticular) return slit_ray(d, distance, f, lens, point.offset[0] * b[0] + point.offset[1] * b[1], point.eta);
+        if (lenticular)
+            return slit_ray(d, distance, f, lens, point.offset[0] * b[0] + point.offset[1] * b[1],
+                            point.eta);
         const auto exit = exit_at(d, q, point.offset);
         return exit ? refract(d, distance, f, *exit, lens) : std::nullopt;
     }
-    auto ray = lenticular ? slit_ray(d, distance, f, lens, 0, point.eta) : refract(d, distance, f, Exit{q}, lens);
-    if (ray) ray->aperture_point[0] += point.offset[0], ray->aperture_point[1] += point.offset[1];
+    auto ray = lenticular ? slit_ray(d, distance, f, lens, 0, point.eta)
+                          : refract(d, distance, f, Exit{q}, lens);
+    if (ray)
+        ray->aperture_point[0] += point.offset[0], ray->aperture_point[1] += point.offset[1];
     return ray;
 }
 
@@ -284,7 +360,8 @@ std::vector<LensPoint> hybrid_points(const Description& d)
 {
     const Real angle = d.slant * pi / 180, half = d.pitch / 2;
     const Point2 b{half * std::cos(angle), half * std::sin(angle)}, a{-b[1], b[0]};
-    if (d.arrangement == "lenticular") return {{}, {{-b[0], -b[1]}}, {b}};
+    if (d.arrangement == "lenticular")
+        return {{}, {{-b[0], -b[1]}}, {b}};
     return {{}, {{-b[0], -b[1]}}, {b}, {{-a[0], -a[1]}}, {a}};
 }
 
@@ -294,8 +371,10 @@ std::vector<Real> hybrid_weights(const Description& d)
     std::vector<Real> weights(hybrid_points(d).size(), light(1));
     weights[0] = light(0);
     Real sum = 0;
-    for (const Real weight : weights) sum += weight;
-    for (Real& weight : weights) weight /= sum;
+    for (const Real weight : weights)
+        sum += weight;
+    for (Real& weight : weights)
+        weight /= sum;
     return weights;
 }
 
@@ -304,9 +383,11 @@ namespace {
 /// The slit's height where the pole's ray passes the aperture.
 Real slit_height(const Description& d, const SheetRay& ray)
 {
-    if (d.arrangement != "lenticular" || !d.aperture) return 0;
+    if (d.arrangement != "lenticular" || !d.aperture)
+        return 0;
     const int e = horizontal_slit(d) ? 1 : 0;
-    const Real across = (*d.aperture)[e], along = ray.aperture_point[1 - e] / ((*d.aperture)[1 - e] / 2);
+    const Real across = (*d.aperture)[e],
+               along = ray.aperture_point[1 - e] / ((*d.aperture)[1 - e] / 2);
     return d.shape == "ellipse" ? across * std::sqrt(std::max<Real>(0, 1 - along * along)) : across;
 }
 
@@ -317,79 +398,104 @@ bool in_cell(const Description& d, Point2 offset)
     unmoved.offset = {0, 0};
     const Real own = lens_distance(unmoved, offset, {0, 0});
     bool nearest = true;
-    each_lens(unmoved, offset, own, [&](Lens lens) { nearest = nearest && lens_distance(unmoved, offset, lens) >= own; });
+    each_lens(unmoved, offset, own,
+              [&](Lens lens) { nearest = nearest && lens_distance(unmoved, offset, lens) >= own; });
     return nearest;
 }
 
-/// A ray of the display prefilter: of a point around the pixel and a point around its lens, each coordinate's density a tent:
-/// where its cumulated density, on either side 1/2 - (1 - a)^2/2, is the number.
-std::optional<SheetRay> prefiltered(const Description& d, Real distance, Point2 pixel, const SheetRay& centre, bool pole_only,
-                                    const Numbers& x)
+/// A ray of the display prefilter: of a point around the pixel and a point around its lens, each
+/// coordinate's density a tent: where its cumulated density, on either side 1/2 - (1 - a)^2/2, is
+/// the number.
+std::optional<SheetRay> prefiltered(const Description& d, Real distance, Point2 pixel,
+                                    const SheetRay& centre, bool pole_only, const Numbers& x)
 {
     const bool lenticular = d.arrangement == "lenticular";
     std::array<Real, 4> at{}; // in pixels, and pitches of lenses or of their rows
     for (int k = 0; k < 4; k++) {
         const bool fixed = k < 2 ? d.pixel_samples == 1 : pole_only || (lenticular && k == 3);
-        if (fixed) continue;
+        if (fixed)
+            continue;
         const Real side = 2 * x[k] - 1;
         at[k] = std::copysign(1 - std::sqrt(1 - std::fabs(side)), side);
     }
     const Real angle = d.slant * pi / 180;
-    const Point2 area = subpixel_size(d), f = film_from_pixel(d, pixel[0] + at[0] * area[0], pixel[1] + at[1] * area[1]);
-    const Real u = at[2] * d.pitch, v = at[3] * d.pitch * (d.arrangement == "hexagonal" ? std::sqrt(3.0L) / 2 : 1);
+    const Point2 area = subpixel_size(d),
+                 f = film_from_pixel(d, pixel[0] + at[0] * area[0], pixel[1] + at[1] * area[1]);
+    const Real u = at[2] * d.pitch,
+               v = at[3] * d.pitch * (d.arrangement == "hexagonal" ? std::sqrt(3.0L) / 2 : 1);
     LensPoint point;
-    point.offset = {u * std::cos(angle) - v * std::sin(angle), u * std::sin(angle) + v * std::cos(angle)};
+    point.offset = {u * std::cos(angle) - v * std::sin(angle),
+                    u * std::sin(angle) + v * std::cos(angle)};
     return beam_ray(d, distance, f, centre.lens, point);
 }
 
 } // namespace
 
-std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int j, int count, const std::function<Numbers()>& next)
+std::vector<SheetRay> pixel_rays(const Description& d, Real distance, int i, int j, int count,
+                                 const std::function<Numbers()>& next)
 {
     std::vector<SheetRay> rays;
     Real margin = 1;
     const auto centre = film_ray(d, distance, film_from_pixel(d, i + 0.5L, j + 0.5L), margin);
-    if (!centre) return rays;
+    if (!centre)
+        return rays;
     const Real angle = d.slant * pi / 180;
     const Point2 area = subpixel_size(d);
-    const bool lenticular = d.arrangement == "lenticular", pole_only = d.beam_samples == 1 || (d.beam_samples == 0 && !curved(d)
-        && !(lenticular && slit_height(d, {{}, {0, 0}, {}}) > 0));
+    const bool lenticular = d.arrangement == "lenticular",
+               pole_only = d.beam_samples == 1 ||
+                           (d.beam_samples == 0 && !curved(d) &&
+                            !(lenticular && slit_height(d, {{}, {0, 0}, {}}) > 0));
     for (int tries = 0; int(rays.size()) < count && tries < 1000 * count; tries++) {
         if (d.display_prefilter) {
-            if (const auto ray = prefiltered(d, distance, {i + 0.5L, j + 0.5L}, *centre, pole_only, next())) rays.push_back(*ray);
+            if (const auto ray = prefiltered(d, distance, {i + 0.5L, j + 0.5L}, *centre, pole_only,
+                                             next()))
+                rays.push_back(*ray);
             continue;
         }
         const Numbers x = next();
-        const Point2 moved = d.pixel_samples > 1 ? Point2{(x[0] - 0.5L) * area[0], (x[1] - 0.5L) * area[1]} : Point2{0, 0};
+        const Point2 moved = d.pixel_samples > 1
+                                 ? Point2{(x[0] - 0.5L) * area[0], (x[1] - 0.5L) * area[1]}
+                                 : Point2{0, 0};
         const Point2 f = film_from_pixel(d, i + 0.5L + moved[0], j + 0.5L + moved[1]);
         const auto own = d.pixel_samples > 1 ? film_ray(d, distance, f, margin) : centre;
-        if (!own || own->lens.first != centre->lens.first || own->lens.second != centre->lens.second) continue;
+        if (!own || own->lens.first != centre->lens.first ||
+            own->lens.second != centre->lens.second)
+            continue;
         LensPoint point;
         if (!pole_only) {
-            // The square about the lens is larger than any cell; a cylinder is as wide as its pitch.
-            const Real u = (x[2] - 0.5L) * 2 * d.pitch, v = lenticular ? 0 : (x[3] - 0.5L) * 2 * d.pitch;
-            point.offset = {u * std::cos(angle) - v * std::sin(angle), u * std::sin(angle) + v * std::cos(angle)};
-            if (!in_cell(d, point.offset)) continue;
+            // The square about the lens is larger than any cell; a cylinder is as wide as its
+            // pitch.
+            const Real u = (x[2] - 0.5L) * 2 * d.pitch,
+                       v = lenticular ? 0 : (x[3] - 0.5L) * 2 * d.pitch;
+            point.offset = {u * std::cos(angle) - v * std::sin(angle),
+                            u * std::sin(angle) + v * std::cos(angle)};
+            if (!in_cell(d, point.offset))
+                continue;
             point.eta = (x[3] - 0.5L) * slit_height(d, *own);
         }
-        if (const auto ray = beam_ray(d, distance, f, centre->lens, point)) rays.push_back(*ray);
+        if (const auto ray = beam_ray(d, distance, f, centre->lens, point))
+            rays.push_back(*ray);
     }
     return rays;
 }
 
 Point2 film_from_pixel(const Description& d, Real px, Real py)
 {
-    const Point2 pixel = d.pixel_pitch ? *d.pixel_pitch : Point2{25.4L / d.dpi[0], 25.4L / d.dpi[1]};
+    const Point2 pixel = d.pixel_pitch ? *d.pixel_pitch
+                                       : Point2{25.4L / d.dpi[0], 25.4L / d.dpi[1]};
     const Point2 shift = subpixel_shift(d, px, py);
-    return {(px + shift[0] - d.width / 2.0L) * pixel[0], (d.height / 2.0L - py + shift[1]) * pixel[1]};
+    return {(px + shift[0] - d.width / 2.0L) * pixel[0],
+            (d.height / 2.0L - py + shift[1]) * pixel[1]};
 }
 
 Point2 aperture_size(const Description& d, Real distance)
 {
-    if (d.aperture) return *d.aperture;
+    if (d.aperture)
+        return *d.aperture;
     const auto filling = [&](Real cell) {
         const Real half = cell / 2, sine = index(d) * half / std::hypot(half, d.thickness);
-        if (sine >= 1) throw std::invalid_argument("no finite aperture fills this sheet");
+        if (sine >= 1)
+            throw std::invalid_argument("no finite aperture fills this sheet");
         return 2 * distance * sine / std::sqrt(1 - sine * sine);
     };
     const Real angle = d.slant * pi / 180;
@@ -405,7 +511,8 @@ Point2 aperture_size(const Description& d, Real distance)
     Point2 farthest{0, 0};
     for (int k = 0; k < corners; ++k) {
         const Real at = angle + (2 * k + 1) * pi / corners;
-        farthest = {std::fmax(farthest[0], radius * std::cos(at)), std::fmax(farthest[1], radius * std::sin(at))};
+        farthest = {std::fmax(farthest[0], radius * std::cos(at)),
+                    std::fmax(farthest[1], radius * std::sin(at))};
     }
     return {filling(2 * farthest[0]), filling(2 * farthest[1])};
 }
@@ -413,10 +520,13 @@ Point2 aperture_size(const Description& d, Real distance)
 std::optional<SheetRay> film_ray(const Description& d, Real distance, Point2 f, Real& margin)
 {
     Point2 size = aperture_size(d, distance);
-    if (d.arrangement == "lenticular") size[horizontal_slit(d) ? 1 : 0] = 0;
-    if (d.mapping == "closest") return closest(d, distance, f, size, margin);
+    if (d.arrangement == "lenticular")
+        size[horizontal_slit(d) ? 1 : 0] = 0;
+    if (d.mapping == "closest")
+        return closest(d, distance, f, size, margin);
     if (d.mapping == "auto")
-        if (const auto ray = closest(d, distance, f, size, margin)) return ray;
+        if (const auto ray = closest(d, distance, f, size, margin))
+            return ray;
     return accurate(d, distance, f, size, margin);
 }
 

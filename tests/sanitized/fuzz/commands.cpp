@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What commands do with geometry that a file may say: every number anywhere in the range that its reader lets through.
+// What commands do with geometry that a file may say: every number anywhere in the range that its
+// reader lets through.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/cli/command.h"
@@ -27,7 +28,10 @@ public:
     explicit Choices(const Bytes& bytes) : bytes_(bytes) {}
     unsigned of(unsigned count) { return byte() % count; }
     /// Any size of number in [least, greatest], which is > 0: evenly in its logarithm.
-    double size(double least, double greatest) { return least * std::pow(greatest / least, std::min(1.0, part())); }
+    double size(double least, double greatest)
+    {
+        return least * std::pow(greatest / least, std::min(1.0, part()));
+    }
     /// In [least, greatest], often 0, a bound or halfway.
     double within(double least, double greatest)
     {
@@ -44,7 +48,10 @@ public:
         const unsigned sign = of(3);
         return sign == 0 ? 0 : (sign == 1 ? 1 : -1) * size(greatest * 1e-20, greatest);
     }
-    std::string word(const std::vector<std::string>& words) { return words[of(unsigned(words.size()))]; }
+    std::string word(const std::vector<std::string>& words)
+    {
+        return words[of(unsigned(words.size()))];
+    }
 
 private:
     unsigned byte() { return at_ < bytes_.size() ? static_cast<unsigned char>(bytes_[at_++]) : 0; }
@@ -53,12 +60,13 @@ private:
     std::size_t at_ = 0;
 };
 
-/// As frame_metadata.cpp and find_value_errors let through. `narrow`: the aperture is seen through few lenses at a time, whose rays a
-/// forecast has to try by the thousand.
+/// As frame_metadata.cpp and find_value_errors let through. `narrow`: the aperture is seen through
+/// few lenses at a time, whose rays a forecast has to try by the thousand.
 Json geometry(Choices& c, bool has_picture, bool narrow)
 {
     Json json;
-    const double pitch = c.size(1.0001e-4, 999), thickness = c.size(1.0001e-6, 0.999e6), distance = c.size(1.0001e-2, 0.999e9);
+    const double pitch = c.size(1.0001e-4, 999), thickness = c.size(1.0001e-6, 0.999e6),
+                 distance = c.size(1.0001e-2, 0.999e9);
     json["sheet"] = {{"arrangement", c.word({"lenticular", "square", "hexagonal"})},
                      {"pitch_mm", pitch},
                      {"thickness_mm", thickness},
@@ -83,18 +91,22 @@ Json geometry(Choices& c, bool has_picture, bool narrow)
     aperture["shape"] = c.word({"rectangle", "ellipse"});
     if (c.of(4) == 0)
         for (const char* axis : {"origin", "x", "y", "z"})
-            json["camera"][axis] = {c.signed_size(1e100), c.signed_size(1e100), c.signed_size(1e100)};
+            json["camera"][axis] = {c.signed_size(1e100), c.signed_size(1e100),
+                                    c.signed_size(1e100)};
     if (json.contains("camera"))
         json["camera"]["units_per_mm"] = c.size(1.0001e-100, 0.999e100);
     if (c.of(4) == 0)
         json["encoding"] = {{"kind", "power"}, {"gamma", c.size(0.010001, 99.9)}};
     if (c.of(4) == 0)
-        json["render"] = {{"model", c.word({"pinhole", "extended_pinhole", "hybrid", "full"})}, {"pixel_samples", int(c.size(1, 65536))},
+        json["render"] = {{"model", c.word({"pinhole", "extended_pinhole", "hybrid", "full"})},
+                          {"pixel_samples", int(c.size(1, 65536))},
                           {"beam_samples", int(c.size(1, 65536))}};
     if (c.of(4) == 0) {
         json["quilt"] = {{"columns", int(c.size(1, 4096))}, {"rows", int(c.size(1, 4096))}};
         if (c.of(2))
-            json["quilt"]["eyes"] = {{"distance_mm", c.size(1.0001e-2, 0.999e9)}, {"width_mm", c.size(1e-9, 0.999e30)}, {"height_mm", c.size(1e-9, 0.999e30)}};
+            json["quilt"]["eyes"] = {{"distance_mm", c.size(1.0001e-2, 0.999e9)},
+                                     {"width_mm", c.size(1e-9, 0.999e30)},
+                                     {"height_mm", c.size(1e-9, 0.999e30)}};
     }
     return json;
 }
@@ -136,8 +148,13 @@ Words words_without_picture(Choices& c, const std::string& sheet)
     switch (c.of(8)) {
     case 0: return words;
     case 1: words.push_back("--json"); return words;
-    case 2: case 3: case 4: case 5:
-        words.insert(words.end(), {"--plot", c.word({"spread", "lens", "sheets", "resolution", "film"}), "-o", sink("svg")});
+    case 2:
+    case 3:
+    case 4:
+    case 5:
+        words.insert(words.end(),
+                     {"--plot", c.word({"spread", "lens", "sheets", "resolution", "film"}), "-o",
+                      sink("svg")});
         return words;
     }
     return {"print", "--chart", "--size", "40x30", "--sheet", sheet, "-o", sink("png")};
@@ -151,13 +168,19 @@ Words words_with_picture(Choices& c, const std::string& sheet)
     case 0:
         words = {"replay", frame, "--threads", "1", "--samples", "1", "--size", "3x2"};
         if (c.of(2))
-            words.insert(words.end(), {"--eye=" + number(c.signed_size(1e6)) + "," + number(c.signed_size(1e6)) + "," + number(c.size(1e-2, 1e6))});
+            words.insert(words.end(),
+                         {"--eye=" + number(c.signed_size(1e6)) + "," + number(c.signed_size(1e6)) +
+                          "," + number(c.size(1e-2, 1e6))});
         if (c.of(2))
-            words.insert(words.end(), {"--pupil", number(c.size(1e-3, 1e6)), "--focus=" + number(c.signed_size(1e6)), "--film-gap=" + number(c.signed_size(1e6))});
+            words.insert(words.end(), {"--pupil", number(c.size(1e-3, 1e6)),
+                                       "--focus=" + number(c.signed_size(1e6)),
+                                       "--film-gap=" + number(c.signed_size(1e6))});
         if (c.of(4) == 0)
             words.insert(words.end(), {"--lens-model", "full"});
         switch (c.of(4)) {
-        case 0: words.insert(words.end(), {"--stereo", number(c.size(1e-3, 1e6)), "-o", sink("png")}); break;
+        case 0:
+            words.insert(words.end(), {"--stereo", number(c.size(1e-3, 1e6)), "-o", sink("png")});
+            break;
         case 1: words.insert(words.end(), {"--grid", "3x2", "-o", sink("tiff")}); break;
         case 2: words.insert(words.end(), {"--html", sink("html")}); break;
         default: words.insert(words.end(), {"-o", sink("exr")});
@@ -165,14 +188,17 @@ Words words_with_picture(Choices& c, const std::string& sheet)
         break;
     case 1:
         words = {"views", frame, "--threads", "1", "-o", "-"};
-        // Parallel views have a pixel a lens: what sheets of narrow lenses promise takes long to draw, though it is drawn.
+        // Parallel views have a pixel a lens: what sheets of narrow lenses promise takes long to
+        // draw, though it is drawn.
         if (c.of(2))
             words.insert(words.end(), {"--eyes", "--views", "3x2", "--size", "4x3"});
         else
             words.insert(words.end(), {"--upright", "--views", "2x1", "--size", "4x3"});
         break;
     case 2:
-        words = {"views", "--to-frame", frame, "--threads", "1", "-o", "-", "--views", c.word({"1x1", "2x1", "4x3"})};
+        words = {"views",     "--to-frame", frame,
+                 "--threads", "1",          "-o",
+                 "-",         "--views",    c.word({"1x1", "2x1", "4x3"})};
         if (c.of(2))
             words.push_back("--eyes");
         break;
@@ -183,14 +209,15 @@ Words words_with_picture(Choices& c, const std::string& sheet)
         }
         words = {"print", frame, "-o", sink("pdf")};
         if (c.of(2))
-            words.insert(words.end(), {"--marks", "all", "--strip", "--bleed", number(c.size(1e-3, 5000))});
+            words.insert(words.end(),
+                         {"--marks", "all", "--strip", "--bleed", number(c.size(1e-3, 5000))});
         if (c.of(2))
-            words.insert(words.end(), {"--paper", c.word({"a4", "5x5", "5000x5000"}), "--tile", "--overlap", number(c.size(1e-3, 5000))});
+            words.insert(words.end(), {"--paper", c.word({"a4", "5x5", "5000x5000"}), "--tile",
+                                       "--overlap", number(c.size(1e-3, 5000))});
         if (c.of(2))
             words.push_back("--mirror");
         break;
-    default:
-        words = {"compare", frame, frame};
+    default: words = {"compare", frame, frame};
     }
     words.insert(words.end(), {"--sheet", sheet});
     return words;
@@ -202,7 +229,8 @@ void run_command(const Bytes& bytes)
 {
     Choices c(bytes);
     const bool has_picture = c.of(4) != 0;
-    const std::string document = geometry(c, has_picture, !has_picture).dump(), sheet = file_of(document);
+    const std::string document = geometry(c, has_picture, !has_picture).dump(),
+                      sheet = file_of(document);
     Words words = has_picture ? words_with_picture(c, sheet) : words_without_picture(c, sheet);
     words.insert(words.begin(), "integral");
     std::vector<char*> pointers;
@@ -213,7 +241,8 @@ void run_command(const Bytes& bytes)
             std::fprintf(stderr, "%s ", word.c_str());
         std::fprintf(stderr, "\n%s\n", document.c_str());
     }
-    if (integral_main(int(pointers.size()), pointers.data()) == exit_check_failed) // nothing is checked: an internal error
+    if (integral_main(int(pointers.size()), pointers.data()) ==
+        exit_check_failed) // nothing is checked: an internal error
         std::abort();
 }
 

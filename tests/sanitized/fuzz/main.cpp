@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The fuzzing program: libFuzzer, or mutations.cpp, around the targets of targets.cpp.
 //   readers --targets             their names
-//   readers --seeds NAME FOLDER   writes a target's seeds into FOLDER, and its dictionary into FOLDER.words
-//   FUZZ_TARGET=NAME readers ...  libFuzzer's own options, or those of mutations.cpp
+//   readers --seeds NAME FOLDER   writes a target's seeds into FOLDER, and its dictionary into
+//   FOLDER.words FUZZ_TARGET=NAME readers ...  libFuzzer's own options, or those of mutations.cpp
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/base/file_bytes.h"
@@ -29,7 +29,8 @@ const Target& target_named(const char* name)
             return target;
     if (name && std::strcmp(planted_fault.name, name) == 0)
         return planted_fault;
-    std::fprintf(stderr, "there is no target %s; readers --targets lists them\n", name ? name : "(FUZZ_TARGET is not set)");
+    std::fprintf(stderr, "there is no target %s; readers --targets lists them\n",
+                 name ? name : "(FUZZ_TARGET is not set)");
     std::exit(2);
 }
 
@@ -42,7 +43,8 @@ const Target& target_named(const char* name)
 
 void expect_one_line(const char* message)
 {
-    if (!*message || std::any_of(message, message + std::strlen(message), [](unsigned char c) { return std::iscntrl(c); }))
+    if (!*message || std::any_of(message, message + std::strlen(message),
+                                 [](unsigned char c) { return std::iscntrl(c); }))
         found("a message that is not one line", message);
 }
 
@@ -81,7 +83,8 @@ std::string file_of(const Bytes& bytes, int slot)
 {
     static const int files[] = {memfd_create("input", 0), memfd_create("input", 0)};
     const int file = files[slot];
-    if (ftruncate(file, 0) != 0 || pwrite(file, bytes.data(), bytes.size(), 0) != ssize_t(bytes.size()))
+    if (ftruncate(file, 0) != 0 ||
+        pwrite(file, bytes.data(), bytes.size(), 0) != ssize_t(bytes.size()))
         std::abort();
     return "/proc/self/fd/" + std::to_string(file);
 }
@@ -128,11 +131,13 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     return 0;
 }
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most, unsigned seed)
+extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size,
+                                               std::size_t most, unsigned seed)
 {
     if (!chosen->mutated || seed % 8 == 0)
         return LLVMFuzzerMutate(data, size, most);
-    const Bytes bytes = chosen->mutated(Bytes(reinterpret_cast<const char*>(data), size), most, seed / 8);
+    const Bytes bytes = chosen->mutated(Bytes(reinterpret_cast<const char*>(data), size), most,
+                                        seed / 8);
     std::memcpy(data, bytes.data(), std::min(bytes.size(), most));
     return std::min(bytes.size(), most);
 }

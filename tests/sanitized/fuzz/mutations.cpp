@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What stands for libFuzzer where there is none: runs a target on files and on mutations of them, the same ones each time.
-//   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of it in turn
+// What stands for libFuzzer where there is none: runs a target on files and on mutations of them,
+// the same ones each time.
+//   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of it in
+//   turn
 // What a target fails on is written to the file FUZZ_FOUND. Without FUZZ_TARGET: see main.cpp.
 #include "tests/sanitized/fuzz/target.h"
 
@@ -17,7 +19,8 @@
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** words);
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size);
-extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most, unsigned seed);
+extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size,
+                                               std::size_t most, unsigned seed);
 
 namespace {
 
@@ -57,7 +60,8 @@ void change(Bytes& bytes, std::size_t most)
         if (!bytes.empty())
             bytes[at] = char(bytes[at] ^ (1 << below(8)));
         break;
-    case 1: case 2:
+    case 1:
+    case 2:
         if (!bytes.empty())
             bytes[at] = char(below(256));
         break;
@@ -104,7 +108,8 @@ int main(int count, char** words)
             for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
                 const std::size_t size = bytes.size();
                 bytes.resize(most_bytes);
-                bytes.resize(LLVMFuzzerCustomMutator(reinterpret_cast<unsigned char*>(&bytes[0]), size, most_bytes, unsigned(chance())));
+                bytes.resize(LLVMFuzzerCustomMutator(reinterpret_cast<unsigned char*>(&bytes[0]),
+                                                     size, most_bytes, unsigned(chance())));
             }
             run(bytes);
         }

@@ -44,8 +44,9 @@ Bytes png_of(const std::vector<Chunk>& chunks)
     Bytes png = signature;
     for (const Chunk& chunk : chunks) {
         const Bytes body = chunk.type + chunk.data;
-        png += four_bytes(std::uint32_t(chunk.data.size())) + body
-             + four_bytes(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()))));
+        png += four_bytes(std::uint32_t(chunk.data.size())) + body +
+               four_bytes(std::uint32_t(
+                   crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()))));
     }
     return png;
 }
@@ -59,7 +60,9 @@ Bytes mutated_png(Bytes png, std::size_t most, unsigned seed)
     const std::size_t k = random() % chunks.size();
     switch (random() % 8) {
     case 0: chunks.erase(chunks.begin() + std::ptrdiff_t(k)); break;
-    case 1: chunks.insert(chunks.begin() + std::ptrdiff_t(random() % chunks.size()), Chunk(chunks[k])); break;
+    case 1:
+        chunks.insert(chunks.begin() + std::ptrdiff_t(random() % chunks.size()), Chunk(chunks[k]));
+        break;
     case 2: LLVMFuzzerMutate(reinterpret_cast<unsigned char*>(&chunks[k].type[0]), 4, 4); break;
     default: {
         Bytes& data = chunks[k].data;

@@ -46,7 +46,9 @@ std::string document(bool complete)
 template <class Sample> Image picture(int channels)
 {
     std::mt19937 random(7);
-    Image image = make_image<Sample>(width, height, channels, std::is_integral<Sample>::value ? Encoding{} : Encoding{Encoding::Kind::linear, 1});
+    Image image = make_image<Sample>(
+        width, height, channels,
+        std::is_integral<Sample>::value ? Encoding{} : Encoding{Encoding::Kind::linear, 1});
     for (Sample& s : std::get<std::vector<Sample>>(image.samples))
         s = Sample(random() % 256) / (std::is_integral<Sample>::value ? 1 : 255);
     return image;
@@ -56,7 +58,8 @@ std::vector<DecodedImage> pictures()
 {
     std::vector<DecodedImage> all;
     for (const int channels : {3, 4})
-        for (const Image& image : {picture<std::uint8_t>(channels), picture<std::uint16_t>(channels), picture<float>(channels)})
+        for (const Image& image : {picture<std::uint8_t>(channels),
+                                   picture<std::uint16_t>(channels), picture<float>(channels)})
             all.push_back({image, document(false), Vec2{0.1, 0.2}, ""});
     return all;
 }
@@ -100,18 +103,22 @@ Bytes plain_png(int bits, int type, bool interlaced)
     const Bytes raw(row * height * 2, '\0'); // interlacing needs a little more
     Bytes packed(compressBound(uLong(raw.size())), '\0');
     uLongf size = uLongf(packed.size());
-    compress(reinterpret_cast<Bytef*>(&packed[0]), &size, reinterpret_cast<const Bytef*>(raw.data()), uLong(raw.size()));
+    compress(reinterpret_cast<Bytef*>(&packed[0]), &size,
+             reinterpret_cast<const Bytef*>(raw.data()), uLong(raw.size()));
     packed.resize(size);
-    std::vector<Chunk> chunks = {{"IHDR", Bytes{0, 0, 0, char(width), 0, 0, 0, char(height), char(bits), char(type), 0, 0, char(interlaced)}},
+    std::vector<Chunk> chunks = {{"IHDR", Bytes{0, 0, 0, char(width), 0, 0, 0, char(height),
+                                                char(bits), char(type), 0, 0, char(interlaced)}},
                                  {"gAMA", Bytes("\0\0\xb1\x8f", 4)}};
     if (type == 3)
-        chunks.insert(chunks.end(), {{"PLTE", Bytes("\xff\0\0\0\xff\0", 6)}, {"tRNS", Bytes("\x80\xff", 2)}});
+        chunks.insert(chunks.end(),
+                      {{"PLTE", Bytes("\xff\0\0\0\xff\0", 6)}, {"tRNS", Bytes("\x80\xff", 2)}});
     chunks.insert(chunks.end(), {{"IDAT", packed}, {"IEND", ""}});
     return png_of(chunks);
 }
 
 /// Written to a file by OpenEXR.
-Bytes exr_of(const std::vector<std::string>& names, Imf::PixelType type, Imf::Compression compression, bool tiles)
+Bytes exr_of(const std::vector<std::string>& names, Imf::PixelType type,
+             Imf::Compression compression, bool tiles)
 {
     const std::string path = scratch_path("seed.exr"), text = document(false);
     Imf::Header header(width, height);
@@ -123,7 +130,9 @@ Bytes exr_of(const std::vector<std::string>& names, Imf::PixelType type, Imf::Co
     for (const std::string& name : names) {
         const bool is_half = type == Imf::HALF;
         header.channels().insert(name, Imf::Channel(type));
-        source.insert(name, Imf::Slice(type, is_half ? reinterpret_cast<char*>(halves.data()) : reinterpret_cast<char*>(floats.data()),
+        source.insert(name, Imf::Slice(type,
+                                       is_half ? reinterpret_cast<char*>(halves.data())
+                                               : reinterpret_cast<char*>(floats.data()),
                                        is_half ? 2 : 4, std::size_t(is_half ? 2 : 4) * width));
     }
     if (tiles) {
@@ -155,7 +164,8 @@ Bytes tiff_of(const TiffForm& form)
     TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, form.samples);
     TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, form.photometric);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, form.compression);
-    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, form.planes ? PLANARCONFIG_SEPARATE : PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG,
+                 form.planes ? PLANARCONFIG_SEPARATE : PLANARCONFIG_CONTIG);
     if (form.floats)
         TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
     std::vector<std::uint16_t> colours(1 << 8);
@@ -187,7 +197,8 @@ std::vector<Bytes> png_seeds()
     for (const Bytes& document : endless_documents())
         seeds.push_back(encode_png({picture<std::uint8_t>(3), document, {}, ""}));
     for (const bool interlaced : {false, true})
-        for (const auto& [bits, type] : {std::pair(1, 0), {2, 0}, {16, 0}, {4, 3}, {8, 3}, {8, 4}, {16, 4}, {16, 6}})
+        for (const auto& [bits, type] :
+             {std::pair(1, 0), {2, 0}, {16, 0}, {4, 3}, {8, 3}, {8, 4}, {16, 4}, {16, 6}})
             seeds.push_back(plain_png(bits, type, interlaced));
     return and_halves(seeds);
 }
@@ -198,9 +209,11 @@ std::vector<Bytes> exr_seeds()
     for (const DecodedImage& picture : pictures())
         if (sample_bits(picture.image) == 32)
             seeds.push_back(encode_exr(picture));
-    for (const auto compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION,
-                                   Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION})
-        seeds.push_back(exr_of({"R", "G", "B", "A"}, Imf::HALF, compression, compression == Imf::PIZ_COMPRESSION));
+    for (const auto compression :
+         {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::PIZ_COMPRESSION,
+          Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION})
+        seeds.push_back(exr_of({"R", "G", "B", "A"}, Imf::HALF, compression,
+                               compression == Imf::PIZ_COMPRESSION));
     seeds.push_back(exr_of({"Y"}, Imf::FLOAT, Imf::ZIP_COMPRESSION, false));
     seeds.push_back(exr_of({"Y", "A"}, Imf::HALF, Imf::ZIP_COMPRESSION, true));
     return and_halves(seeds);
@@ -208,7 +221,8 @@ std::vector<Bytes> exr_seeds()
 
 std::vector<Bytes> depth_seeds()
 {
-    return and_halves({exr_of({"Z", "A"}, Imf::FLOAT, Imf::ZIP_COMPRESSION, false), exr_of({"Z", "A"}, Imf::HALF, Imf::NO_COMPRESSION, false),
+    return and_halves({exr_of({"Z", "A"}, Imf::FLOAT, Imf::ZIP_COMPRESSION, false),
+                       exr_of({"Z", "A"}, Imf::HALF, Imf::NO_COMPRESSION, false),
                        exr_of({"Z", "A", "R"}, Imf::FLOAT, Imf::PIZ_COMPRESSION, true)});
 }
 
@@ -217,15 +231,16 @@ std::vector<Bytes> tiff_seeds()
     std::vector<Bytes> seeds;
     for (const DecodedImage& picture : pictures())
         seeds.push_back(encode_tiff(picture));
-    const TiffForm forms[] = {{8, 1, PHOTOMETRIC_MINISWHITE, COMPRESSION_NONE},
-                              {16, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_LZW},
-                              {8, 3, PHOTOMETRIC_RGB, COMPRESSION_PACKBITS},
-                              {8, 4, PHOTOMETRIC_RGB, COMPRESSION_LZW, true},
-                              {32, 3, PHOTOMETRIC_RGB, COMPRESSION_ADOBE_DEFLATE, true, false, true},
-                              {8, 1, PHOTOMETRIC_PALETTE, COMPRESSION_NONE},
-                              {1, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_CCITTFAX4},
-                              {8, 3, PHOTOMETRIC_RGB, COMPRESSION_LZW, false, true},
-                              {16, 3, PHOTOMETRIC_RGB, COMPRESSION_NONE, false, false, false, true}};
+    const TiffForm forms[] = {
+        {8, 1, PHOTOMETRIC_MINISWHITE, COMPRESSION_NONE},
+        {16, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_LZW},
+        {8, 3, PHOTOMETRIC_RGB, COMPRESSION_PACKBITS},
+        {8, 4, PHOTOMETRIC_RGB, COMPRESSION_LZW, true},
+        {32, 3, PHOTOMETRIC_RGB, COMPRESSION_ADOBE_DEFLATE, true, false, true},
+        {8, 1, PHOTOMETRIC_PALETTE, COMPRESSION_NONE},
+        {1, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_CCITTFAX4},
+        {8, 3, PHOTOMETRIC_RGB, COMPRESSION_LZW, false, true},
+        {16, 3, PHOTOMETRIC_RGB, COMPRESSION_NONE, false, false, false, true}};
     for (const TiffForm& form : forms)
         seeds.push_back(tiff_of(form));
     return and_halves(seeds);
@@ -272,8 +287,10 @@ std::vector<Bytes> profile_seeds()
     std::vector<Bytes> seeds = {srgb_profile()};
     // One with tables for each intent, as printers' profiles have.
     const cmsHPROFILE srgb = cmsCreate_sRGBProfile(), lab = cmsCreateLab4Profile(nullptr);
-    const cmsHTRANSFORM transform = cmsCreateTransform(lab, TYPE_Lab_DBL, srgb, TYPE_RGB_16, INTENT_PERCEPTUAL, cmsFLAGS_LOWRESPRECALC);
-    const cmsHPROFILE table = cmsTransform2DeviceLink(transform, 4.3, cmsFLAGS_GUESSDEVICECLASS | cmsFLAGS_LOWRESPRECALC);
+    const cmsHTRANSFORM transform = cmsCreateTransform(lab, TYPE_Lab_DBL, srgb, TYPE_RGB_16,
+                                                       INTENT_PERCEPTUAL, cmsFLAGS_LOWRESPRECALC);
+    const cmsHPROFILE table = cmsTransform2DeviceLink(
+        transform, 4.3, cmsFLAGS_GUESSDEVICECLASS | cmsFLAGS_LOWRESPRECALC);
     cmsUInt32Number size = 0;
     if (table && cmsSaveProfileToMem(table, nullptr, &size)) {
         seeds.emplace_back(size, '\0');

@@ -10,17 +10,21 @@ namespace fuzz {
 
 using Bytes = std::string;
 
-/// A reader and what its fuzzing starts from. A new one is a line in the table of targets.cpp, and the function that it names.
+/// A reader and what its fuzzing starts from. A new one is a line in the table of targets.cpp, and
+/// the function that it names.
 struct Target {
     const char* name;
-    void (*run)(const Bytes&);          ///< reads the bytes; may throw InputError and UsageError, whose messages are one line
-    std::vector<Bytes> (*seeds)();      ///< small files that are read, of every kind
-    std::vector<Bytes> words;           ///< of the format, for mutations
-    Bytes (*mutated)(Bytes, std::size_t most, unsigned seed) = nullptr; ///< the format's own mutation; else libFuzzer's
+    void (*run)(const Bytes&);     ///< reads the bytes; may throw InputError and UsageError, whose
+                                   ///< messages are one line
+    std::vector<Bytes> (*seeds)(); ///< small files that are read, of every kind
+    std::vector<Bytes> words;      ///< of the format, for mutations
+    Bytes (*mutated)(Bytes, std::size_t most,
+                     unsigned seed) = nullptr; ///< the format's own mutation; else libFuzzer's
 };
 
 extern const std::vector<Target> targets;
-extern const Target planted_fault; ///< a target that is at fault, for the test of the fuzzing itself
+extern const Target planted_fault; ///< a target that is at fault, for the test of the fuzzing
+                                   ///< itself
 
 /// The target that the environment's FUZZ_TARGET names, once LLVMFuzzerInitialize has run.
 const Target& chosen_target();
@@ -32,7 +36,8 @@ std::string file_of(const Bytes& bytes, int slot = 0);
 std::string scratch_path(const std::string& name);
 
 // Seeds (seeds.cpp).
-std::vector<Bytes> png_seeds(), exr_seeds(), tiff_seeds(), depth_seeds(), sheet_seeds(), profile_seeds(), command_seeds();
+std::vector<Bytes> png_seeds(), exr_seeds(), tiff_seeds(), depth_seeds(), sheet_seeds(),
+    profile_seeds(), command_seeds();
 std::vector<Bytes> panel_seeds(), tolerance_seeds(), manifest_seeds();
 
 /// Changes a PNG chunk by chunk and gives each its length and checksum again (png_mutation.cpp).

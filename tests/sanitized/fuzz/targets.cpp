@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The table of what is fuzzed. Readers get their bytes through the functions that the commands use, from a file; what they read is
-// then put to use, as far as that is a matter of microseconds.
+// The table of what is fuzzed. Readers get their bytes through the functions that the commands use,
+// from a file; what they read is then put to use, as far as that is a matter of microseconds.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/batch/manifest.h"
@@ -82,7 +82,8 @@ void read_panel(const Bytes& bytes)
     SheetOptics(geometry.sheet, geometry.aperture).map({0, 0}, LensMapping::automatic);
     if (panel.calibration)
         for (int channel = 0; channel < 3; ++channel) {
-            const double view = view_of_subpixel(*panel.calibration, panel.film.width - 1, 0, channel);
+            const double view = view_of_subpixel(*panel.calibration, panel.film.width - 1, 0,
+                                                 channel);
             if (!(view >= 0 && view < 1))
                 std::abort();
         }
@@ -99,7 +100,8 @@ void read_batch(const Bytes& bytes) { read_manifest(file_of(bytes)); }
 
 void read_profile(const Bytes& bytes)
 {
-    const Image picture = bytes.size() % 2 ? make_image<std::uint8_t>(2, 1, 3, {}) : make_image<std::uint16_t>(2, 1, 3, {});
+    const Image picture = bytes.size() % 2 ? make_image<std::uint8_t>(2, 1, 3, {})
+                                           : make_image<std::uint16_t>(2, 1, 3, {});
     try {
         in_profile(picture, bytes, Intent(bytes.size() / 2 % 4));
     } catch (const std::runtime_error& error) { // the command adds the file's name
@@ -107,39 +109,168 @@ void read_profile(const Bytes& bytes)
     }
 }
 
-const std::vector<Bytes> json_words = {
-    "\"sheet\":", "\"arrangement\":", "\"lenticular\"", "\"square\"", "\"hexagonal\"", "\"pitch_mm\":", "\"thickness_mm\":", "\"ior\":",
-    "\"slant_degrees\":", "\"offset_mm\":", "\"film\":", "\"width\":", "\"height\":", "\"pixel_pitch_mm\":", "\"subpixels\":", "\"rgb\"",
-    "\"bgr\"", "\"aperture\":", "\"distance_mm\":", "\"width_mm\":", "\"height_mm\":", "\"shape\":", "\"ellipse\"", "\"rectangle\"",
-    "\"camera\":", "\"origin\":", "\"units_per_mm\":", "\"encoding\":", "\"kind\":", "\"linear\"", "\"srgb\"", "\"power\"", "\"gamma\":",
-    "\"render\":", "\"quilt\":", "\"columns\":", "\"rows\":", "\"view\":", "\"eyes\":", "null", "true", "[0,0]", "1e-6", "1e-4", "1e3",
-    "1e6", "1e9", "1e30", "1e100", "1e308", "1e999", "-1", "0", "89.99", "1000000", "4096", "9223372036854775807", "\\u0000", "{}", "[["};
-const std::vector<Bytes> panel_words = {
-    "\"panel\":", "\"name\":", "\"width\":", "\"height\":", "\"pixel_pitch_mm\":", "\"subpixels\":", "\"vrgb\"", "\"pattern\":", "\"cells\":",
-    "\"mirrored\":", "\"xy\"", "\"sheet\":", "\"micro_image_pitch_mm\":", "\"viewing_distance_mm\":", "\"aperture\":", "\"calibration\":",
-    "\"pitch\":", "\"slope\":", "\"center\":", "\"viewCone\":", "\"invView\":", "\"DPI\":", "\"screenW\":", "\"screenH\":", "\"flipImageX\":",
-    "\"subpixelCells\":", "\"ROffsetX\":", "\"CellPatternMode\":", "\"value\":", "\"devices\":", "null", "1e-300", "1e300", "0", "-1", "1e9"};
-const std::vector<Bytes> suite_words = {"\"defaults\":", "\"files\":", "\"max_rmse\":", "\"min_psnr\":", "\"min_ssim\":", "\"max_difference\":",
-                                        "\"max_micro_image_rmse\":", "null", "*", "[", "]", "\\", "1e999", "-1"};
-const std::vector<Bytes> manifest_words = {"\"output\":", "\"scenes\":", "\"sheets\":", "\"papers\":", "\"panels\":", "\"previews\":", "\"jobs\":",
-                                           "\"name\":", "\"file\":", "\"options\":", "\"declare\":", "\"size\":", "\"camera\":", "\"inputs\":", "\"format\":",
-                                           "\"scene\":", "\"sheet\":", "\"/dev/null\"", "[1,1]", "\n", "\"..\"", "\"-o\"", "null", "1e999"};
-const std::vector<Bytes> png_words = {"IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "sRGB", "cHRM", "iCCP", "iTXt", "zTXt", "tEXt", "pHYs",
-                                      "sBIT", "bKGD", "hIST", "eXIf", "integral"};
-const std::vector<Bytes> exr_words = {"channels", "chlist", "compression", "dataWindow", "displayWindow", "box2i", "lineOrder",
-                                      "pixelAspectRatio", "float", "screenWindowCenter", "screenWindowWidth", "v2f", "tiles", "tiledesc",
-                                      "string", "integral", "xDensity", "type", "name", "chunkCount", "scanlineimage", "tiledimage",
-                                      "deepscanline", "R", "G", "B", "A", "Y", "Z"};
-const std::vector<Bytes> tiff_words = {"II*", "MM", "\x06\x01\x03", "\x0e\x01\x02", "\x11\x01\x04", "\x15\x01\x03", "\x16\x01\x04", "\x17\x01\x04",
-                                       "\x1a\x01\x05", "\x1c\x01\x03", "\x3d\x01\x03", "\x40\x01\x03", "\x42\x01\x04", "\x52\x01\x03", "\x53\x01\x03"};
-const std::vector<Bytes> profile_words = {"acsp", "prtr", "mntr", "spac", "RGB ", "CMYK", "Lab ", "XYZ ", "A2B0", "B2A0", "rTRC", "gXYZ", "wtpt",
-                                          "curv", "para", "mft1", "mft2", "mAB ", "mBA ", "desc"};
+const std::vector<Bytes> json_words = {"\"sheet\":",
+                                       "\"arrangement\":",
+                                       "\"lenticular\"",
+                                       "\"square\"",
+                                       "\"hexagonal\"",
+                                       "\"pitch_mm\":",
+                                       "\"thickness_mm\":",
+                                       "\"ior\":",
+                                       "\"slant_degrees\":",
+                                       "\"offset_mm\":",
+                                       "\"film\":",
+                                       "\"width\":",
+                                       "\"height\":",
+                                       "\"pixel_pitch_mm\":",
+                                       "\"subpixels\":",
+                                       "\"rgb\"",
+                                       "\"bgr\"",
+                                       "\"aperture\":",
+                                       "\"distance_mm\":",
+                                       "\"width_mm\":",
+                                       "\"height_mm\":",
+                                       "\"shape\":",
+                                       "\"ellipse\"",
+                                       "\"rectangle\"",
+                                       "\"camera\":",
+                                       "\"origin\":",
+                                       "\"units_per_mm\":",
+                                       "\"encoding\":",
+                                       "\"kind\":",
+                                       "\"linear\"",
+                                       "\"srgb\"",
+                                       "\"power\"",
+                                       "\"gamma\":",
+                                       "\"render\":",
+                                       "\"quilt\":",
+                                       "\"columns\":",
+                                       "\"rows\":",
+                                       "\"view\":",
+                                       "\"eyes\":",
+                                       "null",
+                                       "true",
+                                       "[0,0]",
+                                       "1e-6",
+                                       "1e-4",
+                                       "1e3",
+                                       "1e6",
+                                       "1e9",
+                                       "1e30",
+                                       "1e100",
+                                       "1e308",
+                                       "1e999",
+                                       "-1",
+                                       "0",
+                                       "89.99",
+                                       "1000000",
+                                       "4096",
+                                       "9223372036854775807",
+                                       "\\u0000",
+                                       "{}",
+                                       "[["};
+const std::vector<Bytes> panel_words = {"\"panel\":",
+                                        "\"name\":",
+                                        "\"width\":",
+                                        "\"height\":",
+                                        "\"pixel_pitch_mm\":",
+                                        "\"subpixels\":",
+                                        "\"vrgb\"",
+                                        "\"pattern\":",
+                                        "\"cells\":",
+                                        "\"mirrored\":",
+                                        "\"xy\"",
+                                        "\"sheet\":",
+                                        "\"micro_image_pitch_mm\":",
+                                        "\"viewing_distance_mm\":",
+                                        "\"aperture\":",
+                                        "\"calibration\":",
+                                        "\"pitch\":",
+                                        "\"slope\":",
+                                        "\"center\":",
+                                        "\"viewCone\":",
+                                        "\"invView\":",
+                                        "\"DPI\":",
+                                        "\"screenW\":",
+                                        "\"screenH\":",
+                                        "\"flipImageX\":",
+                                        "\"subpixelCells\":",
+                                        "\"ROffsetX\":",
+                                        "\"CellPatternMode\":",
+                                        "\"value\":",
+                                        "\"devices\":",
+                                        "null",
+                                        "1e-300",
+                                        "1e300",
+                                        "0",
+                                        "-1",
+                                        "1e9"};
+const std::vector<Bytes> suite_words = {"\"defaults\":",
+                                        "\"files\":",
+                                        "\"max_rmse\":",
+                                        "\"min_psnr\":",
+                                        "\"min_ssim\":",
+                                        "\"max_difference\":",
+                                        "\"max_micro_image_rmse\":",
+                                        "null",
+                                        "*",
+                                        "[",
+                                        "]",
+                                        "\\",
+                                        "1e999",
+                                        "-1"};
+const std::vector<Bytes> manifest_words = {
+    "\"output\":", "\"scenes\":", "\"sheets\":", "\"papers\":",  "\"panels\":",  "\"previews\":",
+    "\"jobs\":",   "\"name\":",   "\"file\":",   "\"options\":", "\"declare\":", "\"size\":",
+    "\"camera\":", "\"inputs\":", "\"format\":", "\"scene\":",   "\"sheet\":",   "\"/dev/null\"",
+    "[1,1]",       "\n",          "\"..\"",      "\"-o\"",       "null",         "1e999"};
+const std::vector<Bytes> png_words = {"IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA",
+                                      "sRGB", "cHRM", "iCCP", "iTXt", "zTXt", "tEXt",
+                                      "pHYs", "sBIT", "bKGD", "hIST", "eXIf", "integral"};
+const std::vector<Bytes> exr_words = {"channels",
+                                      "chlist",
+                                      "compression",
+                                      "dataWindow",
+                                      "displayWindow",
+                                      "box2i",
+                                      "lineOrder",
+                                      "pixelAspectRatio",
+                                      "float",
+                                      "screenWindowCenter",
+                                      "screenWindowWidth",
+                                      "v2f",
+                                      "tiles",
+                                      "tiledesc",
+                                      "string",
+                                      "integral",
+                                      "xDensity",
+                                      "type",
+                                      "name",
+                                      "chunkCount",
+                                      "scanlineimage",
+                                      "tiledimage",
+                                      "deepscanline",
+                                      "R",
+                                      "G",
+                                      "B",
+                                      "A",
+                                      "Y",
+                                      "Z"};
+const std::vector<Bytes> tiff_words = {
+    "II*",          "MM",           "\x06\x01\x03", "\x0e\x01\x02", "\x11\x01\x04",
+    "\x15\x01\x03", "\x16\x01\x04", "\x17\x01\x04", "\x1a\x01\x05", "\x1c\x01\x03",
+    "\x3d\x01\x03", "\x40\x01\x03", "\x42\x01\x04", "\x52\x01\x03", "\x53\x01\x03"};
+const std::vector<Bytes> profile_words = {"acsp", "prtr", "mntr", "spac", "RGB ", "CMYK", "Lab ",
+                                          "XYZ ", "A2B0", "B2A0", "rTRC", "gXYZ", "wtpt", "curv",
+                                          "para", "mft1", "mft2", "mAB ", "mBA ", "desc"};
 
-/// A fault for the test of the fuzzing itself: reads past its end, but only where the bytes lead it there.
+/// A fault for the test of the fuzzing itself: reads past its end, but only where the bytes lead it
+/// there.
 void planted(const Bytes& bytes)
 {
     static volatile char sink;
-    if (bytes.size() > 20 && bytes[3] == 'f' && bytes[5] == 'a' && bytes[7] == 'u' && bytes[11] == 'l' && bytes[13] == 't') {
+    if (bytes.size() > 20 && bytes[3] == 'f' && bytes[5] == 'a' && bytes[7] == 'u' &&
+        bytes[11] == 'l' && bytes[13] == 't') {
         const std::vector<char> copy(bytes.begin(), bytes.end());
         sink = copy.data()[bytes.size()];
     }
