@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The unit tests' program; every other file of this folder adds its own BOOST_AUTO_TEST_SUITE. Run by tests/run (HARNESS_ACTIVE is set in
-// the environment then) it prints TAP, a line for each test case; else what Boost.Test prints.
+// The unit tests' program; every other file of this folder adds its own BOOST_AUTO_TEST_SUITE. Run by
+// tests/run (HARNESS_ACTIVE is set in the environment then) it prints TAP, a line for each test case;
+// else what Boost.Test prints.
 #define BOOST_TEST_MODULE unit
 #include <boost/test/framework.hpp>
 #include <boost/test/results_collector.hpp>
@@ -39,16 +40,17 @@ private:
     void test_unit_skipped(const test_unit& unit, const_string reason) override
     {
         if (unit.p_type == TUT_CASE)
-            std::cout << "ok " << ++count_ << " - " << unit.full_name() << " # SKIP " << reason << '\n';
+            std::cout << "ok " << ++count_ << " - " << unit.full_name() << " # SKIP " << reason
+                      << '\n';
     }
-    /// What was logged outside of the test cases is a failure of none of them: the exit status tells.
+    /// What was logged outside of the test cases fails none of them: the exit status tells.
     void test_finish() override
     {
         say_log();
         unit_test_log.set_stream(std::cout);
         std::cout << "1.." << count_ << std::endl;
     }
-    int priority() override { return 5; } // behind Boost.Test's own observers, whose results it prints
+    int priority() override { return 5; } // behind Boost.Test's own observers: it prints theirs
 
     void say_log()
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What stands for libFuzzer where there is none: runs a target on files and on mutations of them, the same ones each time.
-//   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of it in turn
+// What stands for libFuzzer where there is none: runs a target on files and on mutations of them, the
+// same ones each time.
+//   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of each
 // What a target fails on is written to the file FUZZ_FOUND. Without FUZZ_TARGET: see main.cpp.
 #include "tests/sanitized/fuzz/target.h"
 
@@ -17,7 +18,8 @@
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** words);
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size);
-extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most, unsigned seed);
+extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most,
+                                               unsigned seed);
 
 namespace {
 
@@ -104,7 +106,8 @@ int main(int count, char** words)
             for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
                 const std::size_t size = bytes.size();
                 bytes.resize(most_bytes);
-                bytes.resize(LLVMFuzzerCustomMutator(reinterpret_cast<unsigned char*>(&bytes[0]), size, most_bytes, unsigned(chance())));
+                unsigned char* data = reinterpret_cast<unsigned char*>(&bytes[0]);
+                bytes.resize(LLVMFuzzerCustomMutator(data, size, most_bytes, unsigned(chance())));
             }
             run(bytes);
         }
