@@ -25,10 +25,12 @@ CLEANFILES += build/share/man/integral.1
 build/share/man/integral.1: build/bin/integral
 	$(AM_V_GEN)$(MKDIR_P) build/share/man && build/bin/integral help --man > $@.tmp && mv $@.tmp $@
 
-# The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized layer. Automake puts the user's CXXFLAGS,
-# -O2, behind a program's own, and -O2 doubles what these take to compile: so they have CXXFLAGS of their own. The commands, templates
-# of Boost's and JSON's for the most part, take half as long again without optimizing, and no test waits for them.
-SANITIZE = -g1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow
+# The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized
+# layer. Automake puts the user's CXXFLAGS, -O2, behind a program's own, and -O2 doubles what these
+# take to compile: so they have CXXFLAGS of their own. The commands, templates of Boost's and JSON's
+# for the most part, take half as long without optimizing, and no test waits for them.
+SANITIZE = -g1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow \
+  -fno-sanitize-recover=undefined,float-cast-overflow
 
 EXTRA_LIBRARIES += build/sanitized/libintegral.a
 build_sanitized_libintegral_a_SOURCES = $(build_lib_libintegral_a_SOURCES)

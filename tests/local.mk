@@ -131,12 +131,19 @@ build_tests_depths_SOURCES = \
 build_tests_depths_LDADD = $(FRAME_LIBS)
 
 # What tests/sanitized/fuzz.test runs: what reads files, with the sanitized objects.
-fuzz_sources = tests/sanitized/fuzz/main.cpp tests/sanitized/fuzz/targets.cpp tests/sanitized/fuzz/seeds.cpp tests/sanitized/fuzz/commands.cpp \
-  tests/sanitized/fuzz/png_mutation.cpp tests/sanitized/fuzz/integral_main.cpp
+fuzz_sources = \
+  tests/sanitized/fuzz/commands.cpp \
+  tests/sanitized/fuzz/integral_main.cpp \
+  tests/sanitized/fuzz/main.cpp \
+  tests/sanitized/fuzz/png_mutation.cpp \
+  tests/sanitized/fuzz/seeds.cpp \
+  tests/sanitized/fuzz/targets.cpp
 EXTRA_PROGRAMS += build/sanitized/mutations
-build_sanitized_mutations_SOURCES = $(fuzz_sources) tests/sanitized/fuzz/mutations.cpp tests/sanitized/fuzz/target.h
+build_sanitized_mutations_SOURCES = $(fuzz_sources) \
+  tests/sanitized/fuzz/mutations.cpp tests/sanitized/fuzz/target.h
 build_sanitized_mutations_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
-build_sanitized_mutations_LDADD = $(sanitized_commands) build/sanitized/libintegral.a $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+build_sanitized_mutations_LDADD = $(sanitized_commands) build/sanitized/libintegral.a \
+  $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 $(build_sanitized_mutations_OBJECTS): CXXFLAGS = -O1
 sanitized_commands = $(filter-out %-main.$(OBJEXT),$(build_sanitized_integral_OBJECTS))
 build_sanitized_mutations_DEPENDENCIES = $(sanitized_commands) build/sanitized/libintegral.a
@@ -144,14 +151,18 @@ build_sanitized_mutations_DEPENDENCIES = $(sanitized_commands) build/sanitized/l
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
 # By layer, so that some layers need no more than they use.
 programs_of_unit = build/tests/unit
-programs_of_quick = build/tests/unit build/tests/oracle build/tests/frames
 programs_of_render = build/tests/oracle build/tests/frames build/tests/depths
+programs_of_quick = $(programs_of_unit) $(programs_of_render)
 programs_of_replay = $(programs_of_render) build/tests/centroid build/tests/parallax build/bench/eyes
-programs_of_cli = $(programs_of_render) build/tests/scan build/bench/error_against_time build/bench/large_frames $(cups_programs) $(screen_programs)
-programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitized/integral build/sanitized/mutations
-test_programs = $(sort $(foreach layer,$(or $(LAYERS),unit render replay cli sanitized),$(programs_of_$(layer))))
+programs_of_cli = $(programs_of_render) build/tests/scan build/bench/error_against_time \
+  build/bench/large_frames $(cups_programs) $(screen_programs)
+programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitized/integral \
+  build/sanitized/mutations
+chosen_layers = $(or $(LAYERS),unit render replay cli sanitized)
+test_programs = $(sort $(foreach layer,$(chosen_layers),$(programs_of_$(layer))))
 
-# The unmodified POV-Ray that the tests compare with (tests/unmodified): compiled here only where the distribution has none of this version.
+# The unmodified POV-Ray that the tests compare with (tests/unmodified): compiled here only where the
+# distribution has none of this version.
 .PHONY: unmodified test-programs quick-programs check-quick check-long
 unmodified: povray-integral
 	@$(test_environment) $(abs_top_srcdir)/tests/unmodified --path > /dev/null 2>&1 || $(MAKE) pristine
@@ -166,7 +177,8 @@ check-local: test-programs
 check-quick: quick-programs
 	@$(test_environment) $(abs_top_srcdir)/tests/run --quick $(LAYERS)
 
-# The same tests at full size (see tests/README): hours. They compare with POV-Ray as compiled here, whatever is installed.
+# The same tests at full size (see tests/README): hours. They compare with POV-Ray as compiled here,
+# whatever is installed.
 check-long: all $(test_programs) pristine
 	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
 
@@ -178,7 +190,8 @@ numerics: build/tests/unit
 
 EXTRA_DIST += tests
 
-# What it runs under check-long: everything again, compiled by clang for libFuzzer. GNU make's rules, for clang's own flags.
+# What it runs under check-long: everything again, compiled by clang for libFuzzer. GNU make's rules,
+# for clang's own flags.
 FUZZ_CXX = clang++
 FUZZ_CXXFLAGS = -std=c++17 -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow \
   -fno-sanitize-recover=undefined,float-cast-overflow

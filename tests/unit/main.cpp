@@ -43,18 +43,14 @@ private:
             std::cout << "ok " << ++count_ << " - " << unit.full_name() << " # SKIP " << reason
                       << '\n';
     }
-    /// What was logged outside of the test cases is a failure of none of them: the exit status
-    /// tells.
+    /// What was logged outside of the test cases fails none of them: the exit status tells.
     void test_finish() override
     {
         say_log();
         unit_test_log.set_stream(std::cout);
         std::cout << "1.." << count_ << std::endl;
     }
-    int priority() override
-    {
-        return 5;
-    } // behind Boost.Test's own observers, whose results it prints
+    int priority() override { return 5; } // behind Boost.Test's own observers: it prints theirs
 
     void say_log()
     {

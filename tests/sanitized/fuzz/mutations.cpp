@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What stands for libFuzzer where there is none: runs a target on files and on mutations of them,
 // the same ones each time.
-//   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of it in
-//   turn
+//   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of each
 // What a target fails on is written to the file FUZZ_FOUND. Without FUZZ_TARGET: see main.cpp.
 #include "tests/sanitized/fuzz/target.h"
 
-#include "integral/base/file_bytes.h"
+#include "integral/io/file_bytes.h"
 
 #include <sanitizer/common_interface_defs.h>
 
@@ -108,8 +107,8 @@ int main(int count, char** words)
             for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
                 const std::size_t size = bytes.size();
                 bytes.resize(most_bytes);
-                bytes.resize(LLVMFuzzerCustomMutator(reinterpret_cast<unsigned char*>(&bytes[0]),
-                                                     size, most_bytes, unsigned(chance())));
+                unsigned char* data = reinterpret_cast<unsigned char*>(&bytes[0]);
+                bytes.resize(LLVMFuzzerCustomMutator(data, size, most_bytes, unsigned(chance())));
             }
             run(bytes);
         }
