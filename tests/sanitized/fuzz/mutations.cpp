@@ -5,7 +5,7 @@
 // What a target fails on is written to the file FUZZ_FOUND. Without FUZZ_TARGET: see main.cpp.
 #include "tests/sanitized/fuzz/target.h"
 
-#include "integral/io/file_bytes.h"
+#include "integral/base/file_bytes.h"
 
 #include <sanitizer/common_interface_defs.h>
 
