@@ -187,6 +187,6 @@ const Command batch_command = {
     1,
     1,
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral

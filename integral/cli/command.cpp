@@ -3,15 +3,17 @@
 
 #include "integral/base/file_bytes.h"
 
-#include <cstdio>
-#include <unistd.h>
+#include <iostream>
+#include <sstream>
 
 namespace integral {
+namespace {
 
-options::variables_map read_arguments(const Command& command, const std::vector<std::string>& words)
+/// The options of a line, none of whose fields is filled yet.
+options::variables_map parsed(const options::options_description& described, const Words& words)
 {
-    options::options_description all = command.make_options();
-    all.add_options()("input", options::value<std::vector<std::string>>());
+    options::options_description all = described;
+    all.add_options()("input", options::value<Words>());
     options::positional_options_description positional;
     positional.add("input", -1);
     namespace style = options::command_line_style;
@@ -23,17 +25,57 @@ options::variables_map read_arguments(const Command& command, const std::vector<
                            .style(style::unix_style & ~style::allow_guessing)
                            .run(),
                        arguments);
-        options::notify(arguments);
     } catch (const options::error& error) {
         throw UsageError(error.what());
     }
     return arguments;
 }
 
-std::vector<std::string> inputs_of(const options::variables_map& arguments)
+} // namespace
+
+void read_words(const options::options_description& described, const Words& words, Words& inputs)
 {
-    return given(arguments, "input") ? arguments["input"].as<std::vector<std::string>>()
-                                     : std::vector<std::string>();
+    options::variables_map arguments = parsed(described, words);
+    options::notify(arguments); // fills the fields
+    inputs = inputs_of(arguments);
+}
+
+bool help_is_given(const Command& command, const CommonOptions& read)
+{
+    if (read.help) {
+        std::cout << help_for(command);
+        return true;
+    }
+    const int inputs = int(read.inputs.size());
+    if (inputs < command.least_inputs || inputs > command.most_inputs)
+        throw UsageError(std::string(inputs < command.least_inputs ? "an input is missing"
+                                                                   : "there are too many inputs") +
+                         "; usage: integral " + command.name + " " + command.usage);
+    return false;
+}
+
+std::string help_for(const Command& command)
+{
+    std::ostringstream text;
+    text << "Usage: integral " << command.name << " " << command.usage << "\n\n"
+         << command.description << "\n"
+         << command.make_options();
+    return text.str();
+}
+
+void print_result(const std::optional<std::string>& output, const std::string& text)
+{
+    write_file(output && !output->empty() ? *output : "-", text);
+}
+
+options::variables_map read_arguments(const Command& command, const Words& words)
+{
+    return parsed(command.make_options(), words);
+}
+
+Words inputs_of(const options::variables_map& arguments)
+{
+    return given(arguments, "input") ? arguments["input"].as<Words>() : Words();
 }
 
 std::string text_of(const options::variables_map& arguments, const char* option)
@@ -58,8 +100,7 @@ int in_range(const options::variables_map& arguments, const char* option, int le
 
 void print_result(const options::variables_map& arguments, const std::string& text)
 {
-    const std::string output = text_of(arguments, "output");
-    write_file(output.empty() ? "-" : output, text);
+    print_result(text_of(arguments, "output"), text);
 }
 
 } // namespace integral

@@ -1,5 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a command of the integral program is, and the conventions that all of them share.
+// What a command of the integral program is, and how every command reads its line.
+//
+// 1. A command's options are a plain struct, derived from CommonOptions, with its defaults in
+// place.
+//    It holds what the line says: text, whole numbers, switches; std::optional where it matters
+//    whether an option was given.
+// 2. A function declare(description, struct) beside the struct lists each option, its help and the
+//    field that it fills (fills, sets). Options that several commands have are a struct with a
+//    declare of its own (geometry_options.h), which is a member of those commands' structs.
+// 3. The command's run(struct) turns text into the plain structs of the rooms (View, PageRequest),
+//    refuses by UsageError what makes no sense, makes one call of a room, and writes files and
+//    figures.
+//
+// So no command looks an option up by its name. Boost's variables_map, its table of the options
+// that a line has, is needed only between reading the line and filling the struct (command.cpp).
 #ifndef INTEGRAL_CLI_COMMAND_H
 #define INTEGRAL_CLI_COMMAND_H
 
@@ -8,6 +22,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +45,15 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The words of a line that follow the command's name.
+using Words = std::vector<std::string>;
+
+/// What every command's line may have.
+struct CommonOptions {
+    Words inputs; ///< in order
+    bool help = false;
+};
+
 /// One command. All that help says is here or in the options' own descriptions.
 struct Command {
     const char* name;
@@ -37,10 +61,11 @@ struct Command {
     const char* usage;       ///< what follows the name
     const char* description; ///< what it does, in lines of at most 80 columns
     int least_inputs, most_inputs;
+    /// The options with their descriptions, for the help: described<STRUCT>.
     options::options_description (*make_options)();
-    /// Does the work: returns an ExitStatus or throws one of the errors above, InputError or
-    /// OutputError.
-    int (*run)(const options::variables_map&);
+    /// Reads the words and does the work: run_with<STRUCT, run>. Returns an ExitStatus; throws
+    /// UsageError, InputError, OutputError or Interrupted.
+    int (*run)(const Command& command, const Words& words);
 };
 
 extern const Command sheet_command, replay_command, views_command, print_command, lcd_command,
@@ -49,27 +74,70 @@ extern const Command sheet_command, replay_command, views_command, print_command
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();
 
-/// Reads the words of a command's line. Throws UsageError for options that it does not have, and
-/// for values of another kind.
-options::variables_map read_arguments(const Command& command,
-                                      const std::vector<std::string>& words);
+/// What `integral help COMMAND` prints.
+std::string help_for(const Command& command);
 
-/// The inputs of a command line, in order.
-std::vector<std::string> inputs_of(const options::variables_map& arguments);
+/// For a declare function: an option that fills a field. `word` stands for its value in the help.
+template <class T> options::typed_value<T>* fills(T& field, const char* word)
+{
+    return options::value<T>(&field)->value_name(word);
+}
 
-/// The value of a string option, or "" if it was not given.
-std::string text_of(const options::variables_map& arguments, const char* option);
+/// The same of a field that is left empty where the option is not given.
+template <class T> options::typed_value<T>* fills(std::optional<T>& field, const char* word)
+{
+    return options::value<T>()->value_name(word)->notifier(
+        [&field](const T& read) { field = read; });
+}
 
-/// Whether an option was given.
-bool given(const options::variables_map& arguments, const char* option);
+/// For a declare function: an option without a value, which sets a field true.
+inline options::typed_value<bool>* sets(bool& field) { return options::bool_switch(&field); }
 
-/// The value of an option that is a whole number. Throws UsageError where it is not from `least` to
-/// `most`.
-int in_range(const options::variables_map& arguments, const char* option, int least, int most);
+/// Options that the program gives to itself, which the help leaves out: a command that has some
+/// overloads this with its own struct.
+inline void declare_internal(options::options_description&, CommonOptions&) {}
+
+/// Reads words into the fields that `described` names; words that are no options become inputs.
+/// Throws UsageError for options that it does not have, and for values of another kind.
+void read_words(const options::options_description& described, const Words& words, Words& inputs);
+
+/// Prints the help, if the line asks for it, and returns true. Throws UsageError where the inputs
+/// are too few or too many.
+bool help_is_given(const Command& command, const CommonOptions& read);
+
+/// The options that the help of a command with that struct shows.
+template <class Options> options::options_description described()
+{
+    Options unused; // the descriptions name its fields, but no line is read by them
+    options::options_description all("Options");
+    declare(all, unused);
+    return all;
+}
+
+/// A command's struct, filled by the words of its line. Throws as read_words does.
+template <class Options> Options read_options(const Words& words)
+{
+    Options read;
+    options::options_description all("Options");
+    declare(all, read);
+    declare_internal(all, read);
+    read_words(all, words, read.inputs);
+    return read;
+}
+
+/// A Command's `run`: reads the words into the command's struct and calls `work` with it.
+template <class Options, int (*work)(const Options&)>
+int run_with(const Command& command, const Words& words)
+{
+    const Options read = read_options<Options>(words);
+    return help_is_given(command, read) ? int(exit_done) : work(read);
+}
 
 /// Prints a result to standard output, or to -o's FILE whole. Throws OutputError.
-void print_result(const options::variables_map& arguments, const std::string& text);
+void print_result(const std::optional<std::string>& output, const std::string& text);
 
 } // namespace integral
+
+#include "integral/cli/unconverted.h"
 
 #endif

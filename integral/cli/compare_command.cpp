@@ -168,6 +168,6 @@ const Command compare_command = {
     0,
     2,
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral

@@ -212,6 +212,6 @@ const Command lcd_command = {
     0,
     std::numeric_limits<int>::max(),
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral

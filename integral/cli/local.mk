@@ -42,6 +42,7 @@ build_bin_integral_SOURCES += \
   integral/cli/sheet_command.cpp \
   integral/cli/sheet_plots.cpp \
   integral/cli/sheet_plots.h \
+  integral/cli/unconverted.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
   integral/cli/views_command.cpp \

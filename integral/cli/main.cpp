@@ -2,7 +2,6 @@
 // The integral program: finds the command, reads its options, and turns errors into exit statuses.
 #include "integral/base/file_bytes.h"
 #include "integral/cli/command.h"
-#include "integral/cli/progress.h"
 
 #include <cstdio>
 #include <iostream>
@@ -54,15 +53,6 @@ std::string overview()
     return text.str();
 }
 
-std::string help_for(const Command& command)
-{
-    std::ostringstream text;
-    text << "Usage: integral " << command.name << " " << command.usage << "\n\n"
-         << command.description << "\n"
-         << command.make_options();
-    return text.str();
-}
-
 /// The man page: what `integral help` says of the program and of each command, as roff.
 std::string manual_page()
 {
@@ -88,21 +78,6 @@ std::string manual_page()
     return page + ".SH \"SEE ALSO\"\n.BR povray-integral (1)\n";
 }
 
-int run_command(const Command& command, const std::vector<std::string>& words)
-{
-    const options::variables_map arguments = read_arguments(command, words);
-    if (given(arguments, "help")) {
-        std::cout << help_for(command);
-        return exit_done;
-    }
-    const int inputs = int(inputs_of(arguments).size());
-    if (inputs < command.least_inputs || inputs > command.most_inputs)
-        throw UsageError(std::string(inputs < command.least_inputs ? "an input is missing"
-                                                                   : "there are too many inputs") +
-                         "; usage: integral " + command.name + " " + command.usage);
-    return command.run(arguments);
-}
-
 /// Runs the program; `name` is how errors call it, and becomes that of the command.
 int run_program(const std::vector<std::string>& words, std::string& name)
 {
@@ -121,7 +96,7 @@ int run_program(const std::vector<std::string>& words, std::string& name)
     }
     const Command& command = *find_command(words[0]);
     name += std::string(" ") + command.name;
-    return run_command(command, {words.begin() + 1, words.end()});
+    return command.run(command, {words.begin() + 1, words.end()});
 }
 
 int guarded(const std::vector<std::string>& words)

@@ -421,6 +421,6 @@ const Command print_command = {
     0,
     1,
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral

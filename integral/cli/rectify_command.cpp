@@ -341,6 +341,6 @@ const Command rectify_command = {
     1,
     1,
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral

@@ -345,6 +345,6 @@ const Command replay_command = {
     1,
     1,
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral

@@ -164,6 +164,6 @@ const Command sheet_command = {
     0,
     1000,
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral

@@ -51,6 +51,12 @@ double parse_number(const char* option, const std::string& text, const char* for
     return parse_numbers(option, text, form, 1, 1)[0];
 }
 
+void read_number(const char* option, const std::optional<std::string>& text, double& value)
+{
+    if (text)
+        value = parse_number(option, *text, "a number");
+}
+
 Vec2 parse_one_or_two(const char* option, const std::string& text, const char* form)
 {
     const auto numbers = parse_numbers(option, text, form, 1, 2);
@@ -70,6 +76,14 @@ PixelSize parse_size(const char* option, const std::string& text, int most, cons
     if (!good || size.width < 1 || size.height < 1 || size.width > most || size.height > most)
         refuse(option, text, std::string(form) + ", each from 1 to " + std::to_string(most) + ",");
     return size;
+}
+
+int in_range(const char* option, int value, int least, int most)
+{
+    if (value < least || value > most)
+        refuse(option, std::to_string(value),
+               "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return value;
 }
 
 } // namespace integral

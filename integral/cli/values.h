@@ -5,6 +5,7 @@
 
 #include "integral/optics/vec.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace integral {
 /// Each throws UsageError naming the option, the text and `form`, as in "--eye 1,2: X,Y,DISTANCE
 /// is expected". Numbers are finite decimals.
 double parse_number(const char* option, const std::string& text, const char* form);
+
+/// Reads an option's number, if it was given, into `value`.
+void read_number(const char* option, const std::optional<std::string>& text, double& value);
 
 /// Numbers separated by commas, from `least` to `most` of them.
 std::vector<double> parse_numbers(const char* option, const std::string& text, const char* form,
@@ -28,6 +32,9 @@ struct PixelSize {
 /// WxH, each from 1 to `most`; `form` is what a complaint calls it.
 PixelSize parse_size(const char* option, const std::string& text, int most,
                      const char* form = "WxH");
+
+/// A whole number from `least` to `most`.
+int in_range(const char* option, int value, int least, int most);
 
 } // namespace integral
 

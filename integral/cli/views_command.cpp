@@ -310,6 +310,6 @@ const Command views_command = {
     1,
     most_views_a_side* most_views_a_side,
     make_options,
-    run};
+    run_from_map<run>};
 
 } // namespace integral
