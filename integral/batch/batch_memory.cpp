@@ -17,14 +17,14 @@ namespace integral {
 namespace {
 
 constexpr double mebibyte = 1 << 20;
-constexpr double program = 24 * mebibyte; ///< what each takes for the smallest picture
+constexpr double program = 24 * mebibyte; ///< what a program takes for the smallest picture
 
 std::string megabytes(double bytes)
 {
     return with_decimals(std::ceil(bytes / mebibyte), 0) + " MB";
 }
 
-/// Bytes of memory that programs can still have, by the kernel's account.
+/// Bytes that programs can still have, as the kernel reckons.
 double free_memory()
 {
     std::ifstream file("/proc/meminfo");
@@ -32,7 +32,7 @@ double free_memory()
     while (std::getline(file, line))
         if (line.rfind("MemAvailable:", 0) == 0)
             return std::atof(line.c_str() + 13) * 1024;
-    return 1e300; // a kernel that does not say
+    return 1e300; // this kernel does not say
 }
 
 std::string in_small_letters(std::string text)
@@ -42,7 +42,8 @@ std::string in_small_letters(std::string text)
     return text;
 }
 
-/// Whether a frame may be anti-aliased: an .ini file, which is not read for this, may ask for it.
+/// Whether a frame may be anti-aliased by these options. An .ini file among them counts as yes, as
+/// it is not read.
 bool may_antialias(const Names& words)
 {
     bool may = false;
@@ -84,10 +85,10 @@ double pixels_in_settings(const BatchStep& step)
     return width * height;
 }
 
-/// Bytes of the renderer, without the scene's.
-double of_frame(const BatchStep& step, double pixels)
+/// Bytes that the renderer takes beside the scene.
+double renderer_bound(const BatchStep& step, double pixels)
 {
-    constexpr double kept_in_memory = 140 * mebibyte; // the picture beyond that is in a file
+    constexpr double kept_in_memory = 140 * mebibyte; // the renderer puts the rest into a file
     double bytes = program + std::min(24 * pixels, kept_in_memory);
     if (extension_of(step.output) == "exr")
         bytes += 9 * pixels;
@@ -100,10 +101,11 @@ double of_frame(const BatchStep& step, double pixels)
     return bytes;
 }
 
-/// Bytes for each pixel of the frame, and of what is made of it.
+/// Bytes that a command takes for each pixel of the frame and of the picture that it makes, and
+/// whatever their size.
 struct PerPixel {
     double frame = 0, output = 0;
-    double fixed = 0; ///< bytes
+    double fixed = 0;
 };
 
 PerPixel per_pixel(const BatchStep& step, bool deep)
@@ -120,18 +122,25 @@ PerPixel per_pixel(const BatchStep& step, bool deep)
     return {frame, deep ? 20.0 : exr ? 16.0 : 6.0};
 }
 
-/// Steps that need alike: a scene's frames, or what one target's command makes.
-std::string likes(const Manifest& manifest, const BatchStep& step)
+/// Names the steps of which one's use of memory tells that of the others: the frames of a scene, or
+/// the pictures that are made for a target.
+std::string memory_group(const Manifest& manifest, const BatchStep& step)
 {
-    const std::size_t job = std::size_t(step.job);
-    const bool is_frame = step.kind == StepKind::frame;
+    const int scene = manifest.jobs[std::size_t(step.job)].scene;
     return std::string(name_of(step.kind)) + " " +
-           (is_frame ? manifest.scenes[std::size_t(manifest.jobs[job].scene)].name : step.target);
+           (step.kind == StepKind::frame ? manifest.scenes[std::size_t(scene)].name
+                                         : step.target_name);
 }
 
-} // namespace
+/// What the header of a frame's file says.
+struct FrameHeader {
+    bool deep;        ///< more than 8 bits a sample
+    Vec2 pixel_pitch; ///< mm
+    double bytes;     ///< of the file
+};
 
-FrameLook look_at_frame(const std::string& path)
+/// Throws InputError if it is no integral frame.
+FrameHeader header_of_frame(const std::string& path)
 {
     const PictureHeader header = frame_header(path);
     std::error_code none;
@@ -139,18 +148,20 @@ FrameLook look_at_frame(const std::string& path)
     return {header.bits > 8, metadata_in(header).film.pixel_pitch, bytes};
 }
 
+} // namespace
+
 double MemoryForecast::bound(const BatchStep& step, const std::string& frame, double pixels)
 {
     if (step.kind == StepKind::frame)
-        return of_frame(step,
-                        step.size.width > 0 ? pixels : std::max(pixels, pixels_in_settings(step)));
+        return renderer_bound(
+            step, step.size.width > 0 ? pixels : std::max(pixels, pixels_in_settings(step)));
     const auto known = bounds_.find(step.name);
     if (known != bounds_.end())
         return known->second;
-    const FrameLook look = look_at_frame(frame);
-    const PerPixel each = per_pixel(step, look.deep);
-    const double made = output_pixels_(step, look.pixel_pitch);
-    return bounds_[step.name] = program + each.fixed + look.bytes + each.frame * pixels +
+    const FrameHeader header = header_of_frame(frame);
+    const PerPixel each = per_pixel(step, header.deep);
+    const double made = output_pixels_(manifest_, step, header.pixel_pitch);
+    return bounds_[step.name] = program + each.fixed + header.bytes + each.frame * pixels +
                                 each.output * made;
 }
 
@@ -158,21 +169,24 @@ double MemoryForecast::expected(const BatchStep& step, const std::string& frame,
                                 const StepRecord& before)
 {
     const double most = bound(step, frame, pixels);
-    const auto known = learnt_.find(likes(manifest_, step));
-    if (known == learnt_.end())
+    const auto found = learnt_.find(memory_group(manifest_, step));
+    if (found == learnt_.end())
         return std::max(most, before.memory);
-    const auto [bytes, its_bound] = known->second;
-    // A larger picture needs more by as much as its bound is higher; a smaller one less, but no
-    // less than its share.
-    const double by_difference = bytes + most - its_bound;
-    return most > its_bound ? by_difference : std::max(by_difference, bytes * most / its_bound);
+    const Learnt& known = found->second;
+    // A larger picture needs more by the difference of the bounds; a smaller one needs less by
+    // that, but no less than by the ratio of the bounds.
+    const double by_difference = known.bytes + most - known.bound;
+    return most > known.bound ? by_difference
+                              : std::max(by_difference, known.bytes * most / known.bound);
 }
 
 void MemoryForecast::learn(const BatchStep& step, const std::string& frame,
                            const StepRecord& record)
 {
-    auto& known = learnt_[likes(manifest_, step)];
-    known = std::max(known, {record.memory, bound(step, frame, record.pixels)});
+    const Learnt here{record.memory, bound(step, frame, record.pixels)};
+    Learnt& known = learnt_[memory_group(manifest_, step)];
+    if (here.bytes > known.bytes || (here.bytes == known.bytes && here.bound > known.bound))
+        known = here;
 }
 
 std::string MemoryForecast::lack(double needed, const std::vector<MemoryUse>& running) const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How much memory a batch's steps will take, so that together they stay within what there is.
+// Forecasts how much memory a batch's steps will take, so that those that run at the same time fit
+// into the machine's.
 #ifndef INTEGRAL_BATCH_BATCH_MEMORY_H
 #define INTEGRAL_BATCH_BATCH_MEMORY_H
 
@@ -10,34 +11,24 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace integral {
 
-/// What the header of a frame's file says.
-struct FrameLook {
-    bool deep = false;  ///< more than 8 bits a sample
-    Vec2 pixel_pitch{}; ///< mm
-    double bytes = 0;   ///< of the file
-};
+/// How many pixels the picture has that a step makes of a frame whose pixels have this pitch (mm):
+/// a printed page, a view or a sheet of views, a panel's image. The caller provides it, because
+/// only the commands know their options.
+using OutputPixels = std::function<double(const Manifest& manifest, const BatchStep& step,
+                                          Vec2 pixel_pitch)>;
 
-/// Throws InputError where it is no integral frame.
-FrameLook look_at_frame(const std::string& path);
-
-/// Pixels of the picture that a step makes of a frame whose pixels have this pitch (mm): of a
-/// printed page, a view or a sheet of views, a panel's image. Who knows the commands' options tells
-/// it.
-using OutputPixels = std::function<double(const BatchStep& step, Vec2 pixel_pitch)>;
-
-/// Bytes of a program that runs.
+/// The memory of a program that runs, bytes.
 struct MemoryUse {
     double expected = 0, now = 0;
 };
 
-/// What steps will need of the machine's memory. Figures measured for every command, format and
-/// size bound it from above, but for what a scene itself takes; that is learnt from its frames that
-/// have ended.
+/// The memory that steps will need. Figures that were measured for every command and format bound
+/// it from above by the sizes of pictures. They leave out what a scene itself takes, which is
+/// learnt from those of its frames that have ended.
 class MemoryForecast {
 public:
     /// `limit`: bytes that all together may take; 0: what the machine has free.
@@ -46,26 +37,31 @@ public:
     {
     }
 
-    /// Bytes for a step. `frame` is the path of what it takes, and `pixels` are that frame's, or
-    /// those that it makes; `before` is its record of its last run. Throws InputError.
+    /// Bytes that a step will need. `frame` is the path of the frame that it reads, "" if none;
+    /// `pixels` are those of the frame that it reads or makes; `before` is the record of its last
+    /// run. Throws InputError if the frame cannot be read.
     double expected(const BatchStep& step, const std::string& frame, double pixels,
                     const StepRecord& before);
-    /// To be called after a step that was made.
+    /// Takes the memory that a step has used, as its record says, for the forecast of others.
     void learn(const BatchStep& step, const std::string& frame, const StepRecord& record);
 
-    /// Empty if that many bytes can be had beside what runs; else a sentence's begin: what is
-    /// needed, and what is left.
+    /// Empty if `needed` bytes are free beside the programs that run; else the beginning of a
+    /// sentence: how much is needed, and how much is left.
     std::string lack(double needed, const std::vector<MemoryUse>& running) const;
 
 private:
     double bound(const BatchStep& step, const std::string& frame, double pixels);
 
+    /// What was learnt: the bytes that a step took, and its bound.
+    struct Learnt {
+        double bytes = 0, bound = 0;
+    };
+
     const Manifest& manifest_;
     double limit_;
     OutputPixels output_pixels_;
-    std::map<std::string, double> bounds_;                    ///< by step's name
-    std::map<std::string, std::pair<double, double>> learnt_; ///< by likes(): bytes, and their
-                                                              ///< bound
+    std::map<std::string, double> bounds_; ///< by a step's name, of steps that read a frame
+    std::map<std::string, Learnt> learnt_; ///< by memory_group()
 };
 
 } // namespace integral

@@ -2,6 +2,7 @@
 #include "integral/batch/batch_report.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/message_text.h"
 #include "integral/base/number_text.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
@@ -47,6 +48,99 @@ article a { margin-right: .6em; display: inline-block; }
 .reason { color: var(--bad); }
 )css";
 
+/// What the summary says of a job before any of its steps.
+Json job_entry(const Manifest& manifest, const BatchJob& job)
+{
+    return {{"name", job.name},
+            {"scene", manifest.scenes[std::size_t(job.scene)].name},
+            {"sheet",
+             job.sheet < 0 ? Json(nullptr) : Json(manifest.sheets[std::size_t(job.sheet)].name)},
+            {"state", "done"},
+            {"reason", nullptr},
+            {"render_seconds", nullptr},
+            {"error_rms", nullptr},
+            {"seconds", 0},
+            {"steps", Json::array()}};
+}
+
+/// Adds a step to its job's entry.
+void add_step(Json& job, const BatchStep& step, const StepResult& result, const StepRecord& record)
+{
+    const std::string state = state_of(result, record);
+    const bool done = state == "done";
+    const std::string reason = done || state == "missing" ? ""
+                               : !result.reason.empty()   ? result.reason
+                                                          : record.reason;
+    if (step.kind == StepKind::frame && done) {
+        job["render_seconds"] = record.render_seconds;
+        if (record.error)
+            job["error_rms"] = *record.error;
+    }
+    if ((state == "failed" || state == "missing") && job["state"] != "failed")
+        job["state"] = state;
+    if (state == "failed" && job["reason"].is_null())
+        job["reason"] = step.name + ": " + reason;
+    if (done)
+        job["seconds"] = job["seconds"].get<double>() + record.seconds;
+    job["steps"].push_back(
+        {{"kind", name_of(step.kind)},
+         {"target", step.kind == StepKind::frame ? Json(nullptr) : Json(step.target_name)},
+         {"state", state},
+         {"this_run", name_of(result.fate)},
+         {"file", step.output},
+         {"seconds", done ? Json(record.seconds) : Json(nullptr)},
+         {"memory_bytes", done ? Json(std::llround(record.memory)) : Json(nullptr)},
+         {"reason", reason.empty() ? Json(nullptr) : Json(reason)},
+         {"remark", done && !record.remark.empty() ? Json(record.remark) : Json(nullptr)}});
+}
+
+/// The thumbnail of a job as an element of a page; nothing if its file has gone.
+std::optional<std::string> thumbnail(const std::string& job, const std::string& path)
+{
+    try {
+        return "<img alt=\"" + job + ", seen from the middle\" src=\"data:image/png;base64," +
+               base64(read_file(path)) + "\">";
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+/// A job's part of the page. `folder` is where its files are.
+std::string job_article(const Json& job, const BatchFolder& folder)
+{
+    const std::string name = markup_text(text_at(job, "name")), state = text_at(job, "state");
+    std::string picture = state == "failed" ? "failed"
+                          : state == "done" ? "no picture"
+                                            : "not yet made",
+                links, remarks;
+    for (const Json& step : job.at("steps")) {
+        if (step.at("state") != "done")
+            continue;
+        const std::string file = text_at(step, "file"), kind = text_at(step, "kind");
+        if (kind == "thumbnail") {
+            picture = thumbnail(name, folder.path + "/" + file).value_or(picture);
+            continue;
+        }
+        const std::string target = markup_text(text_at(step, "target"));
+        if (step.at("remark").is_string())
+            remarks += "<p>" + kind + " " + target + ": " + markup_text(text_at(step, "remark")) +
+                       "</p>\n";
+        links += "<a href=\"" + link_to(file) + "\">" + kind +
+                 (kind == "frame" ? "" : " " + target) + "</a>\n";
+    }
+    std::string article = "<article class=\"" + state + "\"><div class=\"picture\">" + picture +
+                          "</div>\n<h2>" + name + "</h2>\n";
+    if (job.at("render_seconds").is_number())
+        article += "<p>" + figure(job.at("render_seconds"), 3) + " s, estimated error " +
+                   figure(job.at("error_rms"), 3) + "</p>\n";
+    article += "<p>" + links + "</p>\n" + remarks;
+    if (job.at("reason").is_string())
+        article += "<p class=\"reason\">" + markup_text(text_at(job, "reason")) + "</p>\n";
+    return article + "</article>\n";
+}
+
+int count(const Json& summary, const char* field) { return summary.at(field).get<int>(); }
+
 } // namespace
 
 Json batch_summary(const Manifest& manifest, const BatchPlan& plan,
@@ -59,47 +153,11 @@ Json batch_summary(const Manifest& manifest, const BatchPlan& plan,
         const BatchStep& step = plan.steps[i];
         if (!only.empty() && !only.count(step.job))
             continue;
-        const StepRecord record = read_record(folder.record(step));
-        const std::string state = state_of(results[i], record);
-        const std::string reason = state == "done" || state == "missing" ? ""
-                                   : !results[i].reason.empty()          ? results[i].reason
-                                                                         : record.reason;
+        if (step.kind == StepKind::frame)
+            jobs.push_back(job_entry(manifest, manifest.jobs[std::size_t(step.job)]));
+        add_step(jobs.back(), step, results[i], read_record(folder.record(step)));
         made += results[i].fate == StepFate::made;
         kept += results[i].fate == StepFate::kept;
-        if (step.kind == StepKind::frame) {
-            const BatchJob& job = manifest.jobs[std::size_t(step.job)];
-            jobs.push_back(
-                {{"name", job.name},
-                 {"scene", manifest.scenes[std::size_t(job.scene)].name},
-                 {"sheet", job.sheet < 0 ? Json(nullptr)
-                                         : Json(manifest.sheets[std::size_t(job.sheet)].name)},
-                 {"state", "done"},
-                 {"reason", nullptr},
-                 {"render_seconds", state == "done" ? Json(record.render_seconds) : Json(nullptr)},
-                 {"error_rms",
-                  state == "done" && record.error ? Json(*record.error) : Json(nullptr)},
-                 {"seconds", 0},
-                 {"steps", Json::array()}});
-        }
-        Json& job = jobs.back();
-        if (state == "failed" || state == "missing")
-            if (job["state"] != "failed")
-                job["state"] = state;
-        if (state == "failed" && job["reason"].is_null())
-            job["reason"] = step.name + ": " + reason;
-        if (state == "done")
-            job["seconds"] = job["seconds"].get<double>() + record.seconds;
-        job["steps"].push_back(
-            {{"kind", name_of(step.kind)},
-             {"target", step.kind == StepKind::frame ? Json(nullptr) : Json(step.target)},
-             {"state", state},
-             {"this_run", name_of(results[i].fate)},
-             {"file", step.output},
-             {"seconds", state == "done" ? Json(record.seconds) : Json(nullptr)},
-             {"memory_bytes", state == "done" ? Json(std::llround(record.memory)) : Json(nullptr)},
-             {"reason", reason.empty() ? Json(nullptr) : Json(reason)},
-             {"remark",
-              state == "done" && !record.remark.empty() ? Json(record.remark) : Json(nullptr)}});
     }
     for (const Json& job : jobs) {
         done += job["state"] == "done";
@@ -113,51 +171,63 @@ Json batch_summary(const Manifest& manifest, const BatchPlan& plan,
 
 std::string batch_page(const Json& summary, const BatchFolder& folder)
 {
-    const auto count = [&](const char* field) {
-        return std::to_string(summary.at(field).get<int>());
-    };
     const std::string title = text_at(summary, "manifest");
     std::string page = "<h1>" + markup_text(title) + "</h1>\n<p>" +
-                       counted(summary.at("jobs_done").get<int>(), "job") + " done, " +
-                       count("jobs_failed") + " failed, " + count("jobs_missing") +
+                       counted(count(summary, "jobs_done"), "job") + " done, " +
+                       std::to_string(count(summary, "jobs_failed")) + " failed, " +
+                       std::to_string(count(summary, "jobs_missing")) +
                        " not yet made</p>\n<div class=\"jobs\">\n";
-    for (const Json& job : summary.at("jobs")) {
-        const std::string name = markup_text(text_at(job, "name")), state = text_at(job, "state");
-        std::string picture = state == "failed" ? "failed"
-                              : state == "done" ? "no picture"
-                                                : "not yet made",
-                    links, remarks;
-        for (const Json& step : job.at("steps")) {
-            if (step.at("state") != "done")
-                continue;
-            const std::string file = text_at(step, "file"), kind = text_at(step, "kind");
-            if (kind != "thumbnail") {
-                if (step.at("remark").is_string())
-                    remarks += "<p>" + kind + " " + markup_text(text_at(step, "target")) + ": " +
-                               markup_text(text_at(step, "remark")) + "</p>\n";
-                links += "<a href=\"" + link_to(file) + "\">" + kind +
-                         (kind == "frame" ? "" : " " + markup_text(text_at(step, "target"))) +
-                         "</a>\n";
-                continue;
-            }
-            try {
-                picture = "<img alt=\"" + name +
-                          ", seen from the middle\" src=\"data:image/png;base64," +
-                          base64(read_file(folder.path + "/" + file)) + "\">";
-            } catch (const InputError&) { // it has gone since
-            }
-        }
-        page += "<article class=\"" + state + "\"><div class=\"picture\">" + picture +
-                "</div>\n<h2>" + name + "</h2>\n";
-        if (job.at("render_seconds").is_number())
-            page += "<p>" + figure(job.at("render_seconds"), 3) + " s, estimated error " +
-                    figure(job.at("error_rms"), 3) + "</p>\n";
-        page += "<p>" + links + "</p>\n" + remarks;
-        if (job.at("reason").is_string())
-            page += "<p class=\"reason\">" + markup_text(text_at(job, "reason")) + "</p>\n";
-        page += "</article>\n";
-    }
+    for (const Json& job : summary.at("jobs"))
+        page += job_article(job, folder);
     return html_page(title, page_style, page + "</div>\n");
+}
+
+void write_summary(const BatchFolder& folder, const Json& summary)
+{
+    write_file(folder.path + "/summary.json", summary.dump(2) + "\n");
+    write_file(folder.path + "/index.html", batch_page(summary, folder));
+}
+
+std::string plan_text(const Json& summary)
+{
+    std::string text;
+    int to_do = 0, kept = 0;
+    for (const Json& job : summary.at("jobs"))
+        for (const Json& step : job.at("steps")) {
+            const bool is_kept = step.at("state") == "done";
+            (is_kept ? kept : to_do) += 1;
+            text += std::string(is_kept ? "kept   " : "to do  ") +
+                    job.at("name").get<std::string>() + ": " + step.at("file").get<std::string>() +
+                    "\n";
+        }
+    return text + counted(int(summary.at("jobs").size()), "job") + ": " + counted(to_do, "step") +
+           " to do, " + std::to_string(kept) + " kept\n";
+}
+
+std::string result_text(const Json& summary, bool with_missing)
+{
+    return counted(count(summary, "jobs_done"), "job") + " done, " +
+           std::to_string(count(summary, "jobs_failed")) + " failed" +
+           (with_missing ? ", " + std::to_string(count(summary, "jobs_missing")) + " not yet made"
+                         : "") +
+           "; " + counted(count(summary, "steps_made"), "step") + " made, " +
+           std::to_string(count(summary, "steps_kept")) + " kept\n";
+}
+
+bool say_what_is_left(const Json& summary)
+{
+    bool any = false;
+    for (const Json& job : summary.at("jobs")) {
+        const std::string state = job.at("state");
+        if (state == "done")
+            continue;
+        any = true;
+        const std::string lost = "its task ended without having made it, as if it was cancelled, "
+                                 "killed or out of time; --slurm submits it again";
+        say("batch", job.at("name").get<std::string>() + ": " +
+                         (state == "failed" ? job.at("reason").get<std::string>() : lost));
+    }
+    return any;
 }
 
 } // namespace integral

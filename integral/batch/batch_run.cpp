@@ -4,38 +4,36 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
 #include "integral/base/message_text.h"
-#include "integral/batch/batch_memory.h"
 #include "integral/batch/batch_schedule.h"
 #include "integral/batch/batch_steps.h"
-#include "integral/batch/lock_file.h"
+#include "integral/batch/running_steps.h"
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <list>
 #include <poll.h>
 #include <unistd.h>
 
 namespace integral {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = RunningStep::Clock;
 constexpr int poll_milliseconds = 5;
-constexpr auto again_after = std::chrono::milliseconds(200);
-constexpr auto patience = std::chrono::seconds(5), refresh_after = std::chrono::seconds(10);
+constexpr auto look_after = std::chrono::milliseconds(200); ///< whether a waiting step can start
+constexpr auto refresh_after = std::chrono::seconds(10);    ///< locks
+
+bool exists(const std::string& path) { return access(path.c_str(), F_OK) == 0; }
 
 class Run {
 public:
-    Run(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs,
-        const RunOptions& options, const BatchFolder& folder)
+    Run(PlannedBatch& batch, const BatchPlan& plan, const RunOptions& options)
         : plan_(plan),
-          inputs_(inputs),
+          inputs_(batch.inputs),
           options_(options),
-          folder_(folder),
+          folder_(batch.folder),
           results_(plan.steps.size()),
           tries_(plan.steps.size()),
           said_(plan.steps.size()),
-          memory_(manifest, options.memory, options.output_pixels)
+          memory_(batch.manifest, options.memory, options.output_pixels)
     {
         for (std::size_t i = 0; i < plan.steps.size(); ++i)
             if (options.jobs.empty() || options.jobs.count(plan.steps[i].job))
@@ -43,21 +41,22 @@ public:
         total_ = int(pending_.size());
     }
 
-    /// Takes from the pending steps those that are done.
+    /// Finishes those pending steps that are done already.
     void keep_done()
     {
-        for (const int i : std::vector<int>(pending_.begin(), pending_.end())) {
+        for (const int i : pending_) {
             stop_if_interrupted();
-            const BatchStep& step = plan_.steps[std::size_t(i)];
-            if (step.frame >= 0 && results_[std::size_t(step.frame)].fate != StepFate::kept)
+            const BatchStep& step = step_at(i);
+            if (step.frame >= 0 && result(step.frame).fate != StepFate::kept)
                 continue;
             try {
                 const StepRecord record = read_record(folder_.record(step));
                 if (is_done(folder_, step, record, inputs_.hash(step, frame_hash(step))))
-                    finish(i, StepFate::kept, record);
-            } catch (const InputError&) { // said when its turn comes
+                    set_finished(i, StepFate::kept, record);
+            } catch (const InputError&) { // is said when the step is started
             }
         }
+        pending_.remove_if([&](int i) { return result(i).fate == StepFate::kept; });
     }
 
     void run(const Progress& progress)
@@ -69,33 +68,24 @@ public:
         tidy_up();
         sort_longest_first(pending_, plan_, folder_);
         auto next_look = Clock::now(), next_refresh = Clock::now() + refresh_after;
-        while (!pending_.empty() || !running_.empty()) {
-            if (!progress(total_ - int(pending_.size() + running_.size()), total_))
+        while (!pending_.empty() || !running_.none()) {
+            if (!progress(total_ - int(pending_.size()) - running_.count(), total_))
                 stop_all();
-            for (auto it = running_.begin(); it != running_.end();) {
-                const auto next = std::next(it);
-                if (const auto end = it->child.ended()) {
-                    it->end = *end;
-                    it->ended = Clock::now();
-                    ended_.splice(ended_.end(), running_, it);
-                }
-                it = next;
-            }
-            const bool ended = !ended_.empty();
-            if (ended || Clock::now() >= next_look) {
-                start_some(); // while what has ended is hashed and published, the cores work
-                conclude_ended();
-                start_some();
-                next_look = Clock::now() + again_after;
+            std::list<RunningStep> ended = running_.take_ended();
+            const bool any_ended = !ended.empty();
+            if (any_ended || Clock::now() >= next_look) {
+                start_some(ended); // so that the cores work while outputs are hashed and published
+                conclude(ended);
+                start_some(ended);
+                next_look = Clock::now() + look_after;
             }
             if (Clock::now() >= next_refresh) {
-                for (const Running& one : running_)
-                    one.lock.refresh();
+                running_.refresh_locks();
                 batch_lock.refresh();
                 next_refresh = Clock::now() + refresh_after;
             }
-            if (!ended)
-                poll(nullptr, 0, poll_milliseconds); // a child's end interrupts it
+            if (!any_ended)
+                poll(nullptr, 0, poll_milliseconds); // SIGCHLD interrupts it
         }
         if (total_ > 0)
             progress(total_, total_);
@@ -103,40 +93,42 @@ public:
 
     std::vector<StepResult> results() const { return results_; }
 
-    LockFile batch_lock; ///< of the whole folder, where it is taken
+    LockFile batch_lock; ///< of the whole folder, when all jobs are run
 
 private:
-    struct Running {
-        int step;
-        ChildProcess child;
-        LockFile lock;
-        StepRecord record;
-        Clock::time_point begun;
-        double memory; ///< expected
-        ChildEnd end;  ///< once it has ended, and when
-        Clock::time_point ended;
-    };
+    const BatchStep& step_at(int i) const { return plan_.steps[std::size_t(i)]; }
+    StepResult& result(int i) { return results_[std::size_t(i)]; }
 
+    /// The hash and the path of the frame that a step reads; "" if it reads none.
     std::string frame_hash(const BatchStep& step) const
     {
         return step.frame < 0 ? "" : outputs_.at(step.frame);
     }
-
-    std::string frame_of(const BatchStep& step) const
+    std::string frame_path(const BatchStep& step) const
     {
-        return step.frame < 0 ? "" : folder_.output(plan_.steps[std::size_t(step.frame)]);
+        return step.frame < 0 ? "" : folder_.output(step_at(step.frame));
+    }
+
+    bool has_its_frame(const BatchStep& step) const
+    {
+        return step.frame < 0 || outputs_.count(step.frame);
+    }
+
+    void set_finished(int i, StepFate fate, const StepRecord& record)
+    {
+        by_inputs_.emplace(record.inputs, i);
+        result(i).fate = fate;
+        outputs_[i] = record.output;
     }
 
     void finish(int i, StepFate fate, const StepRecord& record)
     {
-        by_inputs_.emplace(record.inputs, i);
-        results_[std::size_t(i)].fate = fate;
-        outputs_[i] = record.output;
+        set_finished(i, fate, record);
         pending_.remove(i);
     }
 
-    /// Takes away what killed batches have left: of steps that are done, and of files that they
-    /// were writing.
+    /// Deletes what batches that were killed have left: working folders of steps that are done, and
+    /// unfinished files.
     void tidy_up()
     {
         for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps",
@@ -153,20 +145,19 @@ private:
         }
     }
 
-    static bool exists(const std::string& path) { return access(path.c_str(), F_OK) == 0; }
-
     void fail(int i, const std::string& reason)
     {
-        const BatchStep& step = plan_.steps[std::size_t(i)];
-        results_[std::size_t(i)] = {StepFate::failed, reason};
+        const BatchStep& step = step_at(i);
+        result(i) = {StepFate::failed, reason};
         pending_.remove(i);
         const bool log = exists(folder_.log(step));
         say(i, reason + (log ? "; see " + folder_.log(step) : ""));
-        for (const int other : std::vector<int>(pending_.begin(), pending_.end()))
-            if (plan_.steps[std::size_t(other)].frame == i) {
-                results_[std::size_t(other)] = {StepFate::blocked, "its frame failed"};
-                pending_.remove(other);
-            }
+        pending_.remove_if([&](int other) {
+            if (step_at(other).frame != i)
+                return false;
+            result(other) = {StepFate::blocked, "its frame failed"};
+            return true;
+        });
     }
 
     void say_once(int i, const std::string& what)
@@ -179,7 +170,7 @@ private:
 
     void say(int i, const std::string& what) const
     {
-        integral::say("batch", plan_.steps[std::size_t(i)].name + ": " + what);
+        integral::say("batch", step_at(i).name + ": " + what);
     }
 
     void say_remark(int i, const StepRecord& record) const
@@ -188,16 +179,19 @@ private:
             say(i, record.remark);
     }
 
-    void start_some()
+    /// Starts steps while there are cores and memory for them. If interrupted, publishes `ended`,
+    /// stops and throws.
+    void start_some(std::list<RunningStep>& ended)
     {
         for (const int i : std::vector<int>(pending_.begin(), pending_.end())) {
-            if (int(running_.size()) >= options_.at_once)
+            if (running_.count() >= options_.at_once)
                 return;
-            const BatchStep& step = plan_.steps[std::size_t(i)];
-            if (results_[std::size_t(i)].fate != StepFate::waiting ||
-                (step.frame >= 0 && !outputs_.count(step.frame)))
+            if (result(i).fate != StepFate::waiting || !has_its_frame(step_at(i)))
                 continue;
-            stop_if_interrupted_here();
+            if (interrupted()) {
+                conclude(ended);
+                stop_all();
+            }
             try {
                 start(i);
             } catch (const InputError& error) {
@@ -208,18 +202,20 @@ private:
         }
     }
 
+    /// Starts a step, or finishes it without its program if it is done or another has made the
+    /// same; leaves it pending if it has to wait.
     void start(int i)
     {
-        const BatchStep& step = plan_.steps[std::size_t(i)];
-        const std::string frame = frame_of(step);
+        const BatchStep& step = step_at(i);
+        const std::string frame = frame_path(step);
         const std::string hash = inputs_.hash(step, frame_hash(step));
         StepRecord record = read_record(folder_.record(step));
         if (is_done(folder_, step, record, hash))
             return finish(i, StepFate::kept, record);
         const auto twin = by_inputs_.find(hash);
         if (twin != by_inputs_.end() && twin->second != i &&
-            results_[std::size_t(twin->second)].fate == StepFate::waiting)
-            return; // it is running
+            result(twin->second).fate == StepFate::waiting)
+            return; // the other one is running
         const double pixels = pixels_of(step, frame),
                      memory = memory_.expected(step, frame, pixels, record);
         const bool copies = twin != by_inputs_.end() && outputs_.count(twin->second);
@@ -232,109 +228,115 @@ private:
         record = read_record(folder_.record(step));
         if (is_done(folder_, step, record, hash))
             return finish(i, StepFate::kept, record);
-
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_.work(step), ignored);
-        std::filesystem::create_directories(folder_.work(step), ignored);
         record.inputs = hash;
         record.pixels = pixels;
         record.error.reset();
         record.remark.clear();
+        clean(step);
+        std::error_code ignored;
+        std::filesystem::create_directories(folder_.work(step), ignored);
         if (copies)
-            return copy(i, twin->second, record);
-        by_inputs_[hash] = i;
+            copy(i, twin->second, record);
+        else
+            start_program(i, std::move(lock), record, memory);
+    }
+
+    void start_program(int i, LockFile lock, StepRecord record, double memory)
+    {
+        const BatchStep& step = step_at(i);
+        by_inputs_[record.inputs] = i;
         record.state = StepState::running;
         ++record.starts;
         record.output.clear();
         write_record(folder_.record(step), record);
-        const std::string log = folder_.work(step) + "/said.txt";
-        ChildProcess child(
-            command_line(folder_, step, frame, threads_beside(others_beside(i), options_.at_once)),
-            step.folder, log);
+        const int threads = threads_beside(others_beside(i), options_.at_once);
+        ChildProcess child(command_line(folder_, step, frame_path(step), threads), step.folder,
+                           said_file(step));
         pending_.remove(i);
-        running_.push_back(
-            {i, std::move(child), std::move(lock), record, Clock::now(), memory, {}, {}});
+        running_.add({i, std::move(child), std::move(lock), record, memory});
     }
 
     void copy(int i, int twin, StepRecord record)
     {
-        const BatchStep& step = plan_.steps[std::size_t(i)];
-        publish_copy(folder_, step, plan_.steps[std::size_t(twin)], record);
+        const BatchStep& step = step_at(i);
+        publish_copy(folder_, step, step_at(twin), record);
         clean(step);
         say_remark(i, record);
         finish(i, StepFate::copied, read_record(folder_.record(step)));
     }
 
-    /// How many other steps could begin as well.
+    /// How many other steps could start as well.
     int others_beside(int i) const
     {
         int others = 0;
         for (const int other : pending_)
-            others += other != i && (plan_.steps[std::size_t(other)].frame < 0 ||
-                                     outputs_.count(plan_.steps[std::size_t(other)].frame));
+            others += other != i && has_its_frame(step_at(other));
         return others;
     }
 
+    /// Whether a step can have that much memory now. Says why not; it fails if nothing else runs.
     bool has_memory(int i, double needed)
     {
-        std::vector<MemoryUse> running;
-        for (const Running& one : running_)
-            running.push_back({one.memory, one.child.memory_now()});
-        const std::string lack = memory_.lack(needed, running);
+        const std::string lack = memory_.lack(needed, running_.memory());
         if (lack.empty())
             return true;
-        if (running_.empty())
+        if (running_.none())
             fail(i, lack + "; --memory MB gives it more");
         else
             say_once(i, lack + ": it waits");
         return false;
     }
 
-    void conclude_ended()
+    /// Publishes what programs that have ended have made, or notes their failures.
+    void conclude(std::list<RunningStep>& ended)
     {
-        while (!ended_.empty()) {
-            conclude(ended_.front());
-            ended_.pop_front();
-        }
+        for (; !ended.empty(); ended.pop_front())
+            conclude(ended.front());
     }
 
-    void conclude(Running& one)
+    void conclude(RunningStep& one)
     {
-        const BatchStep& step = plan_.steps[std::size_t(one.step)];
-        const std::string log = folder_.work(step) + "/said.txt";
+        const BatchStep& step = step_at(one.step);
         StepRecord& record = one.record;
         record.seconds = std::chrono::duration<double>(one.ended - one.begun).count();
-        const std::string reason = publish_made(folder_, step, frame_of(step), log, one.end,
-                                                record);
+        const std::string reason = publish_made(folder_, step, frame_path(step), said_file(step),
+                                                one.end, record);
+        if (!reason.empty())
+            return conclude_failed(one.step, record, reason);
+        memory_.learn(step, frame_path(step), record);
         std::error_code ignored;
-        if (reason.empty()) {
-            memory_.learn(step, frame_of(step), record);
-            std::filesystem::remove(folder_.log(step), ignored);
-            clean(step);
-            say_remark(one.step, record);
-            return finish(one.step, StepFate::made, read_record(folder_.record(step)));
-        }
-        if (interrupted()) // that is why: nothing to keep
+        std::filesystem::remove(folder_.log(step), ignored);
+        clean(step);
+        say_remark(one.step, record);
+        finish(one.step, StepFate::made, read_record(folder_.record(step)));
+    }
+
+    void conclude_failed(int i, StepRecord record, const std::string& reason)
+    {
+        const BatchStep& step = step_at(i);
+        if (interrupted()) // that is why it failed: there is nothing to keep
             return clean(step);
-        std::filesystem::copy_file(log, folder_.log(step),
-                                   std::filesystem::copy_options::overwrite_existing, ignored);
-        if (ignored) // half a log says less than none
-            std::filesystem::remove(folder_.log(step), ignored);
+        std::error_code failed;
+        std::filesystem::copy_file(said_file(step), folder_.log(step),
+                                   std::filesystem::copy_options::overwrite_existing, failed);
+        if (failed) // half a log says less than none
+            std::filesystem::remove(folder_.log(step), failed);
         clean(step);
         record.state = StepState::failed;
         record.reason = reason;
         try {
             write_record(folder_.record(step), record);
-        } catch (const OutputError&) { // the reason has been said, and the old record tells that it
-                                       // is not done
+        } catch (const OutputError&) { // the reason is said below, and the old record does not call
+                                       // the step done
         }
-        if (++tries_[std::size_t(one.step)] <= options_.retries && !interrupted()) {
-            say(one.step, reason + "; it is tried again");
-            pending_.push_front(one.step);
-            return;
-        }
-        fail(one.step, reason);
+        if (++tries_[std::size_t(i)] > options_.retries || interrupted())
+            return fail(i, reason);
+        say(i, reason + "; it is tried again");
+        pending_.push_front(i);
     }
+
+    /// What a running step's program says.
+    std::string said_file(const BatchStep& step) const { return folder_.work(step) + "/said.txt"; }
 
     void clean(const BatchStep& step)
     {
@@ -342,26 +344,9 @@ private:
         std::filesystem::remove_all(folder_.work(step), ignored);
     }
 
-    void stop_if_interrupted_here()
-    {
-        if (interrupted())
-            stop_all();
-    }
-
     [[noreturn]] void stop_all()
     {
-        conclude_ended();
-        for (Running& one : running_)
-            one.child.stop();
-        for (const auto until = Clock::now() + patience; !running_.empty() && Clock::now() < until;
-             poll(nullptr, 0, poll_milliseconds))
-            for (auto it = running_.begin(); it != running_.end();)
-                if (it->child.ended()) {
-                    clean(plan_.steps[std::size_t(it->step)]);
-                    it = running_.erase(it);
-                } else
-                    ++it;
-        running_.clear(); // which kills what is left
+        running_.stop([&](int i) { clean(step_at(i)); });
         throw Interrupted();
     }
 
@@ -371,12 +356,12 @@ private:
     const BatchFolder& folder_;
     std::vector<StepResult> results_;
     std::vector<int> tries_;
-    std::vector<std::string> said_;
+    std::vector<std::string> said_; ///< what was last said of each step that waits
     std::list<int> pending_;
-    std::list<Running> running_, ended_;   ///< ended: but not concluded
+    RunningSteps running_;
     std::map<int, std::string> outputs_;   ///< hashes of finished steps' outputs
-    std::map<std::string, int> by_inputs_; ///< the step that makes, or has made, what comes of
-                                           ///< these inputs
+    std::map<std::string, int> by_inputs_; ///< by hash of inputs, the step that makes or has made
+                                           ///< the output of them
     MemoryForecast memory_;
     int total_ = 0;
 };
@@ -396,25 +381,28 @@ const char* name_of(StepFate fate)
     return "waiting";
 }
 
-std::vector<StepResult> survey(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs,
-                               const RunOptions& options)
+std::vector<StepResult> survey(PlannedBatch& batch, const RunOptions& options)
 {
-    const BatchFolder folder = batch_folder(manifest.output);
-    Run run(manifest, plan, inputs, options, folder);
+    Run run(batch, batch.plan, options);
     run.keep_done();
     return run.results();
 }
 
-std::vector<StepResult> run_batch(const Manifest& manifest, const BatchPlan& plan,
-                                  StepInputs& inputs, const RunOptions& options,
+std::vector<StepResult> run_batch(PlannedBatch& batch, const RunOptions& options,
                                   const Progress& progress)
 {
-    const BatchFolder folder = make_batch_folder(manifest.output, plan);
-    Run run(manifest, plan, inputs, options, folder);
+    return run_steps(batch, batch.plan, options, progress);
+}
+
+std::vector<StepResult> run_steps(PlannedBatch& batch, const BatchPlan& plan,
+                                  const RunOptions& options, const Progress& progress)
+{
+    make_batch_folder(batch.manifest.output, plan);
+    Run run(batch, plan, options);
     std::string holder;
-    if (options.jobs.empty() && !run.batch_lock.take(folder.lock("batch"), holder))
+    if (options.jobs.empty() && !run.batch_lock.take(batch.folder.lock("batch"), holder))
         throw OutputError(
-            manifest.output + ": another batch, " + holder +
+            batch.manifest.output + ": another batch, " + holder +
             ", works in this folder; wait for it, or give this manifest another \"output\"");
     run.run(progress);
     return run.results();

@@ -4,11 +4,9 @@
 #define INTEGRAL_BATCH_BATCH_RUN_H
 
 #include "integral/base/parallel.h"
-#include "integral/batch/batch_folder.h"
 #include "integral/batch/batch_memory.h"
-#include "integral/batch/plan.h"
+#include "integral/batch/planned_batch.h"
 
-#include <map>
 #include <set>
 
 namespace integral {
@@ -17,13 +15,13 @@ struct RunOptions {
     int at_once = 1;            ///< programs that run at the same time
     int retries = 0;            ///< after a failure
     double memory = 0;          ///< bytes that all together may take; 0: what the machine has free
-    OutputPixels output_pixels; ///< for the bounds of memory
-    std::set<int> jobs;         ///< of the manifest; empty: all
+    OutputPixels output_pixels; ///< for the forecast of memory
+    std::set<int> jobs;         ///< that are run, in the manifest's list; empty: all
 };
 
 enum class StepFate {
     waiting, ///< not yet looked at, or to be done
-    kept,    ///< was there already, of the same inputs
+    kept,    ///< its output was there already, made of the same inputs
     made,
     copied, ///< another step of the same inputs made it
     failed,
@@ -36,16 +34,19 @@ struct StepResult {
     std::string reason; ///< of a failure
 };
 
-/// Looks at every step: kept, or waiting to be done. Nothing is run.
-std::vector<StepResult> survey(const Manifest& manifest, const BatchPlan& plan, StepInputs& inputs,
-                               const RunOptions& options);
+/// The fate of every step of the plan, without running any: kept, or waiting to be done. Throws
+/// Interrupted.
+std::vector<StepResult> survey(PlannedBatch& batch, const RunOptions& options);
 
 /// Runs what is to be done. A failure leaves out only what depends on it, and is said on standard
-/// error at once. Throws Interrupted, with what was finished kept, and OutputError where the folder
-/// itself cannot be written.
-std::vector<StepResult> run_batch(const Manifest& manifest, const BatchPlan& plan,
-                                  StepInputs& inputs, const RunOptions& options,
+/// error at once. Throws Interrupted, with what was finished kept, and OutputError if the output
+/// folder cannot be written or, when all jobs are run, another batch works in it.
+std::vector<StepResult> run_batch(PlannedBatch& batch, const RunOptions& options,
                                   const Progress& progress);
+
+/// The same for a plan of other steps in the batch's folder, as strips are.
+std::vector<StepResult> run_steps(PlannedBatch& batch, const BatchPlan& plan,
+                                  const RunOptions& options, const Progress& progress);
 
 } // namespace integral
 

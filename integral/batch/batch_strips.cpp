@@ -3,6 +3,7 @@
 
 #include "integral/base/json.h"
 #include "integral/base/message_text.h"
+#include "integral/base/number_text.h"
 #include "integral/batch/batch_steps.h"
 #include "integral/batch/lock_file.h"
 #include "integral/batch/renderer.h"
@@ -27,8 +28,9 @@ std::string plan_file(const BatchFolder& folder, const BatchStep& frame)
     return folder.own() + "/strips/" + job_of(frame) + ".json";
 }
 
-/// Runs the renderer in a step's folder; what it says. Throws InputError with its reason.
-std::string render_there(const BatchStep& step, Names words, const ScratchFolder& scratch)
+/// Runs the renderer in a step's folder and returns what it prints. Throws InputError with its
+/// reason.
+std::string render_in_folder(const BatchStep& step, Names words, const ScratchFolder& scratch)
 {
     words.insert(words.begin(), renderer_program());
     const std::string log = scratch.path("said.txt");
@@ -38,7 +40,7 @@ std::string render_there(const BatchStep& step, Names words, const ScratchFolder
     return read_file(log);
 }
 
-/// Whether the renderer says of a setting that it is on.
+/// Whether the renderer prints of a setting that it is on.
 bool is_on(const std::string& said, const std::string& setting)
 {
     const auto place = said.find(setting + "...");
@@ -46,23 +48,26 @@ bool is_on(const std::string& said, const std::string& setting)
            said.compare(said.find_first_not_of('.', place + setting.size()), 2, "On") == 0;
 }
 
-/// Says once, while the work is planned, what makes two renderings of one scene differ.
-void warn_of_chance(const BatchStep& frame, const BatchPrograms& programs, const std::string& said)
+/// Says on standard error what in the scene and its settings makes two renderings of it differ.
+/// `said` is what the renderer printed.
+void warn_of_randomness(const BatchStep& frame, const BatchPrograms& programs,
+                        const std::string& said)
 {
     std::vector<std::string> files;
-    const std::string scene = renderer_options_in(frame.words[0]).at(0).value; // "FILE.ini" or
-                                                                               // +I"FILE.pov"
+    // The first word is "FILE.ini" or +I"FILE.pov".
+    const std::string scene = renderer_options_in(frame.words[0]).at(0).value;
     for (const SceneFile& file :
          files_of_scene(scene, {frame.folder, frame.words, programs.renderer_share}))
         if (file.path.rfind(programs.renderer_share, 0) != 0)
             files.push_back(file.path);
-    std::string words;
-    for (const std::string& word : words_of_chance(files))
-        words += (words.empty() ? "" : ", ") + word;
+    std::vector<std::string> causes = words_of_randomness(files);
     if (is_on(said, "Dithering"))
-        words += (words.empty() ? "" : ", ") + std::string("dithering");
-    if (!words.empty())
-        say("batch", frame.name + ": it has " + words +
+        causes.push_back("dithering");
+    std::string list;
+    for (const std::string& cause : causes)
+        list += (list.empty() ? "" : ", ") + cause;
+    if (!list.empty())
+        say("batch", frame.name + ": it has " + list +
                          ": its strips cannot be promised to join without a seam, nor to equal the "
                          "frame rendered whole");
 }
@@ -75,9 +80,10 @@ Json json_of(const StripPlan& plan)
     return {{"inputs", plan.inputs}, {"height", plan.height}, {"strips", std::move(strips)}};
 }
 
-/// Runs the renderer for two rows, and plans by what it says.
-StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int number,
-                     const BatchPrograms& programs)
+/// Runs the renderer for two rows of the frame and plans the strips by their picture and by the
+/// settings that the renderer prints.
+StripPlan new_plan(const BatchStep& frame, const std::string& inputs, int number,
+                   const BatchPrograms& programs)
 {
     if (!value_of_option(frame.words, "integral_error_image", "").empty())
         throw InputError(frame.name +
@@ -90,7 +96,7 @@ StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int numb
     Names words = frame.words;
     words.insert(words.end(), {"+FN", "Integral_Audit=off", "Integral_Depth_Image=", "End_Row=2",
                                "+O" + quoted(picture)});
-    const std::string said = render_there(frame, words, scratch);
+    const std::string said = render_in_folder(frame, words, scratch);
     const Frame rows = read_frame_with_metadata(picture);
     const std::string given = value_of_option(frame.words, "render_block_size", "bs");
     const int side = given.empty()
@@ -99,7 +105,7 @@ StripPlan asked_plan(const BatchStep& frame, const std::string& inputs, int numb
     const int reach = is_on(said, "Antialiasing")
                           ? rows_looked_at(rows.metadata->sheet, rows.metadata->film)
                           : 0;
-    warn_of_chance(frame, programs, said);
+    warn_of_randomness(frame, programs, said);
     return {inputs, rows.image.height, row_strips(rows.image.height, number, side, reach)};
 }
 
@@ -146,74 +152,124 @@ std::optional<StripPlan> read_strip_plan(const BatchFolder& folder, const BatchS
     return plan.inputs == inputs ? std::optional(plan) : std::nullopt;
 }
 
-StripPlan plan_strips(const BatchFolder& folder, const BatchStep& frame, const std::string& inputs,
-                      int number, const BatchPrograms& programs)
+StripPlan plan_strips(PlannedBatch& batch, int job, int number)
 {
-    const auto known = read_strip_plan(folder, frame, inputs);
+    const BatchStep& frame = batch.frame_of(job);
+    const std::string inputs = batch.inputs.hash(frame, "");
+    const auto known = read_strip_plan(batch.folder, frame, inputs);
     if (known && (int(known->strips.size()) == number || known->strips.size() < 2))
         return *known;
-    const StripPlan plan = asked_plan(frame, inputs, number, programs);
-    write_file(plan_file(folder, frame), json_of(plan).dump() + "\n");
+    const StripPlan plan = new_plan(frame, inputs, number, batch.programs);
+    write_file(plan_file(batch.folder, frame), json_of(plan).dump() + "\n");
     return plan;
 }
 
-std::string merge_frame(const BatchFolder& folder, const BatchStep& frame, StepInputs& inputs)
+bool render_strip(PlannedBatch& batch, int job, std::size_t number, RunOptions options,
+                  const Progress& progress)
 {
-    const std::string hash = inputs.hash(frame, "");
+    const BatchStep& frame = batch.frame_of(job);
+    const std::string inputs = batch.inputs.hash(frame, "");
+    if (is_done(batch.folder, frame, read_record(batch.folder.record(frame)), inputs))
+        return true;
+    const auto plan = read_strip_plan(batch.folder, frame, inputs);
+    if (!plan || number < 1 || number > plan->strips.size())
+        throw InputError(frame.name + ": " +
+                         (plan ? "it has " + counted(int(plan->strips.size()), "strip")
+                               : "it is not cut in strips, or its scene has changed since; --slurm "
+                                 "--strips N does it"));
+    BatchPlan one;
+    one.steps = {strip_steps(frame, *plan).steps[number - 1]};
+    options.jobs = {job};
+    return run_steps(batch, one, options, progress)[0].fate != StepFate::failed;
+}
+
+namespace {
+
+/// The strips of a frame that is put together.
+struct StripsOfFrame {
+    std::vector<BatchStep> steps;
+    Names files;        ///< of the strips
+    double seconds = 0; ///< of all of them
+    double memory = 0;  ///< bytes, the most that one of them took
+    std::string reason; ///< why they make no frame; empty if they do
+};
+
+/// `hash` is that of the frame's inputs.
+StripsOfFrame strips_of(PlannedBatch& batch, const BatchStep& frame, const std::string& hash)
+{
+    StripsOfFrame all;
+    const auto plan = read_strip_plan(batch.folder, frame, hash);
+    if (!plan) {
+        all.reason = "it has no strips, or its scene has changed since they were made; submit it "
+                     "again";
+        return all;
+    }
+    all.steps = strip_steps(frame, *plan).steps;
+    for (const BatchStep& step : all.steps) {
+        const StepRecord strip = read_record(batch.folder.record(step));
+        if (all.reason.empty() && !is_done(batch.folder, step, strip, batch.inputs.hash(step, "")))
+            all.reason = step.name + ": " +
+                         (strip.reason.empty() ? "this strip is missing; submit the batch again"
+                                               : strip.reason);
+        all.files.push_back(batch.folder.output(step));
+        all.seconds += strip.seconds;
+        all.memory = std::max(all.memory, strip.memory);
+    }
+    return all;
+}
+
+/// Writes and publishes the frame of its strips, then deletes them. Throws InputError, OutputError.
+void publish_merged(const BatchFolder& folder, const BatchStep& frame, const StripsOfFrame& strips,
+                    StepRecord& record)
+{
+    std::filesystem::create_directories(folder.work(frame));
+    merge_strips(strips.files, folder.made(frame));
+    read_figures(folder.made(frame), record);
+    record.seconds = strips.seconds;
+    publish(folder, frame, record);
+    std::error_code ignored;
+    for (const BatchStep& step : strips.steps) {
+        std::filesystem::remove(folder.output(step), ignored);
+        std::filesystem::remove(folder.record(step), ignored);
+    }
+    std::filesystem::remove(plan_file(folder, frame), ignored);
+}
+
+} // namespace
+
+std::string merge_frame(PlannedBatch& batch, int job)
+{
+    make_batch_folder(batch.manifest.output, batch.plan);
+    const BatchFolder& folder = batch.folder;
+    const BatchStep& frame = batch.frame_of(job);
+    const std::string hash = batch.inputs.hash(frame, "");
     StepRecord record = read_record(folder.record(frame));
     if (is_done(folder, frame, record, hash))
         return "";
     LockFile lock;
-    std::string holder, reason;
+    std::string holder;
     if (!lock.take(folder.lock(frame.name), holder))
         return holder + " makes it already";
-    const auto plan = read_strip_plan(folder, frame, hash);
+    StripsOfFrame strips = strips_of(batch, frame, hash);
     record.inputs = hash;
     record.host = host_name();
     record.finished = time_now();
+    record.memory = std::max(record.memory, strips.memory);
     ++record.starts;
-    std::vector<BatchStep> steps;
-    if (plan)
-        steps = strip_steps(frame, *plan).steps;
-    else
-        reason = "it has no strips, or its scene has changed since they were made; submit it again";
-    Names files;
-    double seconds = 0;
-    for (const BatchStep& step : steps) {
-        const StepRecord strip = read_record(folder.record(step));
-        if (reason.empty() && !is_done(folder, step, strip, inputs.hash(step, "")))
-            reason = step.name + ": " +
-                     (strip.reason.empty() ? "this strip is missing; submit the batch again"
-                                           : strip.reason);
-        files.push_back(folder.output(step));
-        seconds += strip.seconds;
-        record.memory = std::max(record.memory, strip.memory);
-    }
     try {
-        if (reason.empty()) {
-            std::filesystem::create_directories(folder.work(frame));
-            merge_strips(files, folder.made(frame));
-            read_figures(folder.made(frame), record);
-            record.seconds = seconds;
-            publish(folder, frame, record);
-            std::error_code ignored;
-            for (const BatchStep& step : steps) {
-                std::filesystem::remove(folder.output(step), ignored);
-                std::filesystem::remove(folder.record(step), ignored);
-            }
-            std::filesystem::remove(plan_file(folder, frame), ignored);
-        }
+        if (strips.reason.empty())
+            publish_merged(folder, frame, strips, record);
     } catch (const InputError& error) {
-        reason = error.what();
+        strips.reason = error.what();
     }
     std::error_code ignored;
     std::filesystem::remove_all(folder.work(frame), ignored);
-    if (!reason.empty()) {
+    if (!strips.reason.empty()) {
         record.state = StepState::failed;
-        record.reason = reason;
+        record.reason = strips.reason;
         write_record(folder.record(frame), record);
     }
-    return reason;
+    return strips.reason;
 }
 
 } // namespace integral

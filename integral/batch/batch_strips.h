@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Frames of a batch that are rendered in strips of rows: each strip is a step of its own, on
-// whatever machine, and the frame is put together of them.
+// Frames of a batch that are rendered as strips of rows, on several machines: each strip is a step
+// of its own, and a last task joins them to the frame.
 #ifndef INTEGRAL_BATCH_BATCH_STRIPS_H
 #define INTEGRAL_BATCH_BATCH_STRIPS_H
 
@@ -8,10 +8,9 @@
 
 namespace integral {
 
-/// How a frame is cut, as a file in the batch's folder tells the tasks: made from the frame's own
-/// inputs.
+/// How a frame is cut into strips. A file in the batch's folder tells it to the tasks.
 struct StripPlan {
-    std::string inputs; ///< hash of the frame step's
+    std::string inputs; ///< hash of the frame step's inputs
     int height = 0;     ///< rows of the frame
     std::vector<RowStrip> strips;
 };
@@ -19,22 +18,27 @@ struct StripPlan {
 /// The steps that make the strips, in order.
 BatchPlan strip_steps(const BatchStep& frame, const StripPlan& plan);
 
-/// Cuts a frame in `number` strips at most: runs the renderer for two rows, which tells the size,
-/// the sheet and whether there is anti-aliasing. A plan of the same inputs and number that is there
-/// already is kept, so that finished strips count. Writes the plan. Says on standard error why
-/// strips cannot be promised to equal the whole frame, where that is so. Throws InputError, with
-/// the renderer's reason, where there can be no strips; OutputError.
-StripPlan plan_strips(const BatchFolder& folder, const BatchStep& frame, const std::string& inputs,
-                      int number, const BatchPrograms& programs);
+/// Cuts a job's frame into at most `number` strips and writes the plan. Runs the renderer for two
+/// rows, whose picture tells the frame's size and sheet, and whose words tell whether there is
+/// anti-aliasing. If there is a plan already, of the same inputs and number, it is kept, so that
+/// finished strips count. Says on standard error why strips may differ from the whole frame, if
+/// they may. Throws InputError, with the renderer's reason, if there can be no strips; OutputError.
+StripPlan plan_strips(PlannedBatch& batch, int job, int number);
 
-/// The plan that is there of a frame; nothing if there is none, or one of other inputs: the scene
-/// has changed since.
+/// The plan of a frame's strips in the batch's folder; nothing if there is none, or if it was made
+/// of other inputs, as of an earlier state of the scene.
 std::optional<StripPlan> read_strip_plan(const BatchFolder& folder, const BatchStep& frame,
                                          const std::string& inputs);
 
-/// Makes the frame of its strips, unless it is there already, and deletes them. Returns why it
-/// cannot be made, which its record says too; empty: it is made. Throws OutputError.
-std::string merge_frame(const BatchFolder& folder, const BatchStep& frame, StepInputs& inputs);
+/// Renders one strip, from 1, of a job's frame, unless that frame is done. Returns whether it was
+/// made; if not, the reason was said on standard error. Throws InputError if the frame has no such
+/// strip; else as run_steps does.
+bool render_strip(PlannedBatch& batch, int job, std::size_t number, RunOptions options,
+                  const Progress& progress);
+
+/// Makes a job's frame of its strips, unless it is done, and deletes them. Returns "", or why it
+/// cannot be made, which is also written to the frame's record. Throws OutputError.
+std::string merge_frame(PlannedBatch& batch, int job);
 
 } // namespace integral
 

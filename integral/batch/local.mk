@@ -18,6 +18,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/batch_strips.h \
   integral/batch/child_process.cpp \
   integral/batch/child_process.h \
+  integral/batch/cluster.cpp \
+  integral/batch/cluster.h \
+  integral/batch/cluster_queue.cpp \
+  integral/batch/cluster_queue.h \
   integral/batch/content_hash.cpp \
   integral/batch/content_hash.h \
   integral/batch/located_json.cpp \
@@ -26,12 +30,18 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/lock_file.h \
   integral/batch/manifest.cpp \
   integral/batch/manifest.h \
+  integral/batch/manifest_fields.cpp \
+  integral/batch/manifest_fields.h \
   integral/batch/plan.cpp \
   integral/batch/plan.h \
+  integral/batch/planned_batch.cpp \
+  integral/batch/planned_batch.h \
   integral/batch/renderer.cpp \
   integral/batch/renderer.h \
   integral/batch/renderer_options.cpp \
   integral/batch/renderer_options.h \
+  integral/batch/running_steps.cpp \
+  integral/batch/running_steps.h \
   integral/batch/scene_files.cpp \
   integral/batch/scene_files.h \
   integral/batch/slurm.cpp \

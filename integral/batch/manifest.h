@@ -12,10 +12,14 @@
 namespace integral {
 
 using Names = std::vector<std::string>;
+using Indices = std::vector<int>; ///< in one of a manifest's lists
 
-/// Which of the manifest's papers, panels and previews something is made for; not given: all.
+constexpr std::size_t most_jobs = 10000;   ///< before any are excluded
+constexpr std::size_t most_steps = 100000; ///< of all those jobs: plan.h says what a step is
+
+/// Which of the manifest's papers, panels and previews are made; not given: all.
 struct Targets {
-    std::optional<Names> papers, panels, previews;
+    std::optional<Indices> papers, panels, previews;
 };
 
 struct FrameSize {
@@ -27,8 +31,8 @@ struct BatchScene {
     Names options;          ///< the renderer's
     std::vector<std::pair<std::string, std::string>> declare;
     FrameSize size;
-    Names inputs;                ///< files that it reads and that its text does not name
-    std::optional<Names> sheets; ///< not given: all; empty: its own camera is integral
+    Names inputs;                  ///< files that it reads and that its text does not name
+    std::optional<Indices> sheets; ///< not given: all; empty: its own camera is integral
     Targets targets;
 };
 
@@ -42,19 +46,18 @@ struct BatchSheet {
 /// A paper, a panel or a preview: what one command makes of a frame.
 struct BatchTarget {
     std::string name, format; ///< the output's extension
-    std::string what; ///< a paper's name or size, a panel's file; may be empty for papers; nothing
-                      ///< for previews
-    Names options;    ///< the command's
-    std::string place, options_place; ///< where `what` and `options` stand: "batch.json:7:
-                                      ///< papers[0].paper", for messages
+    std::string what; ///< a paper's name or size, or empty; a panel's name or file; of a preview
+                      ///< nothing
+    Names options;    ///< of the command: integral print, lcd or replay
+    // Where `what` and `options` stand, for messages: "batch.json:7: papers[0].paper".
+    std::string place, options_place;
 };
 
-/// A scene on a sheet, for some targets.
+/// A scene behind a sheet, and what is made of its frame.
 struct BatchJob {
     std::string name;
     int scene = 0, sheet = -1; ///< in the manifest's lists; -1: none
-    Names papers, panels, previews;
-    int line = 0; ///< of the manifest
+    Indices papers, panels, previews;
 };
 
 struct Manifest {
@@ -69,7 +72,9 @@ struct Manifest {
 };
 
 /// Reads and checks a manifest: fields, names, that scenes and panels can be read, that no option
-/// is given that the batch itself gives. Throws InputError with line and field.
+/// is given that the batch itself gives, that there are no more jobs and steps than the limits
+/// above. Takes time in proportion to the document and the steps. Throws InputError with line and
+/// field.
 Manifest read_manifest(const std::string& path);
 
 /// A name of the manifest as a path: absolute as it is, else from its folder.

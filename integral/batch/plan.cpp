@@ -22,14 +22,6 @@ std::string folder_of(const std::string& path)
 
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-template <class Thing> const Thing& named(const std::vector<Thing>& things, const std::string& name)
-{
-    for (const Thing& thing : things)
-        if (thing.name == name)
-            return thing;
-    throw InputError(name + ": it is not in the manifest");
-}
-
 BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
 {
     const BatchScene& scene = manifest.scenes[std::size_t(job.scene)];
@@ -66,7 +58,7 @@ BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
     return step;
 }
 
-/// A file of the manifest's folder that an option names: --icc FILE, --sheet=FILE.
+/// Adds the files that options of a command name, as --icc FILE and --sheet=FILE do.
 void add_named_files(const Manifest& manifest, BatchStep& step, const Names& options)
 {
     for (const std::string& word : options) {
@@ -81,22 +73,43 @@ void add_named_files(const Manifest& manifest, BatchStep& step, const Names& opt
     }
 }
 
-BatchStep target_step(const Manifest& manifest, const BatchJob& job, int frame, StepKind kind,
-                      const BatchTarget& target, Names words)
-{
-    BatchStep step;
-    step.kind = kind;
-    step.name = std::string(name_of(kind)) + "." + job.name + "." + target.name;
-    step.frame = frame;
-    step.target = target.name;
-    step.output = std::string(name_of(kind)) + "s/" + job.name + "." + target.name + "." +
-                  target.format;
-    step.folder = manifest.folder;
-    step.words = std::move(words);
-    step.words.insert(step.words.end(), target.options.begin(), target.options.end());
-    add_named_files(manifest, step, step.words);
-    return step;
-}
+/// The steps of one job, whose frame comes first.
+class JobSteps {
+public:
+    JobSteps(const Manifest& manifest, int job, BatchPlan& plan)
+        : manifest_(manifest), job_(job), plan_(plan), frame_(int(plan.steps.size()))
+    {
+        BatchStep frame = frame_step(manifest, manifest.jobs[std::size_t(job)]);
+        frame.job = job;
+        plan.steps.push_back(std::move(frame));
+        plan.frames.push_back(frame_);
+    }
+
+    /// Adds what the command of `words` makes of the frame; `index` is the target's in its list.
+    void add(StepKind kind, const BatchTarget& target, int index, Names words)
+    {
+        const std::string name = manifest_.jobs[std::size_t(job_)].name + "." + target.name;
+        BatchStep step;
+        step.kind = kind;
+        step.name = std::string(name_of(kind)) + "." + name;
+        step.job = job_;
+        step.frame = frame_;
+        step.target = index;
+        step.target_name = target.name;
+        step.output = std::string(name_of(kind)) + "s/" + name + "." + target.format;
+        step.folder = manifest_.folder;
+        step.words = std::move(words);
+        step.words.insert(step.words.end(), target.options.begin(), target.options.end());
+        add_named_files(manifest_, step, step.words);
+        plan_.steps.push_back(std::move(step));
+    }
+
+private:
+    const Manifest& manifest_;
+    int job_;
+    BatchPlan& plan_;
+    int frame_;
+};
 
 } // namespace
 
@@ -119,29 +132,22 @@ BatchPlan plan_of(const Manifest& manifest)
     BatchPlan plan;
     for (std::size_t j = 0; j < manifest.jobs.size(); ++j) {
         const BatchJob& job = manifest.jobs[j];
-        const int frame = int(plan.steps.size());
-        const std::size_t first = plan.steps.size();
-        plan.steps.push_back(frame_step(manifest, job));
-        plan.steps.push_back(target_step(manifest, job, frame, StepKind::thumbnail,
-                                         {"eye", "png", "", {}, "", ""}, {"replay", frame_word}));
-        for (const std::string& name : job.previews)
-            plan.steps.push_back(target_step(manifest, job, frame, StepKind::preview,
-                                             named(manifest.previews, name),
-                                             {"replay", frame_word}));
-        for (const std::string& name : job.papers) {
-            const BatchTarget& paper = named(manifest.papers, name);
-            const Names words = paper.what.empty()
-                                    ? Names{"print", frame_word}
-                                    : Names{"print", frame_word, "--paper", paper.what};
-            plan.steps.push_back(target_step(manifest, job, frame, StepKind::print, paper, words));
+        JobSteps steps(manifest, int(j), plan);
+        steps.add(StepKind::thumbnail, {"eye", "png", "", {}, "", ""}, -1, {"replay", frame_word});
+        for (const int i : job.previews)
+            steps.add(StepKind::preview, manifest.previews[std::size_t(i)], i,
+                      {"replay", frame_word});
+        for (const int i : job.papers) {
+            const BatchTarget& paper = manifest.papers[std::size_t(i)];
+            Names words{"print", frame_word};
+            if (!paper.what.empty())
+                words.insert(words.end(), {"--paper", paper.what});
+            steps.add(StepKind::print, paper, i, words);
         }
-        for (const std::string& name : job.panels) {
-            const BatchTarget& panel = named(manifest.panels, name);
-            plan.steps.push_back(target_step(manifest, job, frame, StepKind::panel, panel,
-                                             {"lcd", frame_word, "--panel", panel.what}));
+        for (const int i : job.panels) {
+            const BatchTarget& panel = manifest.panels[std::size_t(i)];
+            steps.add(StepKind::panel, panel, i, {"lcd", frame_word, "--panel", panel.what});
         }
-        for (std::size_t i = first; i < plan.steps.size(); ++i)
-            plan.steps[i].job = int(j);
     }
     return plan;
 }

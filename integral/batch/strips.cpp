@@ -286,7 +286,7 @@ void add_words(const std::string& text, std::set<std::string>& words)
 
 } // namespace
 
-std::vector<std::string> words_of_chance(const std::vector<std::string>& files)
+std::vector<std::string> words_of_randomness(const std::vector<std::string>& files)
 {
     std::set<std::string> words;
     for (const std::string& file : files)

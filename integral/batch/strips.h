@@ -49,7 +49,7 @@ ErrorEstimate combined(const std::vector<ErrorEstimate>& strips);
 /// Words of a scene's files (.pov, .inc; others are passed by) after which strips cannot be
 /// promised to equal the whole frame, nor two runs each other: `radiosity`, `photons`, `media`,
 /// `jitter`, `crand`, `subsurface`. Comments and strings do not count. Throws InputError.
-std::vector<std::string> words_of_chance(const std::vector<std::string>& files);
+std::vector<std::string> words_of_randomness(const std::vector<std::string>& files);
 
 } // namespace integral
 

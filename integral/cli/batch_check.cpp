@@ -85,42 +85,51 @@ void check_targets(const Manifest& manifest)
                  [&] { options_of(replay_command, preview, {}); });
 }
 
+namespace {
+
+/// Pixels that --size and the like give; `otherwise` if they are not given.
+double area_of(const options::variables_map& arguments, const char* option, double otherwise)
+{
+    if (!given(arguments, option))
+        return otherwise;
+    const PixelSize size = parse_size(option, text_of(arguments, option), most_pixels_a_side);
+    return double(size.width) * size.height;
+}
+
+double page_pixels(const BatchTarget& paper, Vec2 pixel_pitch)
+{
+    if (paper.what.empty() || paper.format == "pdf")
+        return 0;
+    const Paper size = parse_paper_size(paper.what);
+    return size.width / pixel_pitch.x * size.height / pixel_pitch.y;
+}
+
+double panel_pixels(const Manifest& manifest, const BatchTarget& target)
+{
+    constexpr double views = 4; // of --size, in memory beside the image
+    const auto read = options_of(lcd_command, target, {"--panel", file_of(manifest, target)});
+    const Panel panel = panel_of(read);
+    return double(panel.film.width) * panel.film.height + views * area_of(read, "size", 0);
+}
+
+double preview_pixels(const BatchTarget& preview)
+{
+    const auto read = options_of(replay_command, preview, {});
+    return area_of(read, "size", usual_view) * area_of(read, "grid", given(read, "stereo") ? 2 : 1);
+}
+
+} // namespace
+
 double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel_pitch)
 {
-    const auto area = [](const options::variables_map& arguments, const char* option,
-                         double otherwise) {
-        if (!given(arguments, option))
-            return otherwise;
-        const PixelSize size = parse_size(option, text_of(arguments, option), most_pixels_a_side);
-        return double(size.width) * size.height;
-    };
-    const auto called = [&](const std::vector<BatchTarget>& targets) {
-        return *std::find_if(targets.begin(), targets.end(),
-                             [&](const BatchTarget& one) { return one.name == step.target; });
-    };
+    const std::size_t target = std::size_t(step.target);
     try {
-        if (step.kind == StepKind::print) {
-            const BatchTarget paper = called(manifest.papers);
-            if (paper.what.empty() || paper.format == "pdf")
-                return 0;
-            const Paper size = parse_paper_size(paper.what);
-            return size.width / pixel_pitch.x * size.height / pixel_pitch.y;
-        }
-        if (step.kind == StepKind::panel) {
-            const BatchTarget target = called(manifest.panels);
-            const auto arguments = options_of(lcd_command, target,
-                                              {"--panel", file_of(manifest, target)});
-            const Panel panel = panel_of(arguments);
-            constexpr double views = 4; // of --size, in memory beside the image
-            return double(panel.film.width) * panel.film.height +
-                   views * area(arguments, "size", 0);
-        }
-        if (step.kind == StepKind::preview) {
-            const options::variables_map arguments = options_of(replay_command,
-                                                                called(manifest.previews), {});
-            return area(arguments, "size", usual_view) *
-                   area(arguments, "grid", given(arguments, "stereo") ? 2 : 1);
-        }
+        if (step.kind == StepKind::print)
+            return page_pixels(manifest.papers[target], pixel_pitch);
+        if (step.kind == StepKind::panel)
+            return panel_pixels(manifest, manifest.panels[target]);
+        if (step.kind == StepKind::preview)
+            return preview_pixels(manifest.previews[target]);
     } catch (const UsageError&) { // its command says what is wrong
     } catch (const InputError&) {
     }

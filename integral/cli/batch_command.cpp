@@ -4,9 +4,9 @@
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_report.h"
 #include "integral/batch/batch_run.h"
-#include "integral/batch/batch_steps.h"
+#include "integral/batch/batch_strips.h"
+#include "integral/batch/cluster.h"
 #include "integral/cli/batch_check.h"
-#include "integral/cli/batch_slurm.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
@@ -14,158 +14,228 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iostream>
 #include <thread>
 
 namespace integral {
 namespace {
 
-options::options_description make_options()
+constexpr int most_at_once = 4096; // programs here, and cores of a task
+constexpr int most_retries = 100;
+constexpr int most_strips = 10000;
+
+struct BatchOptions : CommonOptions {
+    Words only;
+    std::optional<int> jobs;
+    std::optional<std::string> memory;
+    int retry = 0;
+    bool dry_run = false, summary = false, json = false;
+
+    // A cluster
+    bool slurm = false, follow = false, cancel = false;
+    std::optional<int> strips, cpus;
+    std::optional<std::string> partition, time;
+    Words sbatch;
+
+    // What --slurm has its tasks do
+    std::optional<std::string> strip, merge;
+};
+
+void declare_cluster(options::options_description& all, BatchOptions& o)
 {
-    options::options_description all("Options");
-    all.add_options()("only", options::value<std::vector<std::string>>()->value_name("JOB"),
+    all.add_options()("slurm", sets(o.slurm),
+                      "submit what is not done, and not in the queue, to a Slurm cluster whose "
+                      "nodes share these folders; again: what is left");
+    all.add_options()("follow", sets(o.follow),
+                      "wait until the cluster has done it, then write the summary; an interrupt "
+                      "leaves the tasks in the queue");
+    all.add_options()("cancel", sets(o.cancel),
+                      "take the batch from the cluster's queue; what is done is kept");
+    all.add_options()("strips", fills(o.strips, "N"),
+                      "with --slurm: render each frame in so many strips of rows, 1 to 10000, and "
+                      "join them");
+    all.add_options()("cpus", fills(o.cpus, "N (=1)"), "with --slurm: cores of each task");
+    all.add_options()("partition", fills(o.partition, "NAME"),
+                      "with --slurm: the cluster's partition. --memory is each task's");
+    all.add_options()("time", fills(o.time, "TIME"),
+                      "with --slurm: the most that a task may take, minutes or "
+                      "DAYS-HOURS:MINUTES");
+    all.add_options()("sbatch", fills(o.sbatch, "OPTION"),
+                      "with --slurm: one more option of sbatch's, as in --sbatch=--account=art; "
+                      "may be given again");
+}
+
+void declare(options::options_description& all, BatchOptions& o)
+{
+    all.add_options()("only", fills(o.only, "JOB"),
                       "only this job; may be given again. Several such runs may work in one folder "
-                      "at once, also on several machines; they write no summary")(
-        "jobs", options::value<int>()->value_name("N"),
-        "programs that run at the same time, 1 to 4096 (default: one per core)")(
-        "memory", options::value<std::string>()->value_name("MB"),
-        "memory that they may take together (default: what the machine has free)")(
-        "retry", options::value<int>()->value_name("N")->default_value(0),
-        "how often a step that failed is tried again, 0 to 100 (default 0)")(
-        "dry-run", options::bool_switch(),
-        "only say what would be done")("summary", options::bool_switch(),
-                                       "only write summary.json and index.html, of what is there")(
-        "json", options::bool_switch(),
-        "print the summary, or the plan of --dry-run, as JSON")("help", "print this");
-    add_slurm_options(all);
-    return all;
+                      "at once, also on several machines; they write no summary");
+    all.add_options()("jobs", fills(o.jobs, "N"),
+                      "programs that run at the same time, 1 to 4096 (default: one per core)");
+    all.add_options()("memory", fills(o.memory, "MB"),
+                      "memory that they may take together (default: what the machine has free)");
+    all.add_options()("retry", fills(o.retry, "N")->default_value(o.retry),
+                      "how often a step that failed is tried again, 0 to 100 (default 0)");
+    all.add_options()("dry-run", sets(o.dry_run), "only say what would be done");
+    all.add_options()("summary", sets(o.summary),
+                      "only write summary.json and index.html, of what is there");
+    all.add_options()("json", sets(o.json), "print the summary, or the plan of --dry-run, as JSON");
+    all.add_options()("help", sets(o.help), "print this");
+    declare_cluster(all, o);
 }
 
-std::set<int> chosen_jobs(const options::variables_map& arguments, const Manifest& manifest)
+void declare_internal(options::options_description& all, BatchOptions& o)
 {
-    std::set<int> chosen;
-    if (!given(arguments, "only"))
-        return chosen;
-    for (const std::string& name : arguments["only"].as<std::vector<std::string>>()) {
-        const auto job = std::find_if(manifest.jobs.begin(), manifest.jobs.end(),
-                                      [&](const BatchJob& one) { return one.name == name; });
-        if (job == manifest.jobs.end())
-            throw UsageError("--only " + name + ": there is no such job; --dry-run lists them");
-        chosen.insert(int(job - manifest.jobs.begin()));
-    }
-    return chosen;
+    all.add_options()("strip", fills(o.strip, "JOB:K"),
+                      "render the K-th strip of a frame that --slurm has cut");
+    all.add_options()("merge", fills(o.merge, "JOB"),
+                      "make the frame of its strips, then all that is made of it");
 }
 
-RunOptions run_options(const options::variables_map& arguments, const Manifest& manifest)
+int job_called(const char* option, const std::string& name, const Manifest& manifest)
+{
+    const auto job = std::find_if(manifest.jobs.begin(), manifest.jobs.end(),
+                                  [&](const BatchJob& one) { return one.name == name; });
+    if (job == manifest.jobs.end())
+        throw UsageError(std::string("--") + option + " " + name +
+                         ": there is no such job; --dry-run lists them");
+    return int(job - manifest.jobs.begin());
+}
+
+RunOptions run_options(const BatchOptions& o, const Manifest& manifest)
 {
     RunOptions run;
-    run.at_once = given(arguments, "jobs") ? in_range(arguments, "jobs", 1, 4096)
-                                           : std::max(1, int(std::thread::hardware_concurrency()));
-    run.retries = in_range(arguments, "retry", 0, 100);
-    if (given(arguments, "memory")) {
-        run.memory = parse_number("memory", text_of(arguments, "memory"), "a number of MB") *
-                     (1 << 20);
+    run.at_once = o.jobs ? in_range("jobs", *o.jobs, 1, most_at_once)
+                         : std::max(1, int(std::thread::hardware_concurrency()));
+    run.retries = in_range("retry", o.retry, 0, most_retries);
+    if (o.memory) {
+        run.memory = parse_number("memory", *o.memory, "a number of MB") * (1 << 20);
         if (!(run.memory > 0))
-            throw UsageError("--memory " + text_of(arguments, "memory") +
-                             ": more than 0 MB is expected");
+            throw UsageError("--memory " + *o.memory + ": more than 0 MB is expected");
     }
-    run.output_pixels = [&manifest](const BatchStep& step, Vec2 pixel_pitch) {
-        return output_pixels(manifest, step, pixel_pitch);
-    };
-    run.jobs = chosen_jobs(arguments, manifest);
+    run.output_pixels = output_pixels;
+    for (const std::string& name : o.only)
+        run.jobs.insert(job_called("only", name, manifest));
     return run;
 }
 
-/// The plan in words, a line for each step.
-std::string plan_text(const nlohmann::ordered_json& summary)
+/// Refuses options for a cluster that do not go together, or without --slurm.
+void check_cluster_options(const BatchOptions& o)
 {
-    std::string text;
-    int to_do = 0, kept = 0;
-    for (const auto& job : summary.at("jobs"))
-        for (const auto& step : job.at("steps")) {
-            const bool is_kept = step.at("state") == "done";
-            (is_kept ? kept : to_do) += 1;
-            text += std::string(is_kept ? "kept   " : "to do  ") +
-                    job.at("name").get<std::string>() + ": " + step.at("file").get<std::string>() +
-                    "\n";
-        }
-    return text + counted(int(summary.at("jobs").size()), "job") + ": " + counted(to_do, "step") +
-           " to do, " + std::to_string(kept) + " kept\n";
+    if (o.cancel && (o.slurm || o.follow))
+        throw UsageError("--cancel goes alone");
+    if (o.dry_run && (o.slurm || o.follow || o.cancel))
+        throw UsageError("--dry-run goes without --slurm, --follow and --cancel; what it says to "
+                         "do is what --slurm submits");
+    if (o.slurm)
+        return;
+    if (o.cpus)
+        throw UsageError("--cpus is for --slurm; --jobs says how many programs run here");
+    const std::pair<const char*, bool> for_slurm[] = {{"strips", o.strips.has_value()},
+                                                      {"partition", o.partition.has_value()},
+                                                      {"time", o.time.has_value()},
+                                                      {"sbatch", !o.sbatch.empty()}};
+    for (const auto& [option, is_given] : for_slurm)
+        if (is_given)
+            throw UsageError(std::string("--") + option + " is for --slurm");
 }
 
-/// Writes summary.json and index.html.
-void write_summary(const BatchFolder& folder, const nlohmann::ordered_json& summary)
+ClusterOptions cluster_options(const BatchOptions& o)
 {
-    write_file(folder.path + "/summary.json", summary.dump(2) + "\n");
-    write_file(folder.path + "/index.html", batch_page(summary, folder));
+    if (o.inputs[0] == "-")
+        throw UsageError("a manifest from standard input cannot be submitted; put it into a file");
+    ClusterOptions cluster;
+    cluster.strips = in_range("strips", o.strips.value_or(1), 1, most_strips);
+    cluster.cpus = in_range("cpus", o.cpus.value_or(1), 1, most_at_once);
+    cluster.partition = o.partition.value_or("");
+    cluster.time = o.time.value_or("");
+    cluster.sbatch = o.sbatch;
+    return cluster;
 }
 
-/// Says on standard error which jobs a cluster has not made. Returns whether there are any.
-bool say_what_is_left(const nlohmann::ordered_json& summary)
+/// --slurm. Returns whether every job was submitted.
+bool submit(PlannedBatch& batch, const RunOptions& wanted, const ClusterOptions& cluster)
 {
-    bool any = false;
-    for (const auto& job : summary.at("jobs")) {
-        const std::string state = job.at("state");
-        if (state == "done")
-            continue;
-        any = true;
-        const std::string lost = "its task ended without having made it, as if it was cancelled, "
-                                 "killed or out of time; --slurm submits it again";
-        say("batch", job.at("name").get<std::string>() + ": " +
-                         (state == "failed" ? job.at("reason").get<std::string>() : lost));
-    }
-    return any;
+    const Submitted submitted = submit_batch(batch, wanted, cluster);
+    std::cout << counted(submitted.tasks, "task") << " submitted, " << submitted.queued_before
+              << " in the queue before\n"
+              << std::flush;
+    return submitted.every_job;
 }
 
-int run(const options::variables_map& arguments)
+/// --strip JOB:K
+int make_strip(PlannedBatch& batch, const std::string& text, const RunOptions& wanted)
 {
-    const bool dry = arguments["dry-run"].as<bool>(), json = arguments["json"].as<bool>();
-    bool only_summary = arguments["summary"].as<bool>();
-    if (dry && only_summary)
-        throw UsageError("--dry-run and --summary do not go together");
-    if (only_summary && given(arguments, "only"))
-        throw UsageError("--summary is of all jobs: not with --only");
-    const Manifest manifest = read_manifest(inputs_of(arguments)[0]);
-    check_targets(manifest);
-    RunOptions wanted = run_options(arguments, manifest);
-    const BatchPlan plan = plan_of(manifest);
-    const BatchPrograms programs = batch_programs();
-    StepInputs inputs(manifest, programs);
-    const PlannedBatch planned{manifest, plan, inputs, programs, wanted};
-    std::set<int> merged;
-    if (const auto made = do_task(arguments, planned, merged)) {
-        if (!*made || merged.empty())
-            return *made ? exit_done : exit_check_failed;
-        wanted.jobs = merged;
-    }
-    const AfterSlurm after = use_slurm(arguments, planned);
-    if (after == AfterSlurm::nothing)
-        return exit_done;
-    only_summary = only_summary || after == AfterSlurm::summary;
-    const BatchFolder folder = batch_folder(manifest.output);
-    const auto results = dry || only_summary
-                             ? survey(manifest, plan, inputs, wanted)
-                             : run_batch(manifest, plan, inputs, wanted, progress_bar("batch"));
-    const auto summary = batch_summary(manifest, plan, results, wanted.jobs);
-    if (!dry && wanted.jobs.empty())
-        write_summary(folder, summary);
-    const int failed = summary.at("jobs_failed").get<int>();
-    if (json)
-        print_result(arguments, summary.dump(2) + "\n");
-    else if (dry)
-        print_result(arguments, plan_text(summary));
-    else
-        print_result(arguments,
-                     counted(summary.at("jobs_done").get<int>(), "job") + " done, " +
-                         std::to_string(failed) + " failed" +
-                         (only_summary
-                              ? ", " + std::to_string(summary.at("jobs_missing").get<int>()) +
-                                    " not yet made"
-                              : "") +
-                         "; " + counted(summary.at("steps_made").get<int>(), "step") + " made, " +
-                         std::to_string(summary.at("steps_kept").get<int>()) + " kept\n");
-    if (after == AfterSlurm::summary)
+    constexpr std::size_t most_digits = 6;
+    const auto colon = text.rfind(':');
+    const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
+    if (number.empty() || number.size() > most_digits ||
+        number.find_first_not_of("0123456789") != std::string::npos)
+        throw UsageError("--strip " + text + ": JOB:K is expected, K from 1 on");
+    const int job = job_called("strip", text.substr(0, colon), batch.manifest);
+    const bool made = render_strip(batch, job, std::stoul(number), wanted, progress_bar("strip"));
+    return made ? exit_done : exit_check_failed;
+}
+
+/// --merge JOB: returns whether the frame is made, having said why not. Its job is the only one to
+/// run then.
+bool merge_job(PlannedBatch& batch, const std::string& name, RunOptions& wanted)
+{
+    const int job = job_called("merge", name, batch.manifest);
+    const std::string reason = merge_frame(batch, job);
+    if (!reason.empty())
+        say("batch", batch.frame_of(job).name + ": " + reason);
+    wanted.jobs = {job};
+    return reason.empty();
+}
+
+/// Runs the batch, or looks at what is there, and reports.
+int run_and_report(PlannedBatch& batch, const RunOptions& wanted, const BatchOptions& o)
+{
+    const bool only_summary = o.summary || o.follow;
+    const auto results = o.dry_run || only_summary
+                             ? survey(batch, wanted)
+                             : run_batch(batch, wanted, progress_bar("batch"));
+    const auto summary = batch_summary(batch.manifest, batch.plan, results, wanted.jobs);
+    if (!o.dry_run && wanted.jobs.empty())
+        write_summary(batch.folder, summary);
+    print_result(std::nullopt, o.json      ? summary.dump(2) + "\n"
+                               : o.dry_run ? plan_text(summary)
+                                           : result_text(summary, only_summary));
+    if (o.follow)
         return say_what_is_left(summary) ? exit_check_failed : exit_done;
-    return !dry && failed > 0 ? exit_check_failed : exit_done;
+    return !o.dry_run && summary.at("jobs_failed") > 0 ? exit_check_failed : exit_done;
+}
+
+int run(const BatchOptions& o)
+{
+    if (o.dry_run && o.summary)
+        throw UsageError("--dry-run and --summary do not go together");
+    if (o.summary && !o.only.empty())
+        throw UsageError("--summary is of all jobs: not with --only");
+    Manifest manifest = read_manifest(o.inputs[0]);
+    check_targets(manifest);
+    RunOptions wanted = run_options(o, manifest);
+    check_cluster_options(o);
+    const ClusterOptions cluster = o.slurm ? cluster_options(o) : ClusterOptions();
+
+    PlannedBatch batch(std::move(manifest));
+    if (o.merge && !merge_job(batch, *o.merge, wanted))
+        return exit_check_failed;
+    if (o.strip && !o.merge)
+        return make_strip(batch, *o.strip, wanted);
+    if (o.cancel) {
+        std::cout << counted(cancel_batch(batch), "task") << " cancelled\n" << std::flush;
+        return exit_done;
+    }
+    const bool all_submitted = !o.slurm || submit(batch, wanted, cluster);
+    if (o.follow)
+        follow_batch(batch, progress_bar("cluster"));
+    else if (!all_submitted)
+        throw InputError("not every job could be submitted");
+    else if (o.slurm)
+        return exit_done;
+    return run_and_report(batch, wanted, o);
 }
 
 } // namespace
@@ -186,7 +256,7 @@ const Command batch_command = {
     "The output folder gets summary.json and index.html. The user's guide explains the manifest.\n",
     1,
     1,
-    make_options,
-    run_from_map<run>};
+    described<BatchOptions>,
+    run_with<BatchOptions, run>};
 
 } // namespace integral

@@ -5,8 +5,6 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_check.cpp \
   integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
-  integral/cli/batch_slurm.cpp \
-  integral/cli/batch_slurm.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \

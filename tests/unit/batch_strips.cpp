@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
     BOOST_TEST(merged.high == whole.high, boost::test_tools::tolerance(0.02));
 }
 
-BOOST_AUTO_TEST_CASE(words_of_chance_are_found_where_they_count)
+BOOST_AUTO_TEST_CASE(words_of_randomness_are_found_where_they_count)
 {
     const Folder folder;
     const std::string a = folder / "a.pov", b = folder / "b.inc", c = folder / "c.png";
@@ -291,12 +291,12 @@ BOOST_AUTO_TEST_CASE(words_of_chance_are_found_where_they_count)
                   "radiosity_on = 1; text { \"crand \\\" media\" }\n");
     write_file(b, "sphere { 0, 1 }\n");
     write_file(c, "photons\n");
-    BOOST_TEST(words_of_chance({a, b, c}).empty());
+    BOOST_TEST(words_of_randomness({a, b, c}).empty());
     write_file(b,
                "global_settings { radiosity { } }\nlight_source { 0 1 area_light x,y,2,2 jitter }");
-    BOOST_TEST(words_of_chance({a, b, c}) == (std::vector<std::string>{"radiosity", "jitter"}),
+    BOOST_TEST(words_of_randomness({a, b, c}) == (std::vector<std::string>{"radiosity", "jitter"}),
                boost::test_tools::per_element());
-    BOOST_CHECK_THROW(words_of_chance({folder / "none.pov"}), InputError);
+    BOOST_CHECK_THROW(words_of_randomness({folder / "none.pov"}), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
