@@ -8,8 +8,8 @@
 namespace integral {
 namespace {
 
-/// A plane between its pixels' centres, with its slopes and curvatures by differences over one
-/// pixel.
+/// A plane's value between its pixels' centres, with its slopes and curvatures, which are
+/// differences over one pixel.
 struct Local {
     double value, x, y, xx, xy, yy;
 };
@@ -19,11 +19,11 @@ std::optional<Local> local(const Plane& plane, Vec2 pixel)
 {
     const double x = pixel.x - 0.5, y = pixel.y - 0.5;
     if (!(x >= 2 && y >= 2 && std::floor(x) + 3 < plane.width &&
-          std::floor(y) + 3 < plane.height)) // a step may go anywhere
+          std::floor(y) + 3 < plane.height)) // the search may step far outside
         return std::nullopt;
     const int left = int(std::floor(x)), top = int(std::floor(y));
     const double u = x - left, v = y - top;
-    double s[3][3]; // at whole pixels around the place
+    double s[3][3]; // a pixel apart, the place itself in the middle
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) {
             const int column = left + i - 1, row = top + j - 1;
@@ -38,7 +38,8 @@ std::optional<Local> local(const Plane& plane, Vec2 pixel)
                  s[2][1] - 2 * s[1][1] + s[0][1]};
 }
 
-/// How scan_from_film changes with the free directions: of each its x and y.
+/// How a point's place in the scan moves (pixels along x and y) with each free direction. c and s
+/// are the cosine and sine of the map's rotation.
 std::array<Vec2, 5> motion_of(const ScanMap& map, double c, double s,
                               const std::vector<MapChange>& free, Vec2 point)
 {
@@ -54,13 +55,14 @@ std::array<Vec2, 5> motion_of(const ScanMap& map, double c, double s,
 
 using Matrix = std::array<std::array<double, 5>, 5>;
 
+/// A sum over points, with its first and second derivatives along the free directions.
 struct Slope {
     double value = 0;
     MapChange gradient{};
     Matrix curvature{};
 };
 
-/// The sum of the edge over the points and how it changes along the free directions.
+/// Of the edge at the points.
 Slope slope_at(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map,
                const std::vector<MapChange>& free)
 {
@@ -129,7 +131,8 @@ std::vector<MapChange> free_directions(const LensSheet& sheet, const ScanMap& ma
     if (sheet.arrangement != Arrangement::lenticular)
         return {
             {1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 0, 0, 1}};
-    // A line b.x = 0 is moved straight across by (sx, sy) scaled components of the turned b.
+    // Across the lenses' lines in the scan: the direction b across the sheet's lenses, turned, and
+    // divided by the scales as normals are.
     const Vec2 b = Lattice(sheet).across();
     const double c = std::cos(map.rotation), s = std::sin(map.rotation);
     const Vec2 normal{(c * b.x - s * b.y) / map.scale.x, -(s * b.x + c * b.y) / map.scale.y};
@@ -150,12 +153,33 @@ double edge_on_borders(const Plane& edges, const std::vector<Vec2>& points, cons
     for (const Vec2 point : points) {
         const Vec2 pixel = scan_from_film(map, point);
         const int x = int(std::floor(pixel.x)),
-                  y = int(std::floor(pixel.y)); // a blurred plane: the nearest pixel will do
+                  y = int(std::floor(pixel.y)); // the nearest pixel, as the plane is blurred
         if (x >= 0 && y >= 0 && x < edges.width && y < edges.height)
             sum += edges.at(x, y) - edges.mean;
     }
     return sum / std::max<std::size_t>(1, points.size());
 }
+
+namespace {
+
+/// The next step of a damped Newton search for the maximum; nothing if the damping is too weak for
+/// the curvature.
+std::optional<MapChange> newton_step(const Slope& here, const std::vector<MapChange>& free,
+                                     double damping)
+{
+    Matrix downwards = here.curvature;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        for (std::size_t l = 0; l < free.size(); ++l)
+            downwards[k][l] = -downwards[k][l];
+        downwards[k][k] += damping * std::fabs(downwards[k][k]);
+    }
+    const auto amounts = solve(downwards, here.gradient, free.size());
+    if (!amounts)
+        return std::nullopt;
+    return combined(free, *amounts);
+}
+
+} // namespace
 
 ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
                     ScanMap map)
@@ -168,22 +192,15 @@ ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const L
     std::vector<MapChange> free = free_directions(sheet, map);
     Slope here = slope_at(edges, points, map, free);
     for (int step = 0; step < 40 && damping < 1e8; ++step) {
-        Matrix downwards = here.curvature;
-        for (std::size_t k = 0; k < free.size(); ++k) {
-            for (std::size_t l = 0; l < free.size(); ++l)
-                downwards[k][l] = -downwards[k][l];
-            downwards[k][k] += damping * std::fabs(downwards[k][k]);
-        }
-        const auto amounts = solve(downwards, here.gradient, free.size());
-        if (!amounts) {
+        const auto change = newton_step(here, free, damping);
+        if (!change) {
             damping = std::max(1e-2, 10 * damping);
             continue;
         }
-        const MapChange change = combined(free, *amounts);
-        const double moved = reach * (std::fabs(change[0]) + std::fabs(change[1]) +
-                                      std::fabs(change[2])) +
-                             std::fabs(change[3]) + std::fabs(change[4]);
-        const ScanMap there = changed(map, change);
+        const auto& c = *change;
+        const double moved = reach * (std::fabs(c[0]) + std::fabs(c[1]) + std::fabs(c[2])) +
+                             std::fabs(c[3]) + std::fabs(c[4]);
+        const ScanMap there = changed(map, c);
         const std::vector<MapChange> free_there = free_directions(sheet, there);
         const Slope next = slope_at(edges, points, there, free_there);
         if (next.value >= here.value) {
@@ -202,8 +219,7 @@ ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const L
 
 namespace {
 
-/// Points of the film by the squares that they lie in, `side` x `side` over those of them that the
-/// scan holds.
+/// Divides the film that the scan holds into `side` x `side` parts and tells in which a point lies.
 class Squares {
 public:
     Squares(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map, int side)
@@ -231,7 +247,7 @@ private:
     Vec2 least_{1e30, 1e30}, most_{-1e30, -1e30};
 };
 
-/// Places elsewhere in a cell: evenly spread shifts (Roberts's sequence), mm.
+/// Shifts (mm) that are evenly spread over a cell of the lattice, by Roberts's sequence.
 std::vector<Vec2> shifts_in_cell(const LensSheet& sheet, int count)
 {
     const Lattice lattice(sheet);
@@ -251,7 +267,7 @@ std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>
                                      const LensSheet& sheet, const ScanMap& map)
 {
     constexpr int side = 16;
-    constexpr double least_share = 0.3; // of what the best tenth of the squares show
+    constexpr double least_share = 0.3; // of the contrast that a tenth of the squares exceeds
     const Squares square(edges, points, map, side);
     const std::vector<Vec2> shifts = shifts_in_cell(sheet, 6);
     struct Sum {
@@ -287,34 +303,47 @@ std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>
     return kept;
 }
 
-FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
-                        const ScanMap& map)
+namespace {
+
+/// The gradients of the parts of the film (8 x 8); counts the points that lie in the scan.
+std::vector<MapChange> gradients_of_parts(const Plane& edges, const std::vector<Vec2>& points,
+                                          const ScanMap& map, const std::vector<MapChange>& free,
+                                          int& counted)
 {
     constexpr int side = 8;
     const double c = std::cos(map.rotation), s = std::sin(map.rotation);
-    const std::vector<MapChange> free = free_directions(sheet, map);
-    const std::size_t n = free.size();
     const Squares square(edges, points, map, side);
     std::vector<MapChange> gradients(square.count(), MapChange{});
-    FitErrors errors;
     for (const Vec2 point : points) {
         const auto edge = local(edges, scan_from_film(map, point));
         if (!edge)
             continue;
         const auto motion = motion_of(map, c, s, free, point);
         MapChange& gradient = gradients[square(point)];
-        for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t k = 0; k < free.size(); ++k)
             gradient[k] += edge->x * motion[k].x + edge->y * motion[k].y;
-        ++errors.borders;
+        ++counted;
     }
+    return gradients;
+}
+
+} // namespace
+
+FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
+                        const ScanMap& map)
+{
+    const std::vector<MapChange> free = free_directions(sheet, map);
+    const std::size_t n = free.size();
+    FitErrors errors;
+    const auto gradients = gradients_of_parts(edges, points, map, free, errors.borders);
     Matrix downwards = slope_at(edges, points, map, free).curvature;
     for (auto& row : downwards)
         for (double& value : row)
             value = -value;
     Matrix covariance{};
-    double used = 0;
+    double used = 0; // parts
     for (const MapChange& gradient : gradients) {
-        const auto moved = solve(downwards, gradient, n); // by this part alone
+        const auto moved = solve(downwards, gradient, n); // how far this part alone moves the fit
         if (!moved)
             return errors;
         used += gradient != MapChange{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Lays foretold borders of micro-images on a scan's edges.
+// Fits a scan's map so that the borders of the micro-images, as the optics predict them, lie on the
+// scan's edges.
 #ifndef INTEGRAL_ANALYSIS_BORDER_FIT_H
 #define INTEGRAL_ANALYSIS_BORDER_FIT_H
 
@@ -12,26 +13,27 @@
 
 namespace integral {
 
-/// What of a ScanMap can be changed: the logarithms of both scales, the rotation, the middle's x
+/// A change of a ScanMap: of the logarithms of both scales, of the rotation, and of the middle's x
 /// and y.
 using MapChange = std::array<double, 5>;
 
-/// The directions in which a sheet lets its map be found: all five; for a lenticular sheet both
-/// scales together, the rotation, and the middle across the lenses.
+/// The changes that a sheet's borders can tell: all five; of a lenticular sheet both scales
+/// together, the rotation, and the middle across the lenses.
 std::vector<MapChange> free_directions(const LensSheet& sheet, const ScanMap& map);
 
+/// The map after a change.
 ScanMap changed(const ScanMap& map, const MapChange& change);
 
-/// The mean edge on the borders of `points` (mm) less the whole plane's; points that lie outside
-/// count as that.
+/// The mean edge at `points` (mm) on borders, less the mean of the whole plane. Points outside the
+/// scan count as that mean.
 double edge_on_borders(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map);
 
 /// The map near `map` with the most edge on the borders, by damped Newton steps.
 ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
                     ScanMap map);
 
-/// Those points in whose part of the film (16 x 16) a fit's borders do show: no margins of paper,
-/// no blank parts.
+/// The points in those parts of the film (16 x 16) in which the borders show under this map: not
+/// where there is blank paper or an even picture.
 std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>& points,
                                      const LensSheet& sheet, const ScanMap& map);
 

@@ -14,7 +14,7 @@
 namespace integral {
 namespace {
 
-constexpr double most_pixels_a_lens = 32; // of the reduced scan: finer tells no more of borders
+constexpr double most_pixels_a_lens = 32; // of the reduced scan: more tell nothing more of borders
 constexpr double least_pixels_a_lens = 4;
 constexpr int spectrum_side = 2048;
 constexpr int most_borders = 300000;
@@ -47,49 +47,71 @@ struct Candidate {
     double score = 0;
 };
 
-/// The likeliest turns and scales by the spectrum, best first.
-std::vector<Candidate> by_spectrum(const Spectrum& spectrum, const LatticeSearch& search,
-                                   const ScanMap& about)
+/// Maps with other turns and scales, row by row of the same turn.
+struct CandidateGrid {
+    int scales, turns;
+    std::vector<Candidate> all;
+    const Candidate& at(int scale, int turn) const { return all[turn * scales + scale]; }
+};
+
+/// Every turn and scale in the range of the search, with the square roots of the powers of a few
+/// harmonics as their score.
+CandidateGrid scored_by_spectrum(const Spectrum& spectrum, const LatticeSearch& search,
+                                 const ScanMap& about)
 {
     constexpr int harmonics = 3;
     const std::vector<Vec2> frequencies = frequencies_of(search.sheet, search.aperture.distance);
     // Steps that move the highest harmonic by half of what the window tells apart.
     const double pixels = search.sheet.pitch * std::min(about.scale.x, about.scale.y);
     const double step = 0.5 * pixels / (harmonics * spectrum.extent());
-    const int scales = 2 * int(std::ceil(search.scale_range / step)) + 1,
-              turns = 2 * int(std::ceil(search.turn_range / step)) + 1;
-    std::vector<Candidate> grid;
-    for (int j = 0; j < turns; ++j)
-        for (int i = 0; i < scales; ++i) {
+    CandidateGrid grid;
+    grid.scales = 2 * int(std::ceil(search.scale_range / step)) + 1;
+    grid.turns = 2 * int(std::ceil(search.turn_range / step)) + 1;
+    const auto from_minus_one_to_one = [](int k, int count) {
+        return count > 1 ? 2.0 * k / (count - 1) - 1 : 0;
+    };
+    for (int j = 0; j < grid.turns; ++j)
+        for (int i = 0; i < grid.scales; ++i) {
             Candidate c{about, 0};
-            const double factor = 1 + search.scale_range *
-                                          (scales > 1 ? 2.0 * i / (scales - 1) - 1 : 0);
+            const double factor = 1 + search.scale_range * from_minus_one_to_one(i, grid.scales);
             c.map.scale = factor * about.scale;
-            c.map.rotation += search.turn_range * (turns > 1 ? 2.0 * j / (turns - 1) - 1 : 0);
+            c.map.rotation += search.turn_range * from_minus_one_to_one(j, grid.turns);
             for (const Vec2 frequency : frequencies)
                 for (int h = 1; h <= harmonics; ++h)
                     c.score += std::sqrt(
                         spectrum.power(frequency_in_scan(double(h) * frequency, c.map)));
-            grid.push_back(c);
+            grid.all.push_back(c);
         }
+    return grid;
+}
+
+/// Whether none within two steps each way has a higher score.
+bool is_peak(const CandidateGrid& grid, int scale, int turn)
+{
+    for (int j = std::max(0, turn - 2); j <= std::min(grid.turns - 1, turn + 2); ++j)
+        for (int i = std::max(0, scale - 2); i <= std::min(grid.scales - 1, scale + 2); ++i)
+            if (!(grid.at(i, j).score <= grid.at(scale, turn).score))
+                return false;
+    return true;
+}
+
+/// The likeliest turns and scales by the spectrum, best first.
+std::vector<Candidate> by_spectrum(const Spectrum& spectrum, const LatticeSearch& search,
+                                   const ScanMap& about)
+{
+    const CandidateGrid grid = scored_by_spectrum(spectrum, search, about);
     std::vector<Candidate> peaks;
-    for (int j = 0; j < turns; ++j)
-        for (int i = 0; i < scales; ++i) {
-            bool highest = true;
-            for (int dj = -2; dj <= 2; ++dj)
-                for (int di = -2; di <= 2; ++di)
-                    if (j + dj >= 0 && j + dj < turns && i + di >= 0 && i + di < scales)
-                        highest = highest && grid[(j + dj) * scales + i + di].score <=
-                                                 grid[j * scales + i].score;
-            if (highest)
-                peaks.push_back(grid[j * scales + i]);
-        }
+    for (int j = 0; j < grid.turns; ++j)
+        for (int i = 0; i < grid.scales; ++i)
+            if (is_peak(grid, i, j))
+                peaks.push_back(grid.at(i, j));
     std::sort(peaks.begin(), peaks.end(),
               [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
     peaks.resize(std::min<std::size_t>(peaks.size(), candidates));
     return peaks;
 }
 
+/// The points within `radius` (mm) of the middle; of more than `most` that many, evenly picked.
 std::vector<Vec2> those_within(const std::vector<Vec2>& points, double radius, std::size_t most)
 {
     std::vector<Vec2> inside;
@@ -105,7 +127,7 @@ std::vector<Vec2> those_within(const std::vector<Vec2>& points, double radius, s
     return inside;
 }
 
-/// The middle, of those within a cell of the map's, with the most edge on the borders.
+/// The map with its middle moved within a cell to where there is the most edge on the borders.
 ScanMap best_middle(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
                     const ScanMap& map)
 {
@@ -135,8 +157,8 @@ MapChange change_between(const ScanMap& from, const ScanMap& to)
             to.rotation - from.rotation, to.middle.x - from.middle.x, to.middle.y - from.middle.y};
 }
 
-/// Whether a fit has stayed where it was sent to look. Little more than the range is left to it,
-/// and scales across and down that differ by no more than a scanner's.
+/// Whether a fit has stayed near the range of the search, with scales across and down that differ
+/// by no more than a scanner's do.
 bool is_in_range(const LatticeSearch& search, const ScanMap& about, const ScanMap& map)
 {
     constexpr double margin = 0.01, most_difference = 0.03;
@@ -147,8 +169,8 @@ bool is_in_range(const LatticeSearch& search, const ScanMap& about, const ScanMa
            std::fabs(map.rotation - about.rotation) < search.turn_range + margin;
 }
 
-/// How far the edge on the borders is above what it is for maps at random in the range of the
-/// search, in their standard deviations.
+/// How far the edge on the borders under the best map is above the mean for random maps in the
+/// range of the search, in standard deviations of those.
 double significance_of(const Plane& edges, const std::vector<Vec2>& points,
                        const LatticeSearch& search, const ScanMap& about, const ScanMap& best)
 {
@@ -171,14 +193,150 @@ double significance_of(const Plane& edges, const std::vector<Vec2>& points,
     return variance > 0 ? (edge_on_borders(edges, points, best) - mean) / std::sqrt(variance) : 0;
 }
 
+/// How far from the sheet's centre the film that the scan holds reaches (mm, along x and y), by any
+/// of the candidates, and a lens more.
+Vec2 half_of_film(const std::vector<Candidate>& candidates, const Plane& edges, double pitch)
+{
+    Vec2 half{0, 0};
+    for (const Candidate& candidate : candidates)
+        for (const double x : {0.0, double(edges.width)})
+            for (const double y : {0.0, double(edges.height)}) {
+                const Vec2 corner = film_from_scan(candidate.map, {x, y});
+                half = {std::max(half.x, std::fabs(corner.x) + pitch),
+                        std::max(half.y, std::fabs(corner.y) + pitch)};
+            }
+    return half;
+}
+
+/// Points on the borders of micro-images that lie in the scan, or at most `margin` pixels outside,
+/// under the likeliest map. Throws std::invalid_argument if there are none.
+std::vector<Vec2> borders_in_scan(const LatticeSearch& search,
+                                  const std::vector<Candidate>& candidates, const Plane& edges,
+                                  double margin, int threads)
+{
+    const SheetOptics optics(search.sheet, search.aperture);
+    const double pitch = search.sheet.pitch;
+    const std::vector<Vec2> everywhere = search.frame
+                                             ? lens_borders_of_pixels(optics, search.mapping,
+                                                                      *search.frame,
+                                                                      2 * most_borders, threads)
+                                             : lens_borders(optics, search.mapping,
+                                                            half_of_film(candidates, edges, pitch),
+                                                            pitch / 8, 2 * most_borders, threads);
+    std::vector<Vec2> points;
+    for (const Vec2 point : everywhere) {
+        const Vec2 pixel = scan_from_film(candidates.front().map, point);
+        if (pixel.x > -margin && pixel.y > -margin && pixel.x < edges.width + margin &&
+            pixel.y < edges.height + margin)
+            points.push_back(point);
+    }
+    if (points.empty())
+        throw std::invalid_argument("the sheet's middle is too far outside of it");
+    return points;
+}
+
+/// The scan's edges, blurred less and less for the stages of the fit.
+struct BlurredEdges {
+    Plane wide, middling, fine;
+    Plane ridges; ///< for the last stage
+};
+
+/// `pixels`: of a lens. `to_the_pixel`: the borders are known to the pixel, so that the fit may
+/// look closely. Borders from the optics alone lie beside the print's pixels, and with less blur
+/// the fit would find those pixels instead.
+BlurredEdges blurred_edges(const Plane& edges, double pixels, bool to_the_pixel, int threads)
+{
+    BlurredEdges all;
+    const double fine_deviation = to_the_pixel ? std::max(0.6, 0.02 * pixels)
+                                               : std::max(0.7, 0.025 * pixels);
+    all.wide = blurred(edges, std::max(1.0, pixels / 7), threads);
+    all.middling = blurred(edges, std::max(0.9, pixels / 12), threads);
+    all.fine = blurred(edges, fine_deviation, threads);
+    // The picture often shows more edge on one side of a border than on the other: a slope, which
+    // moves the maximum. Subtracting the surroundings removes the slope and leaves the ridge.
+    all.ridges = to_the_pixel ? difference(all.fine, blurred(edges, 1.6 * fine_deviation, threads))
+                              : all.fine;
+    return all;
+}
+
+/// Fits a candidate to the borders around the middle, then to those of larger and larger circles
+/// (mm) up to `farthest`.
+ScanMap fit_outwards(const BlurredEdges& edges, const std::vector<Vec2>& points,
+                     const LensSheet& sheet, const ScanMap& candidate, double first_radius,
+                     double farthest)
+{
+    constexpr double growth = 1.6;
+    const std::vector<Vec2> central = those_within(points, first_radius, 30000);
+    if (central.empty())
+        throw std::invalid_argument("the sheet's middle is too far outside of it");
+    ScanMap map = best_middle(edges.wide, central, sheet, candidate);
+    map = fit_borders(edges.wide, central, sheet, map);
+    for (double radius = growth * first_radius;; radius *= growth) {
+        map = fit_borders(edges.middling, those_within(points, radius, 40000), sheet, map);
+        if (radius > farthest)
+            return map;
+    }
+}
+
+/// The last stages of a fit.
+struct CloseFit {
+    ScanMap map;    ///< on the ridges
+    ScanMap pulled; ///< before: on the edges, which the picture's own pull aside
+};
+
+CloseFit fit_closely(const BlurredEdges& edges, const std::vector<Vec2>& points,
+                     const LatticeSearch& search, const ScanMap& about, const ScanMap& map)
+{
+    const auto shown = [&](const ScanMap& here) {
+        return where_borders_show(edges.fine, points, search.sheet, here);
+    };
+    CloseFit fit;
+    fit.map = fit.pulled = fit_borders(edges.fine, shown(map), search.sheet, map);
+    for (int round = 0; round < 2; ++round)
+        fit.map = fit_borders(edges.ridges, shown(fit.map), search.sheet, fit.map);
+    if (!is_in_range(search, about, fit.map))
+        fit.map = fit.pulled; // the ridges are too weak to hold it
+    return fit;
+}
+
+/// What is said of a fit whose map is in range: places and errors in pixels of the whole scan.
+FoundLattice found_lattice(const BlurredEdges& edges, const std::vector<Vec2>& points,
+                           const LatticeSearch& search, const CloseFit& fit, int reduction)
+{
+    const std::vector<Vec2> shown = where_borders_show(edges.fine, points, search.sheet, fit.map);
+    const FitErrors errors = errors_of_fit(edges.ridges, shown, search.sheet, fit.map);
+    // By chance the pull may be nothing along one axis: the greater one counts for both.
+    const MapChange pull = change_between(fit.pulled, fit.map);
+    const double scale_pull = std::max(std::fabs(pull[0]), std::fabs(pull[1])),
+                 middle_pull = std::max(std::fabs(pull[3]), std::fabs(pull[4]));
+    const auto with_pull = [](double x, double y, double pulled_by) {
+        return Vec2{std::hypot(x, pulled_by), std::hypot(y, pulled_by)};
+    };
+    const bool lenticular = search.sheet.arrangement == Arrangement::lenticular;
+    FoundLattice result;
+    result.map = in_larger_pixels(fit.map, 1.0 / reduction);
+    result.errors_known = errors.known;
+    result.scale_error = with_pull(errors.deviation[0], errors.deviation[1], scale_pull);
+    result.rotation_error = std::hypot(errors.deviation[2], pull[2]);
+    result.offset_error = reduction * (lenticular ? with_pull(errors.across, errors.across,
+                                                              length(Vec2{pull[3], pull[4]}))
+                                                  : with_pull(errors.deviation[3],
+                                                              errors.deviation[4], middle_pull));
+    result.contrast = edges.fine.mean > 0
+                          ? edge_on_borders(edges.fine, shown, fit.map) / edges.fine.mean
+                          : 0;
+    result.borders = errors.borders;
+    return result;
+}
+
 } // namespace
 
 std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch& search,
                                          int threads, const Progress& progress)
 {
     const auto follow = [&](int done) { return !progress || progress(done, 10); };
-    const double full_pixels = search.sheet.pitch *
-                               std::min(search.about.scale.x, search.about.scale.y);
+    const double pitch = search.sheet.pitch;
+    const double full_pixels = pitch * std::min(search.about.scale.x, search.about.scale.y);
     if (!(full_pixels >= least_pixels_a_lens))
         throw std::invalid_argument("a lens has " + std::to_string(full_pixels) +
                                     " of the scan's pixels; scan it finer, with 4 a lens or more");
@@ -188,6 +346,7 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
         throw std::invalid_argument(
             "it holds fewer than 8 lenses one way, too few to find their lattice");
 
+    // From here on in pixels of the reduced scan.
     const Plane edges = edge_response(scan, reduction, 1.5 * pixels, threads);
     const ScanMap about = in_larger_pixels(search.about, reduction);
     if (!follow(2))
@@ -196,115 +355,43 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     const std::vector<Candidate> found = by_spectrum(spectrum, search, about);
     if (!follow(4))
         return std::nullopt;
-
-    // The film that the scan holds, for any of them.
-    Vec2 half{0, 0};
-    for (const Candidate& candidate : found)
-        for (const double x : {0.0, double(edges.width)})
-            for (const double y : {0.0, double(edges.height)}) {
-                const Vec2 corner = film_from_scan(candidate.map, {x, y});
-                half = {std::max(half.x, std::fabs(corner.x) + search.sheet.pitch),
-                        std::max(half.y, std::fabs(corner.y) + search.sheet.pitch)};
-            }
-    const SheetOptics optics(search.sheet, search.aperture);
-    const std::vector<Vec2> everywhere = search.frame
-                                             ? lens_borders_of_pixels(optics, search.mapping,
-                                                                      *search.frame,
-                                                                      2 * most_borders, threads)
-                                             : lens_borders(optics, search.mapping, half,
-                                                            search.sheet.pitch / 8,
-                                                            2 * most_borders, threads);
-    std::vector<Vec2> points;
-    for (const Vec2 point : everywhere) { // that are in the scan, or nearly, for the likeliest map
-        const Vec2 pixel = scan_from_film(found.front().map, point);
-        const double margin = 4 * pixels;
-        if (pixel.x > -margin && pixel.y > -margin && pixel.x < edges.width + margin &&
-            pixel.y < edges.height + margin)
-            points.push_back(point);
-    }
+    std::vector<Vec2> points = borders_in_scan(search, found, edges, 4 * pixels, threads);
     double farthest = 0;
     for (const Vec2 point : points)
         farthest = std::max(farthest, length(point));
-    if (points.empty())
-        throw std::invalid_argument("the sheet's middle is too far outside of it");
     if (!follow(5))
         return std::nullopt;
 
-    // Where the borders are known to the pixel, the fit may look closely. Borders from the optics
-    // alone lie beside the print's pixels: close by, the pixels would be found instead.
-    const bool to_the_pixel = search.frame.has_value();
-    const double fine_deviation = to_the_pixel ? std::max(0.6, 0.02 * pixels)
-                                               : std::max(0.7, 0.025 * pixels);
-    const Plane wide = blurred(edges, std::max(1.0, pixels / 7), threads),
-                middling = blurred(edges, std::max(0.9, pixels / 12), threads);
-    const Plane fine = blurred(edges, fine_deviation, threads);
-    // Beside a border there is often more edge on one side, of what the picture shows there: a
-    // slope, that moves a maximum. Less what is around it, only a ridge is left.
-    const Plane ridges = to_the_pixel
-                             ? difference(fine, blurred(edges, 1.6 * fine_deviation, threads))
-                             : fine;
-    const double first_radius = std::max(
-        6 * search.sheet.pitch, 0.3 * spectrum.extent() / std::max(about.scale.x, about.scale.y));
-    ScanMap best;
-    double most = -1e30;
+    const BlurredEdges planes = blurred_edges(edges, pixels, search.frame.has_value(), threads);
+    const double first_radius = std::max(6 * pitch, 0.3 * spectrum.extent() /
+                                                        std::max(about.scale.x, about.scale.y));
+    std::optional<ScanMap> best;
+    double most = 0;
     for (const Candidate& candidate : found) {
-        const std::vector<Vec2> central = those_within(points, first_radius, 30000);
-        if (central.empty())
-            throw std::invalid_argument("the sheet's middle is too far outside of it");
-        ScanMap map = best_middle(wide, central, search.sheet, candidate.map);
-        map = fit_borders(wide, central, search.sheet, map);
-        for (double radius = 1.6 * first_radius;; radius *= 1.6) {
-            map = fit_borders(middling, those_within(points, radius, 40000), search.sheet, map);
-            if (radius > farthest)
-                break;
-        }
-        const double edge = edge_on_borders(fine, points, map);
-        if (edge > most && is_in_range(search, about, map)) {
+        const ScanMap map = fit_outwards(planes, points, search.sheet, candidate.map, first_radius,
+                                         farthest);
+        const double edge = edge_on_borders(planes.fine, points, map);
+        if ((!best || edge > most) && is_in_range(search, about, map)) {
             most = edge;
             best = map;
         }
         if (!follow(7))
             return std::nullopt;
     }
-    FoundLattice result;
-    if (most == -1e30)
-        return result;
+    if (!best)
+        return FoundLattice();
+
     points = those_within(points, farthest, most_borders);
-    best = fit_borders(fine, points, search.sheet, best);
-    const double significance = significance_of(fine, those_within(points, farthest, 20000), search,
-                                                about, best);
-    const ScanMap pulled = best = fit_borders(
-        fine, where_borders_show(fine, points, search.sheet, best), search.sheet, best);
-    for (int round = 0; round < 2; ++round)
-        best = fit_borders(ridges, where_borders_show(fine, points, search.sheet, best),
-                           search.sheet, best);
-    if (!is_in_range(search, about, best))
-        best = pulled; // nothing held the closer look
+    best = fit_borders(planes.fine, points, search.sheet, *best);
+    const double significance = significance_of(planes.fine, those_within(points, farthest, 20000),
+                                                search, about, *best);
+    const CloseFit fit = fit_closely(planes, points, search, about, *best);
     if (!follow(9))
         return std::nullopt;
-    const std::vector<Vec2> shown = where_borders_show(fine, points, search.sheet, best);
-    const FitErrors errors = errors_of_fit(ridges, shown, search.sheet, best);
-    // The pull may happen to be none one way: the greater counts for both.
-    const MapChange pull = change_between(pulled, best);
-    const double scale_pull = std::max(std::fabs(pull[0]), std::fabs(pull[1])),
-                 middle_pull = std::max(std::fabs(pull[3]), std::fabs(pull[4]));
-    const auto with_pull = [](double x, double y, double pulled_by) {
-        return Vec2{std::hypot(x, pulled_by), std::hypot(y, pulled_by)};
-    };
-    if (!is_in_range(search, about, best))
-        return result;
-    result.map = in_larger_pixels(best, 1.0 / reduction);
-    result.errors_known = errors.known;
-    result.scale_error = with_pull(errors.deviation[0], errors.deviation[1], scale_pull);
-    result.rotation_error = std::hypot(errors.deviation[2], pull[2]);
-    const bool lenticular = search.sheet.arrangement == Arrangement::lenticular;
-    result.offset_error = reduction * (lenticular ? with_pull(errors.across, errors.across,
-                                                              length(Vec2{pull[3], pull[4]}))
-                                                  : with_pull(errors.deviation[3],
-                                                              errors.deviation[4], middle_pull));
-    result.contrast = fine.mean > 0 ? edge_on_borders(fine, shown, best) / fine.mean : 0;
+    if (!is_in_range(search, about, fit.map))
+        return FoundLattice();
+    FoundLattice result = found_lattice(planes, points, search, fit, reduction);
     result.significance = significance;
-    result.borders = errors.borders;
     follow(10);
     return result;
 }

@@ -12,7 +12,7 @@ namespace integral {
 namespace {
 
 constexpr int grid_side = 64;
-constexpr float least_light = 1e-4f; // below this a square says nothing of its light
+constexpr float least_light = 1e-4f; // a darker square tells nothing of its light
 constexpr float burnt_out = 0.98f;
 
 Color times(Color a, Color b) { return {a.r * b.r, a.g * b.g, a.b * b.b, a.a}; }
@@ -47,6 +47,44 @@ double median(std::vector<double> values)
 {
     std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
     return values[values.size() / 2];
+}
+
+/// The logarithm of the light in one square of a scan, x and y from -1 to 1 over the scan.
+struct SurfaceSample {
+    double x, y, value, weight;
+};
+
+std::optional<std::array<double, 6>> fitted_surface(const std::vector<SurfaceSample>& samples)
+{
+    double a[6][7] = {};
+    for (const SurfaceSample& s : samples) {
+        const auto t = terms(s.x, s.y);
+        for (int k = 0; k < 6; ++k) {
+            for (int l = 0; l < 6; ++l)
+                a[k][l] += s.weight * t[k] * t[l];
+            a[k][6] += s.weight * t[k] * s.value;
+        }
+    }
+    return solve_surface(a);
+}
+
+/// Weighs samples by Tukey's biweight of what the surface leaves of them.
+void weigh_again(std::vector<SurfaceSample>& samples, const std::array<double, 6>& surface)
+{
+    std::vector<double> residuals, sizes;
+    for (const SurfaceSample& s : samples) {
+        const auto t = terms(s.x, s.y);
+        double value = s.value;
+        for (int k = 0; k < 6; ++k)
+            value -= surface[k] * t[k];
+        residuals.push_back(value);
+        sizes.push_back(std::fabs(value));
+    }
+    const double reach = std::max(1e-3, 4.685 * 1.4826 * median(sizes));
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        const double u = residuals[k] / reach;
+        samples[k].weight = std::fabs(u) < 1 ? (1 - u * u) * (1 - u * u) : 0;
+    }
 }
 
 } // namespace
@@ -110,12 +148,11 @@ void ScanLight::divide_by_flat(const Image& flat, int width, int height, int thr
 
 void ScanLight::divide_by_surface(const LightGrid& scan)
 {
+    constexpr std::size_t least_samples = 24;
+    constexpr int rounds = 30;
     width_ = scan.width;
     height_ = scan.height;
-    struct Sample {
-        double x, y, value, weight;
-    };
-    std::vector<Sample> samples;
+    std::vector<SurfaceSample> samples;
     for (int row = 0; row < scan.rows; ++row)
         for (int column = 0; column < scan.columns; ++column) {
             const Vec2 middle{std::min(scan.width - 0.5, (column + 0.5) * scan.square),
@@ -125,42 +162,20 @@ void ScanLight::divide_by_surface(const LightGrid& scan)
                 samples.push_back(
                     {2 * middle.x / width_ - 1, 2 * middle.y / height_ - 1, std::log(light), 1});
         }
-    if (samples.size() < 24)
+    if (samples.size() < least_samples)
         return;
     std::array<double, 6> c{};
-    for (int round = 0; round < 30; ++round) {
-        double a[6][7] = {};
-        for (const Sample& s : samples) {
-            const auto t = terms(s.x, s.y);
-            for (int k = 0; k < 6; ++k) {
-                for (int l = 0; l < 6; ++l)
-                    a[k][l] += s.weight * t[k] * t[l];
-                a[k][6] += s.weight * t[k] * s.value;
-            }
-        }
-        const auto solved = solve_surface(a);
-        if (!solved)
+    for (int round = 0; round < rounds; ++round) {
+        const auto fitted = fitted_surface(samples);
+        if (!fitted)
             break;
-        c = *solved;
-        std::vector<double> residuals, sizes;
-        for (const Sample& s : samples) {
-            const auto t = terms(s.x, s.y);
-            double value = s.value;
-            for (int k = 0; k < 6; ++k)
-                value -= c[k] * t[k];
-            residuals.push_back(value);
-            sizes.push_back(std::fabs(value));
-        }
-        const double reach = std::max(1e-3, 4.685 * 1.4826 * median(sizes));
-        for (std::size_t k = 0; k < samples.size(); ++k) {
-            const double u = residuals[k] / reach;
-            samples[k].weight = std::fabs(u) < 1 ? (1 - u * u) * (1 - u * u) : 0;
-        }
+        c = *fitted;
+        weigh_again(samples, c);
     }
     c[0] = 0;
     surface_ = c;
     double sum = 0, least = 1e30, most = -1e30;
-    for (const Sample& s : samples) {
+    for (const SurfaceSample& s : samples) {
         const double value = surface({(s.x + 1) * 0.5 * width_, (s.y + 1) * 0.5 * height_});
         sum += value;
         least = std::min(least, value);
@@ -246,85 +261,133 @@ Color ScanLight::gain(Vec2 pixel) const
     return all;
 }
 
-double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& optics,
-                            LensMapping mapping, int threads)
-{
-    constexpr int bins = 16;
-    constexpr double least_share = 1.0 / 8;
-    const Lattice& lattice = optics.lattice();
-    const bool lenticular = optics.sheet().arrangement == Arrangement::lenticular;
-    const int rows = lenticular ? 1 : bins;
-    const double height = lenticular
-                              ? lattice.pitch()
-                              : lattice.row_spacing() *
-                                    (lattice.arrangement() == Arrangement::hexagonal ? 4.0 / 3 : 1);
-    // Where in its micro-image a pixel is, 0 to 1 each way; nothing where it is dark.
-    const auto place = [&](int x, int y) -> std::optional<Vec2> {
-        const Vec2 point = film_from_pixel(film, {x + 0.5, y + 0.5});
-        const auto mapped = optics.map(point, mapping);
+namespace {
+
+/// The average micro-image: light by the place in the cell.
+class AverageMicroImage {
+public:
+    AverageMicroImage(const Film& film, const SheetOptics& optics, LensMapping mapping)
+        : film_(film),
+          optics_(optics),
+          mapping_(mapping),
+          lenticular_(optics.sheet().arrangement == Arrangement::lenticular),
+          rows_(lenticular_ ? 1 : bins),
+          height_(cell_height(optics.lattice(), lenticular_)),
+          shares_(std::size_t(bins) * rows_, 0.0)
+    {
+    }
+
+    /// Where in its micro-image a pixel is, 0 to 1 each way; nothing where it is dark.
+    std::optional<Vec2> place(int x, int y) const
+    {
+        const Lattice& lattice = optics_.lattice();
+        const Vec2 point = film_from_pixel(film_, {x + 0.5, y + 0.5});
+        const auto mapped = optics_.map(point, mapping_);
         if (!mapped.ray)
             return std::nullopt;
         const Vec2 pole = mapped.ray->pole;
         const Vec2 middle = pole -
-                            offset_from_direction(optics.medium(),
-                                                  {-pole.x, -pole.y, -optics.aperture().distance});
+                            offset_from_direction(optics_.medium(),
+                                                  {-pole.x, -pole.y, -optics_.aperture().distance});
         const Vec2 off = point - middle;
         const double u = dot(lattice.across(), off) / lattice.pitch() + 0.5,
-                     v = dot(lattice.along(), off) / height + 0.5;
-        return Vec2{std::clamp(u, 0.0, 1.0), lenticular ? 0.5 : std::clamp(v, 0.0, 1.0)};
-    };
-    const auto bin = [](double at, int count) { return std::min(count - 1, int(at * count)); };
-    std::vector<double> sums(std::size_t(bins) * rows, 0.0), counts = sums;
-    std::mutex adding;
+                     v = dot(lattice.along(), off) / height_ + 0.5;
+        return Vec2{std::clamp(u, 0.0, 1.0), lenticular_ ? 0.5 : std::clamp(v, 0.0, 1.0)};
+    }
+
+    /// Averages a frame's light. Returns the least share of the brightest; nothing if it is black.
+    std::optional<double> measure(const LinearReader& pixel, int threads)
+    {
+        std::vector<double> counts = shares_;
+        std::mutex adding;
+        for_each_row(film_.height, threads, [&](int y) {
+            std::vector<double> row_sums(shares_.size(), 0.0), row_counts = row_sums;
+            for (int x = 0; x < film_.width; ++x) {
+                const double light = luminance(pixel(x, y));
+                const auto at = place(x, y);
+                if (!at || !(light > 0)) // outside the scan
+                    continue;
+                const std::size_t k = std::size_t(bin(at->y, rows_)) * bins + bin(at->x, bins);
+                row_sums[k] += light;
+                row_counts[k] += 1;
+            }
+            const std::lock_guard<std::mutex> lock(adding);
+            for (std::size_t k = 0; k < shares_.size(); ++k) {
+                shares_[k] += row_sums[k];
+                counts[k] += row_counts[k];
+            }
+        });
+        double most = 0, least = 1;
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            shares_[k] = counts[k] > 0 ? shares_[k] / counts[k] : 0;
+            most = std::max(most, shares_[k]);
+        }
+        if (!(most > 0))
+            return std::nullopt;
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            shares_[k] = counts[k] > 0 ? std::max(least_share, shares_[k] / most) : 1;
+            least = std::min(least, shares_[k]);
+        }
+        return least;
+    }
+
+    /// The light at a place against the brightest, interpolated; 1/8 to 1.
+    double share(Vec2 at) const
+    {
+        const double u = std::clamp(at.x * bins - 0.5, 0.0, bins - 1.0),
+                     v = std::clamp(at.y * rows_ - 0.5, 0.0, rows_ - 1.0);
+        const int left = std::min(int(u), bins - 2), top = std::min(int(v), std::max(0, rows_ - 2));
+        double share = 0;
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i) {
+                const double weight = (i ? u - left : 1 - (u - left)) *
+                                      (j ? v - top : 1 - (v - top));
+                if (weight > 0)
+                    share += weight * shares_[std::size_t(top + j) * bins + left + i];
+            }
+        return share;
+    }
+
+private:
+    static constexpr int bins = 16; ///< across a cell
+    static constexpr double least_share = 1.0 / 8;
+
+    static int bin(double at, int count) { return std::min(count - 1, int(at * count)); }
+    static double cell_height(const Lattice& lattice, bool lenticular)
+    {
+        if (lenticular)
+            return lattice.pitch();
+        return lattice.row_spacing() *
+               (lattice.arrangement() == Arrangement::hexagonal ? 4.0 / 3 : 1);
+    }
+
+    const Film& film_;
+    const SheetOptics& optics_;
+    LensMapping mapping_;
+    bool lenticular_;
+    int rows_;
+    double height_; ///< of a cell, mm
+    std::vector<double> shares_;
+};
+
+} // namespace
+
+double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& optics,
+                            LensMapping mapping, int threads)
+{
+    AverageMicroImage average(film, optics, mapping);
     const LinearReader pixel(frame);
-    for_each_row(film.height, threads, [&](int y) {
-        std::vector<double> row_sums(sums.size(), 0.0), row_counts = row_sums;
-        for (int x = 0; x < film.width; ++x) {
-            const double light = luminance(pixel(x, y));
-            const auto at = place(x, y);
-            if (!at || !(light > 0)) // outside the scan
-                continue;
-            const std::size_t k = std::size_t(bin(at->y, rows)) * bins + bin(at->x, bins);
-            row_sums[k] += light;
-            row_counts[k] += 1;
-        }
-        const std::lock_guard<std::mutex> lock(adding);
-        for (std::size_t k = 0; k < sums.size(); ++k) {
-            sums[k] += row_sums[k];
-            counts[k] += row_counts[k];
-        }
-    });
-    double most = 0, least = 1;
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-        sums[k] = counts[k] > 0 ? sums[k] / counts[k] : 0;
-        most = std::max(most, sums[k]);
-    }
-    if (!(most > 0))
+    const auto least = average.measure(pixel, threads);
+    if (!least)
         return 1;
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-        sums[k] = counts[k] > 0 ? std::max(least_share, sums[k] / most) : 1;
-        least = std::min(least, sums[k]);
-    }
     for_each_row(film.height, threads, [&](int y) {
         for (int x = 0; x < film.width; ++x)
-            if (const auto at = place(x, y)) {
-                const double u = std::clamp(at->x * bins - 0.5, 0.0, bins - 1.0),
-                             v = std::clamp(at->y * rows - 0.5, 0.0, rows - 1.0);
-                const int left = std::min(int(u), bins - 2),
-                          top = std::min(int(v), std::max(0, rows - 2));
-                double share = 0;
-                for (int j = 0; j < 2; ++j)
-                    for (int i = 0; i < 2; ++i) {
-                        const double weight = (i ? u - left : 1 - (u - left)) *
-                                              (j ? v - top : 1 - (v - top));
-                        if (weight > 0)
-                            share += weight * sums[std::size_t(top + j) * bins + left + i];
-                    }
-                const float gain = float(1 / share);
+            if (const auto at = average.place(x, y)) {
+                const float gain = float(1 / average.share(*at));
                 store_linear(frame, x, y, times(pixel(x, y), {gain, gain, gain, 1}));
             }
     });
-    return least;
+    return *least;
 }
 
 } // namespace integral

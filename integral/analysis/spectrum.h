@@ -8,11 +8,12 @@
 
 namespace integral {
 
-/// Powers at frequencies, against the mean of all the frequencies of about the same size: 1 where
-/// there is nothing but noise.
+/// The power at each frequency, divided by the mean power of frequencies of about the same size: 1
+/// where there is nothing but noise.
 class Spectrum {
 public:
-    /// Of the plane's middle, at most `most` pixels each way, less its mean, under a Hann window.
+    /// Of at most `most` pixels each way in the plane's middle, less their mean, under a Hann
+    /// window.
     Spectrum(const Plane& plane, int most);
 
     /// At a frequency in cycles a pixel along x and y (downwards), interpolated; 0 beyond half a
