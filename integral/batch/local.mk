@@ -32,6 +32,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/renderer.h \
   integral/batch/renderer_options.cpp \
   integral/batch/renderer_options.h \
+  integral/batch/scene_depths.cpp \
+  integral/batch/scene_depths.h \
   integral/batch/scene_files.cpp \
   integral/batch/scene_files.h \
   integral/batch/slurm.cpp \
