@@ -42,6 +42,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/renderer_options.h \
   integral/batch/running_steps.cpp \
   integral/batch/running_steps.h \
+  integral/batch/scene_depths.cpp \
+  integral/batch/scene_depths.h \
   integral/batch/scene_files.cpp \
   integral/batch/scene_files.h \
   integral/batch/slurm.cpp \

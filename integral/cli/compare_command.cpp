@@ -1,141 +1,228 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral compare: how far two frames or views are apart.
+// integral compare: how far two frames or views, or the pictures of two folders, are apart.
+#include "integral/base/number_text.h"
 #include "integral/cli/command.h"
-#include "integral/cli/compare_options.h"
-#include "integral/cli/compare_suite.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
-#include "integral/compare/compare.h"
+#include "integral/compare/compare_files.h"
 #include "integral/compare/figures_json.h"
-#include "integral/io/image_file.h"
-#include "integral/lightfield/names.h"
+#include "integral/compare/figures_text.h"
+#include "integral/compare/suite_accept.h"
+#include "integral/compare/suite_run.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <optional>
+#include <filesystem>
 
 namespace integral {
 namespace {
 
-options::options_description make_options()
+struct CompareOptions : CommonOptions {
+    std::optional<std::string> output, gain, sheet;
+    bool json = false;
+    std::array<std::optional<std::string>, limit_count> limits; ///< in the order of limit_kinds
+    // With --suite:
+    std::optional<std::string> suite, references, tolerances, junit;
+    std::optional<Words> accept;
+    std::optional<int> threads;
+};
+
+std::string option_of(const LimitKind& kind)
 {
-    options::options_description all("Options");
-    const auto number = [](const char* name) {
-        return options::value<std::string>()->value_name(name);
-    };
+    std::string option = kind.word;
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+void declare(options::options_description& all, CompareOptions& o)
+{
     all.add_options()(
-        "output,o", options::value<std::string>()->value_name("DIFFERENCE"),
+        "output,o", fills(o.output, "DIFFERENCE"),
         "write the difference picture, |A - B| of each channel: .png, .exr or .tiff; - "
         "writes a PNG to standard output and the figures to standard error")(
-        "gain", number("G")->default_value("1"), "multiply the difference picture by G")(
-        "sheet", options::value<std::string>()->value_name("FILE.json"),
+        "gain", fills(o.gain, "G (=1)"), "multiply the difference picture by G")(
+        "sheet", fills(o.sheet, "FILE.json"),
         "geometry for frames that carry none, or instead of their own")(
-        "json", "print the figures as JSON (a PSNR that is infinite is null)")("help",
-                                                                               "print this");
-    add_limit_options(all);
-    add_suite_options(all);
-    return all;
+        "json", sets(o.json), "print the figures as JSON (a PSNR that is infinite is null)")(
+        "help", sets(o.help), "print this");
+    for (std::size_t i = 0; i < limit_count; ++i)
+        all.add_options()(option_of(limit_kinds[i]).c_str(),
+                          fills(o.limits[i], limit_kinds[i].value_name),
+                          limit_kinds[i].explanation);
+    options::options_description group("With --suite");
+    group.add_options()("suite", fills(o.suite, "FOLDER"),
+                        "compare the pictures of a folder with their references. -o writes a "
+                        "report, one HTML page; --json "
+                        "prints all figures; the limits above take the place of the file's "
+                        "defaults; --gain multiplies the report's differences, "
+                        "by itself each so that it is seen")(
+        "references", fills(o.references, "FOLDER"),
+        "where the references are (default: the folder references beside --suite's)")(
+        "tolerances", fills(o.tolerances, "FILE"),
+        "limits for all pictures and for some (default: suite.json among the references, if it is "
+        "there)")("junit", fills(o.junit, "FILE"),
+                  "write the outcome as JUnit XML, for CI systems")(
+        "accept", fills(o.accept, "NAME...")->multitoken()->composing(),
+        "compare nothing: make these results, by their names within the folder, the references")(
+        "threads", fills(o.threads, "N (=0)"), "threads to work with (0: one per core)");
+    all.add(group);
 }
 
-std::string as_text(const Comparison& c)
+/// The limits that the line gives. Throws UsageError.
+Limits limits_of(const CompareOptions& o)
 {
-    char text[400];
-    std::snprintf(text, sizeof text,
-                  "RMSE                %.6f\n"
-                  "PSNR                %.3f dB\n"
-                  "SSIM                %.6f\n"
-                  "largest difference  %.6f\n"
-                  "within 2/255        %.4f%% of the pixels\n"
-                  "encoding            %s\n",
-                  c.rmse, c.psnr, c.ssim, c.largest_difference, 100 * c.within_two,
-                  name_of(c.encoding.kind));
-    std::string result = text;
-    if (c.worst) {
-        std::snprintf(
-            text, sizeof text, "worst micro-image   lens %lld,%lld at %.3f,%.3f mm: RMSE %.6f\n",
-            static_cast<long long>(c.worst->lens.i), static_cast<long long>(c.worst->lens.j),
-            c.worst->pole.x, c.worst->pole.y, c.worst->rmse);
-        result += text;
+    Limits limits;
+    for (std::size_t i = 0; i < limit_count; ++i) {
+        if (!o.limits[i])
+            continue;
+        const LimitKind& kind = limit_kinds[i];
+        const std::string option = option_of(kind), text = *o.limits[i];
+        const double limit = parse_number(option.c_str(), text, "a number");
+        if (!(limit >= kind.least && limit <= kind.greatest))
+            throw UsageError("--" + option + " " + text + ": a number from " +
+                             with_digits(kind.least, 6) + " to " + with_digits(kind.greatest, 6) +
+                             " is expected");
+        limits[i] = limit;
     }
-    return result;
+    return limits;
 }
 
-std::string as_json(const Comparison& comparison, bool passed)
+/// Throws UsageError for options that --suite does not go with.
+void check_suite_options(const CompareOptions& o)
 {
-    nlohmann::ordered_json json = figures_json(comparison);
-    json["passed"] = passed;
-    return json.dump(2) + "\n";
+    if (!o.inputs.empty())
+        throw UsageError(
+            "with --suite no pictures are named; the folders are --suite and --references");
+    if (o.sheet)
+        throw UsageError("--sheet and --suite do not go together: each frame has its own geometry");
+    const auto is_empty = [](const std::optional<std::string>& text) {
+        return text && text->empty();
+    };
+    if (const char* option = first_given({{"suite", is_empty(o.suite)},
+                                          {"references", is_empty(o.references)},
+                                          {"tolerances", is_empty(o.tolerances)},
+                                          {"junit", is_empty(o.junit)}}))
+        throw UsageError(std::string("--") + option + ": a name is expected");
+    const std::string output = o.output.value_or(""), extension = extension_of(output);
+    if (!output.empty() && output != "-" && extension != "html" && extension != "htm")
+        throw UsageError("-o " + output + ": with --suite it is a report, NAME.html");
+    if (const char* other = first_given({{"output", o.output},
+                                         {"junit", o.junit},
+                                         {"tolerances", o.tolerances},
+                                         {"json", o.json}});
+        o.accept && other)
+        throw UsageError(std::string("--accept and --") + other +
+                         " do not go together: references are replaced, nothing is compared");
+    if (output == "-" && o.junit == "-")
+        throw UsageError("-o and --junit do not both go to standard output");
 }
 
-/// Compares two pictures, some rows at a time, and writes their difference if `output` is not
-/// empty.
-Comparison compare_rows(FrameReader& a, FrameReader& b, const std::string& name_of_b,
-                        const std::string& output, double gain)
+SuiteFolders folders_of(const CompareOptions& o)
 {
-    const Image &form_a = a.frame().image, &form_b = b.frame().image;
-    std::optional<Comparer> comparer;
     try {
-        comparer.emplace(a.frame(), b.frame());
+        return suite_folders(*o.suite, o.references);
     } catch (const std::invalid_argument& error) {
-        throw InputError(name_of_b + ": " + error.what());
+        throw UsageError(error.what());
     }
-    std::optional<PictureWriter> difference;
-    if (!output.empty())
-        difference.emplace(
-            PictureWriter::of_frame(output, difference_form(form_a, form_b), std::nullopt));
-    const int most = std::min(rows_of_a_band(form_a), rows_of_a_band(form_b));
-    Image rows_a, rows_b;
-    for (int y = 0; y < form_a.height; y += most) {
-        stop_if_interrupted();
-        const int rows = std::min(most, form_a.height - y);
-        if (rows_a.height != rows) {
-            rows_a = blank_like(form_a, form_a.width, rows);
-            rows_b = blank_like(form_b, form_b.width, rows);
-        }
-        a.read(rows_a);
-        b.read(rows_b);
-        comparer->add(rows_a, rows_b);
-        if (difference)
-            difference->write(difference_picture(rows_a, rows_b, gain));
-    }
-    stop_if_interrupted();
-    if (difference)
-        difference->finish();
-    return comparer->result();
 }
 
-int run(const options::variables_map& arguments)
+int accept(const Words& names, const SuiteFolders& folders)
 {
-    if (given(arguments, "suite"))
-        return run_suite(arguments);
-    refuse_suite_options(arguments);
-    const Limits limits = limits_from(arguments);
-    const auto inputs = inputs_of(arguments);
-    if (inputs.size() != 2)
+    accept_results(names, folders,
+                   [](const std::string& name, const std::string& reference, bool is_new) {
+                       std::printf("accepted %s: %s %s\n", name.c_str(), reference.c_str(),
+                                   is_new ? "is new" : "is replaced");
+                   });
+    std::fflush(stdout);
+    return exit_done;
+}
+
+/// Writes and prints what the comparison found. Returns an ExitStatus.
+int report(const Suite& suite, const CompareOptions& o)
+{
+    const std::string output = o.output.value_or(""), junit = o.junit.value_or("");
+    if (!output.empty()) {
+        const std::string folder = output == "-"
+                                       ? ""
+                                       : std::filesystem::absolute(output).parent_path().string();
+        write_file(output, suite_page(suite, folder));
+    }
+    if (!junit.empty())
+        write_file(junit, suite_junit(suite));
+    for (const SuitePair& pair : suite.pairs)
+        for (const std::string& fault : pair.faults)
+            say("compare", pair.name + ": " + fault);
+    for (const std::string& fault : suite.unused)
+        say("compare", suite.tolerances + ": " + fault);
+    const std::string said = o.json ? suite_json(suite) : suite_summary(suite) + "\n";
+    if (output == "-" || junit == "-") // the report has standard output
+        std::fputs(said.c_str(), stderr);
+    else
+        write_file("-", said);
+    return suite.passed() ? exit_done : exit_check_failed;
+}
+
+int run_suite(const CompareOptions& o)
+{
+    check_suite_options(o);
+    const int threads = in_range("threads", o.threads.value_or(0), 0, 1024);
+    SuitePictures pictures;
+    pictures.wanted = !o.output.value_or("").empty();
+    read_number("gain", o.gain, pictures.gain);
+    const SuiteFolders folders = folders_of(o);
+    if (o.accept)
+        return accept(*o.accept, folders);
+
+    SuiteTolerances tolerances = read_tolerances(folders, o.tolerances);
+    const Limits limits = limits_of(o);
+    for (std::size_t kind = 0; kind < limit_count; ++kind)
+        if (limits[kind])
+            tolerances.tolerances.defaults[kind] = limits[kind];
+    for (const std::string& path : {o.output.value_or(""), o.junit.value_or("")})
+        if (!path.empty())
+            check_writable(path);
+    Suite suite = suite_of(folders, tolerances);
+    if (!compare_suite(suite, pictures, threads, progress_bar("comparing")))
+        throw Interrupted();
+    return report(suite, o);
+}
+
+int run(const CompareOptions& o)
+{
+    if (o.suite)
+        return run_suite(o);
+    if (const char* option = first_given({{"references", o.references},
+                                          {"tolerances", o.tolerances},
+                                          {"junit", o.junit},
+                                          {"accept", o.accept},
+                                          {"threads", o.threads}}))
+        throw UsageError(std::string("--") + option + " goes with --suite FOLDER");
+    const Limits limits = limits_of(o);
+    if (o.inputs.size() != 2)
         throw UsageError("an input is missing: A and B are compared, or folders with --suite; see "
                          "integral help compare");
-    const double gain = parse_number("gain", text_of(arguments, "gain"), "a number");
-    const std::string output = text_of(arguments, "output");
+    double gain = 1;
+    read_number("gain", o.gain, gain);
+    const std::string output = o.output.value_or(""), sheet = o.sheet.value_or("");
     if (!output.empty()) {
         format_for(output);
         check_writable(output);
     }
-    const std::string sheet = text_of(arguments, "sheet");
-    FrameReader a(inputs[0], sheet), b(inputs[1], sheet);
-    const Comparison comparison = compare_rows(a, b, inputs[1], output, gain);
+    FrameReader a(o.inputs[0], sheet), b(o.inputs[1], sheet);
+    const Comparison comparison = compare_files(a, b, o.inputs[1], output, gain);
 
     const auto missed = missed_limits(limits, comparison);
-    const std::string figures = given(arguments, "json") ? as_json(comparison, missed.empty())
-                                                         : as_text(comparison);
+    Json json = figures_json(comparison);
+    json["passed"] = missed.empty();
+    const std::string figures = o.json ? json.dump(2) + "\n" : figures_text(comparison);
     if (output == "-") // the picture has standard output
         std::fputs(figures.c_str(), stderr);
     else
         write_file("-", figures);
     for (const auto& what : missed)
-        say("compare", inputs[1] + ": " + what);
+        say("compare", o.inputs[1] + ": " + what);
     return missed.empty() ? exit_done : exit_check_failed;
 }
 
@@ -167,7 +254,7 @@ const Command compare_command = {
     "null lifts a limit. A picture without any limit must equal its reference.\n",
     0,
     2,
-    make_options,
-    run_from_map<run>};
+    described<CompareOptions>,
+    run_with<CompareOptions, run>};
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options that say what a sheet and a film are, for every command that has them.
+// The options that say what a sheet, a film and an aperture are, for every command that has them.
 #ifndef INTEGRAL_CLI_GEOMETRY_OPTIONS_H
 #define INTEGRAL_CLI_GEOMETRY_OPTIONS_H
 
@@ -10,33 +10,39 @@ namespace integral {
 
 constexpr int largest_film_side = 1000000; ///< pixels
 
-/// Adds --arrangement, --pitch, --thickness, --ior, --slant and --offset; and --dpi, --pixel-pitch
-/// and --size.
-void add_sheet_options(options::options_description& all);
-void add_film_options(options::options_description& all);
+struct SheetOptions {
+    std::optional<std::string> arrangement, pitch, thickness, ior, slant, offset;
+};
 
-/// Adds --distance and --aperture.
-void add_aperture_options(options::options_description& all);
+struct FilmOptions {
+    std::optional<std::string> dpi, pixel_pitch, size;
+};
+
+struct ApertureOptions {
+    std::optional<std::string> distance, aperture;
+};
+
+void declare(options::options_description& all, SheetOptions& sheet);
+void declare(options::options_description& all, FilmOptions& film);
+void declare(options::options_description& all, ApertureOptions& aperture);
 
 /// Geometry to start from: the thesis's sheet and printer, seen from 300 mm.
 FrameMetadata default_geometry();
 
-/// Changes what was given, by options that may be absent from the command. Throws UsageError.
-void change_sheet(const options::variables_map& arguments, LensSheet& sheet);
-void change_film(const options::variables_map& arguments, Film& film);
+/// Changes what the options give, and nothing else. Throws UsageError.
+void change_sheet(const SheetOptions& given, LensSheet& sheet);
+void change_film(const FilmOptions& given, Film& film);
 
-/// The aperture: as given, else as the geometry has it if `keep`, else what fills the lens. Throws
+/// Changes the aperture's distance and extent where they are given. An extent that is not given
+/// stays as it is if `keep`; else the aperture becomes the one that fills the lenses. Throws
 /// UsageError.
-void change_aperture(const options::variables_map& arguments, FrameMetadata& geometry, bool keep);
+void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool keep);
 
-/// Whether any option changes what the filling aperture depends on.
-bool changes_lenses(const options::variables_map& arguments);
+/// Whether any option was given that the aperture which fills the lenses depends on.
+bool changes_lenses(const SheetOptions& sheet, const ApertureOptions& aperture);
 
-/// Refuses what no camera could have: the ranges are the scene language's. Throws UsageError.
+/// Throws UsageError where a number is out of the range that the scene language allows.
 void check_geometry(const FrameMetadata& geometry);
-
-/// Reads an option's number, if it was given, into `value`. Throws UsageError.
-void read_number(const options::variables_map& arguments, const char* option, double& value);
 
 } // namespace integral
 

@@ -3,9 +3,9 @@
 // display.
 #include "integral/cli/lcd_image.h"
 #include "integral/cli/lcd_show.h"
-#include "integral/cli/picture_series.h"
 #include "integral/cli/progress.h"
 #include "integral/io/image_file.h"
+#include "integral/io/picture_series.h"
 #include "integral/lightfield/names.h"
 
 #include <nlohmann/json.hpp>

@@ -8,10 +8,6 @@ build_bin_integral_SOURCES += \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
-  integral/cli/compare_options.cpp \
-  integral/cli/compare_options.h \
-  integral/cli/compare_suite.cpp \
-  integral/cli/compare_suite.h \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
   integral/cli/given_views.cpp \
@@ -22,8 +18,6 @@ build_bin_integral_SOURCES += \
   integral/cli/lcd_show.cpp \
   integral/cli/lcd_show.h \
   integral/cli/main.cpp \
-  integral/cli/picture_series.cpp \
-  integral/cli/picture_series.h \
   integral/cli/print_chart.cpp \
   integral/cli/print_chart.h \
   integral/cli/print_command.cpp \
@@ -33,13 +27,11 @@ build_bin_integral_SOURCES += \
   integral/cli/progress.h \
   integral/cli/rectify_command.cpp \
   integral/cli/replay_command.cpp \
-  integral/cli/replay_html.cpp \
-  integral/cli/replay_html.h \
-  integral/cli/scene_depth.cpp \
-  integral/cli/scene_depth.h \
+  integral/cli/replay_options.cpp \
+  integral/cli/replay_options.h \
+  integral/cli/series_options.cpp \
+  integral/cli/series_options.h \
   integral/cli/sheet_command.cpp \
-  integral/cli/sheet_plots.cpp \
-  integral/cli/sheet_plots.h \
   integral/cli/unconverted.h \
   integral/cli/values.cpp \
   integral/cli/values.h \

@@ -9,35 +9,32 @@
 #include <cstdio>
 
 namespace integral {
-
 namespace {
 
 constexpr double largest_paper = 5000; // mm
 
-double parse_length(const options::variables_map& arguments, const char* option, double fallback)
+/// Reads a length in mm, if it was given.
+void read_length(const char* option, const std::optional<std::string>& text, double& value)
 {
-    if (!given(arguments, option))
-        return fallback;
-    const double value = parse_number(option, text_of(arguments, option), "a number of mm");
+    if (!text)
+        return;
+    value = parse_number(option, *text, "a number of mm");
     if (!(value >= 0 && value <= largest_paper))
-        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) +
-                         ": 0 to 5000 mm is expected");
-    return value;
+        throw UsageError(std::string("--") + option + " " + *text + ": 0 to 5000 mm is expected");
 }
 
 /// The paper as it is fed.
-std::optional<Paper> parse_paper(const options::variables_map& arguments, const Film& film)
+std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
 {
-    const std::string way = given(arguments, "orientation") ? text_of(arguments, "orientation")
-                                                            : "auto";
+    const std::string way = o.orientation.value_or("auto");
     if (way != "auto" && way != "portrait" && way != "landscape")
         throw UsageError("--orientation " + way + ": portrait, landscape or auto is expected");
-    if (!given(arguments, "paper")) {
+    if (!o.paper) {
         if (way != "auto")
             throw UsageError("--orientation needs --paper");
         return std::nullopt;
     }
-    const std::string text = text_of(arguments, "paper");
+    const std::string text = *o.paper;
     Paper paper = parse_paper_size(text);
     const bool named = paper_named(text).has_value();
     const bool wide = film.width * film.pixel_pitch.x > film.height * film.pixel_pitch.y;
@@ -49,6 +46,74 @@ std::optional<Paper> parse_paper(const options::variables_map& arguments, const 
 }
 
 } // namespace
+
+void declare(options::options_description& all, PrintOptions& o)
+{
+    all.add_options()("output,o", fills(o.output, "FILE"),
+                      "the page: .pdf (several tiles: several pages), .tiff or .png (several "
+                      "tiles: files with numbers)")(
+        "paper", fills(o.paper, "NAME|WxH"),
+        "the paper: 4x6, 6x8, 5x7, 8x10, A4, A6, letter, postcard and others, or its width and "
+        "height in mm "
+        "(default: as large as picture and marks)")(
+        "orientation", fills(o.orientation, "WAY"),
+        "portrait, landscape or auto: as the picture is (default auto; WxH: as given)")(
+        "dpi", fills(o.film.dpi, "D[,D]"),
+        "the printer's pixels per inch, across and down (default: the frame's)")(
+        "feed", fills(o.feed, "X[,Y]"),
+        "how long the printer makes what should be 1, measured across and down (default 1)")(
+        "centre", fills(o.centre, "WHAT"),
+        "what comes to the paper's middle: lens, the axis nearest to it (default), or picture")(
+        "bleed", fills(o.bleed, "MM"),
+        "how much of the picture's edge is cut off afterwards (default 0)")(
+        "marks", fills(o.marks, "KIND,..."),
+        "crop, registration, axis (where lenses' axes run) or all, outside the picture (default "
+        "none)")("strip", sets(o.strip),
+                 "below the picture: scene, sheet, film, date and error figure")(
+        "mirror", sets(o.mirror),
+        "turned left to right, for printing on the back of the lens sheet")(
+        "tile", sets(o.tile), "on several pages, where one is too small")(
+        "overlap", fills(o.overlap, "MM"), "of neighbouring tiles (default 10)")(
+        "bits", fills(o.bits, "N"), "8 or 16 bits for each colour (default: the frame's)")(
+        "icc", fills(o.icc, "FILE"),
+        "the printer's ICC profile, to whose colours the page is converted (default: sRGB)")(
+        "intent", fills(o.intent, "INTENT"),
+        "perceptual, relative (default), saturation or absolute")(
+        "printer", fills(o.printer, "NAME"),
+        "print it, to a queue of CUPS; ? lists them. -o is then not needed")(
+        "copies", fills(o.copies, "N"), "how many, 1 to 1000 (default 1)")(
+        "medium", fills(o.medium, "NAME"),
+        "the printer's name of the paper (default: by the page's size)")(
+        "printer-option", fills(o.printer_options, "NAME=VALUE"),
+        "of the printer's driver, as StpLaminate=Matte; may be given again")(
+        "sheet", fills(o.start, "FILE.json"),
+        "geometry for a frame that carries none, or instead of its own")(
+        "json", sets(o.json), "with --even: print figures as JSON")("help", sets(o.help),
+                                                                    "print this");
+    options::options_description chart;
+    chart.add_options()(
+        "chart", sets(o.chart),
+        "make a pitch chart instead: bars of lines, one of which is even under the sheet")(
+        "pitch-range", fills(o.pitch_range, "A,B"),
+        "pitches of its first and last bar, mm on the film (default: about the sheet's, as seen "
+        "from 400 mm)")("pitch-step", fills(o.pitch_step, "MM"),
+                        "from bar to bar (default: an eighth of a band along a bar)")(
+        "bars", fills(o.bars, "N"),
+        "how many in each direction (default 25; 15 where lenses are not lenticular)")(
+        "page", fills(o.page, "WxH"),
+        "the chart's page, mm (default 152.4x101.6; 203.2x152.4 where lenses are not lenticular)")(
+        "even", fills(o.even, "BARS@MM"),
+        "read a chart instead: which bars are even, from which distance, as 12,13@400; again for "
+        "each distance. Prints the sheet's "
+        "mechanical pitch and index; -o FILE.json writes the sheet corrected")(
+        "keep-index", sets(o.keep_index),
+        "with --even: take the index as given and measure the pitch alone");
+    declare(chart, o.sheet);
+    declare(chart, o.film);
+    for (const auto& option : chart.options()) // --dpi is there already
+        if (!all.find_nothrow(option->long_name(), false))
+            all.add(option);
+}
 
 Paper parse_paper_size(const std::string& text)
 {
@@ -64,19 +129,19 @@ Paper parse_paper_size(const std::string& text)
     return {width, height};
 }
 
-Vec2 printer_pitch(const options::variables_map& arguments, const Film& film)
+Vec2 printer_pitch(const PrintOptions& o, const Film& film)
 {
     Vec2 feed{1, 1};
-    if (given(arguments, "feed"))
-        feed = parse_one_or_two("feed", text_of(arguments, "feed"), "X or X,Y");
+    if (o.feed)
+        feed = parse_one_or_two("feed", *o.feed, "X or X,Y");
     if (!(feed.x > 0.5 && feed.y > 0.5 && feed.x < 2 && feed.y < 2))
-        throw UsageError("--feed " + text_of(arguments, "feed") + ": 0.5 to 2 is expected");
+        throw UsageError("--feed " + *o.feed + ": 0.5 to 2 is expected");
     const Vec2 made{film.pixel_pitch.x / feed.x, film.pixel_pitch.y / feed.y};
-    if (!given(arguments, "dpi"))
+    if (!o.film.dpi)
         return made;
-    const Vec2 dpi = parse_one_or_two("dpi", text_of(arguments, "dpi"), "D or D,D");
+    const Vec2 dpi = parse_one_or_two("dpi", *o.film.dpi, "D or D,D");
     if (!(dpi.x >= 1 && dpi.y >= 1 && dpi.x <= 100000 && dpi.y <= 100000))
-        throw UsageError("--dpi " + text_of(arguments, "dpi") + ": 1 to 100000 is expected");
+        throw UsageError("--dpi " + *o.film.dpi + ": 1 to 100000 is expected");
     const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
     if (differs(mm_per_inch / made.x, dpi.x) || differs(mm_per_inch / made.y, dpi.y)) {
         const Vec2 pitch{mm_per_inch / dpi.x * feed.x, mm_per_inch / dpi.y * feed.y};
@@ -90,28 +155,28 @@ Vec2 printer_pitch(const options::variables_map& arguments, const Film& film)
     return {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
 }
 
-PageRequest parse_request(const options::variables_map& arguments, const Film& film)
+PageRequest page_request(const PrintOptions& o, const Film& film)
 {
     PageRequest request;
-    request.paper = parse_paper(arguments, film);
-    const std::string centre = given(arguments, "centre") ? text_of(arguments, "centre") : "lens";
+    request.paper = parse_paper(o, film);
+    const std::string centre = o.centre.value_or("lens");
     if (centre != "lens" && centre != "picture")
         throw UsageError("--centre " + centre + ": lens or picture is expected");
     request.centre_on_lens = centre == "lens";
-    request.trim = parse_length(arguments, "bleed", 0);
-    request.overlap = parse_length(arguments, "overlap", request.overlap);
-    request.tiles = arguments["tile"].as<bool>();
-    if (given(arguments, "overlap") && !request.tiles)
+    read_length("bleed", o.bleed, request.trim);
+    read_length("overlap", o.overlap, request.overlap);
+    request.tiles = o.tile;
+    if (o.overlap && !request.tiles)
         throw UsageError("--overlap is for --tile");
     if (request.tiles && !request.paper)
         throw UsageError("--tile needs --paper");
-    request.mirrored = arguments["mirror"].as<bool>();
-    std::string kinds = text_of(arguments, "marks");
+    request.mirrored = o.mirror;
+    std::string kinds = o.marks.value_or("");
     while (!kinds.empty()) {
         const std::string kind = kinds.substr(0, kinds.find(','));
         kinds.erase(0, kind.size() + 1);
         if (kind != "crop" && kind != "registration" && kind != "axis" && kind != "all")
-            throw UsageError("--marks " + text_of(arguments, "marks") +
+            throw UsageError("--marks " + *o.marks +
                              ": crop, registration, axis or all is expected");
         request.crop_marks |= kind == "crop" || kind == "all";
         request.registration_marks |= kind == "registration" || kind == "all";
@@ -120,10 +185,18 @@ PageRequest parse_request(const options::variables_map& arguments, const Film& f
     return request;
 }
 
-Intent parse_intent(const options::variables_map& arguments)
+int bits_of(const PrintOptions& o)
 {
-    const std::string word = given(arguments, "intent") ? text_of(arguments, "intent") : "relative";
-    if (given(arguments, "intent") && !given(arguments, "icc"))
+    const int bits = o.bits.value_or(0);
+    if (o.bits && bits != 8 && bits != 16)
+        throw UsageError("--bits " + std::to_string(bits) + ": 8 or 16 is expected");
+    return bits;
+}
+
+Intent intent_of(const PrintOptions& o)
+{
+    const std::string word = o.intent.value_or("relative");
+    if (o.intent && !o.icc)
         throw UsageError("--intent needs --icc");
     for (const auto& [name, intent] :
          {std::pair("perceptual", Intent::perceptual), std::pair("relative", Intent::relative),

@@ -53,9 +53,12 @@ options::options_description make_options()
         "json", "print the figures as JSON")(
         "threads", options::value<int>()->value_name("N")->default_value(0),
         "threads to work with (0: one per core)")("help", "print this");
-    add_sheet_options(all);
-    add_film_options(all);
-    add_aperture_options(all);
+    static SheetOptions unread_sheet;
+    static FilmOptions unread_film;
+    static ApertureOptions unread_aperture;
+    declare(all, unread_sheet);
+    declare(all, unread_film);
+    declare(all, unread_aperture);
     return all;
 }
 
@@ -64,10 +67,12 @@ FrameMetadata read_geometry(const options::variables_map& arguments)
 {
     const std::string start = text_of(arguments, "sheet");
     FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
-    change_sheet(arguments, geometry.sheet);
-    change_film(arguments, geometry.film);
+    change_sheet(read_group<SheetOptions>(arguments), geometry.sheet);
+    change_film(read_group<FilmOptions>(arguments), geometry.film);
     check_geometry(geometry);
-    change_aperture(arguments, geometry, !start.empty() && !changes_lenses(arguments));
+    change_aperture(read_group<ApertureOptions>(arguments), geometry,
+                    !start.empty() && !changes_lenses(read_group<SheetOptions>(arguments),
+                                                      read_group<ApertureOptions>(arguments)));
     return geometry;
 }
 
@@ -103,7 +108,8 @@ LatticeSearch read_search(const options::variables_map& arguments, const FrameMe
             search.frame = geometry.film;
     }
     double turn = 0;
-    read_number(arguments, "turn", turn);
+    if (given(arguments, "turn"))
+        turn = parse_number("turn", text_of(arguments, "turn"), "a number");
     if (!(std::fabs(turn) <= 360))
         throw UsageError("--turn " + text_of(arguments, "turn") +
                          ": degrees from -360 to 360 are expected");

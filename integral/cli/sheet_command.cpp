@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral sheet: what a sheet, a film and a viewer give, before anything is rendered.
+#include "integral/batch/scene_depths.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
-#include "integral/cli/progress.h"
-#include "integral/cli/scene_depth.h"
-#include "integral/cli/sheet_plots.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/io/sheet_plots.h"
+#include "integral/lightfield/scene_depth_report.h"
 #include "integral/lightfield/sheet_report.h"
 
 #include <nlohmann/json.hpp>
@@ -14,128 +14,141 @@
 namespace integral {
 namespace {
 
-constexpr double default_pupil = 5; // mm; the thesis's figure 4-8
-constexpr double default_detail = 5;
-constexpr char default_depths[] = "10,20,50,100,200,300";
+struct SheetCommandOptions : CommonOptions {
+    SheetOptions sheet;
+    FilmOptions film;
+    ApertureOptions aperture;
+    std::optional<std::string> pupil, detail;
+    std::string depths = "10,20,50,100,200,300";
+    std::optional<std::string> report, plot, start, output;
+    bool json = false;
+};
 
-options::options_description make_options()
+void declare(options::options_description& all, SheetCommandOptions& o)
 {
-    options::options_description all("Options");
-    const auto value = [](const char* name) {
-        return options::value<std::string>()->value_name(name);
-    };
-    add_sheet_options(all);
-    add_film_options(all);
-    add_aperture_options(all);
-    all.add_options()("pupil", value("MM"), "diameter of the eye's pupil (default 5)")(
-        "depths", value("MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")(
-        "detail", value("MM"),
+    declare(all, o.sheet);
+    declare(all, o.film);
+    declare(all, o.aperture);
+    all.add_options()("pupil", fills(o.pupil, "MM"), "diameter of the eye's pupil (default 5)")(
+        "depths", fills(o.depths, "MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")(
+        "detail", fills(o.detail, "MM"),
         "distance between the edges that sampling errors are foretold for (default 5)")(
-        "report", value("SCENE"),
+        "report", fills(o.report, "SCENE"),
         "add how deep a scene reaches against the depth budget: a .pov or .ini, which "
         "povray-integral looks through (what else is on "
         "the command line is for it, as +W900 +H600), or a depth frame (.exr); the geometry is the "
         "scene's")(
-        "plot", value("KIND"),
+        "plot", fills(o.plot, "KIND"),
         "draw instead: spread, lens, sheets, resolution or film; needs -o FILE.svg or FILE.png")(
-        "sheet", value("FILE.json"), "start from this geometry: a JSON document, or a frame")(
-        "json", "print the geometry and the figures as JSON, which --sheet of every command reads")(
-        "output,o", value("FILE"), "print to FILE instead of standard output")("help",
-                                                                               "print this");
-    return all;
+        "sheet", fills(o.start, "FILE.json"),
+        "start from this geometry: a JSON document, or a frame")(
+        "json", sets(o.json),
+        "print the geometry and the figures as JSON, which --sheet of every command reads")(
+        "output,o", fills(o.output, "FILE"),
+        "print to FILE instead of standard output")("help", sets(o.help), "print this");
 }
 
-double positive(const options::variables_map& arguments, const char* option, double value)
+/// Reads a number that has to be greater than 0, if it was given.
+void read_positive(const char* option, const std::optional<std::string>& text, double& value)
 {
-    read_number(arguments, option, value);
+    read_number(option, text, value);
     if (!(value > 0))
-        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) +
+        throw UsageError(std::string("--") + option + " " + text.value_or("") +
                          ": it must be greater than 0");
-    return value;
 }
 
-Viewer read_viewer(const options::variables_map& arguments)
+Viewer viewer_of(const SheetCommandOptions& o)
 {
-    Viewer viewer;
-    viewer.pupil = positive(arguments, "pupil", default_pupil);
-    viewer.detail = positive(arguments, "detail", default_detail);
-    const std::string depths = given(arguments, "depths") ? text_of(arguments, "depths")
-                                                          : default_depths;
-    viewer.depths = parse_numbers("depths", depths, "numbers separated by commas", 1, 1000);
+    Viewer viewer; // its pupil and its detail are 5 mm, as in the thesis's figure 4-8
+    read_positive("pupil", o.pupil, viewer.pupil);
+    read_positive("detail", o.detail, viewer.detail);
+    viewer.depths = parse_numbers("depths", o.depths, "numbers separated by commas", 1, 1000);
     for (const double depth : viewer.depths)
         if (!(depth > 0))
-            throw UsageError("--depths " + depths + ": they must be greater than 0");
+            throw UsageError("--depths " + o.depths + ": they must be greater than 0");
     return viewer;
 }
 
-void draw(const options::variables_map& arguments, const FrameMetadata& geometry,
-          const Viewer& viewer)
+void draw(const SheetCommandOptions& o, const FrameMetadata& geometry, const Viewer& viewer)
 {
-    const std::string kind = text_of(arguments, "plot"), output = text_of(arguments, "output");
-    if (given(arguments, "json"))
+    const std::string output = o.output.value_or("");
+    if (o.json)
         throw UsageError("--plot and --json ask for different things; give one of them");
     if (output.empty())
-        throw UsageError("--plot " + kind + " needs -o FILE.svg or -o FILE.png");
+        throw UsageError("--plot " + *o.plot + " needs -o FILE.svg or -o FILE.png");
     try {
         plot_format(output);
-        write_plot(sheet_plot(kind, geometry, viewer), output);
+        write_plot(sheet_plot(*o.plot, geometry, viewer), output);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
 }
 
-int report_scene(const options::variables_map& arguments)
+/// Throws UsageError for options that say another geometry than the scene's.
+void refuse_geometry(const SheetCommandOptions& o)
 {
-    const std::string scene = text_of(arguments, "report");
-    for (const char* option : {"plot", "sheet", "arrangement", "pitch", "thickness", "ior", "slant",
-                               "offset", "dpi", "pixel-pitch", "size", "distance", "aperture"})
-        if (given(arguments, option))
-            throw UsageError(std::string("--report and --") + option +
-                             " do not go together: the geometry is the scene's");
-    const Viewer viewer = read_viewer(arguments);
-    if (given(arguments, "output"))
-        check_writable(text_of(arguments, "output")); // rather than after a long look through the
-                                                      // scene
-    const DepthFrame depths = depths_of_scene(scene, inputs_of(arguments));
+    const char* option = first_given({{"plot", o.plot},
+                                      {"sheet", o.start},
+                                      {"arrangement", o.sheet.arrangement},
+                                      {"pitch", o.sheet.pitch},
+                                      {"thickness", o.sheet.thickness},
+                                      {"ior", o.sheet.ior},
+                                      {"slant", o.sheet.slant},
+                                      {"offset", o.sheet.offset},
+                                      {"dpi", o.film.dpi},
+                                      {"pixel-pitch", o.film.pixel_pitch},
+                                      {"size", o.film.size},
+                                      {"distance", o.aperture.distance},
+                                      {"aperture", o.aperture.aperture}});
+    if (option)
+        throw UsageError(std::string("--report and --") + option +
+                         " do not go together: the geometry is the scene's");
+}
+
+int report_scene(const SheetCommandOptions& o)
+{
+    refuse_geometry(o);
+    const Viewer viewer = viewer_of(o);
+    if (o.output) // before a long look through the scene, rather than after it
+        check_writable(*o.output);
+    const DepthFrame depths = depths_of_scene(*o.report, o.inputs);
     stop_if_interrupted();
-    if (given(arguments, "json")) {
+    if (o.json) {
         nlohmann::ordered_json json = sheet_report_json(depths.metadata, viewer);
-        json["scene_depths"] = scene_depth_json(scene, depths);
-        print_result(arguments, json.dump(2) + "\n");
+        json["scene_depths"] = scene_depth_json(*o.report, depths);
+        print_result(o.output, json.dump(2) + "\n");
     } else {
-        print_result(arguments,
-                     sheet_report_text(depths.metadata, viewer) + scene_depth_text(scene, depths));
+        print_result(o.output, sheet_report_text(depths.metadata, viewer) +
+                                   scene_depth_text(*o.report, depths));
     }
     return exit_done;
 }
 
-int run(const options::variables_map& arguments)
+int run(const SheetCommandOptions& o)
 {
-    if (given(arguments, "report"))
-        return report_scene(arguments);
-    const auto inputs = inputs_of(arguments);
-    if (inputs.size() > 1)
+    if (o.report)
+        return report_scene(o);
+    if (o.inputs.size() > 1)
         throw UsageError("one FRAME is expected");
-    std::string start = text_of(arguments, "sheet");
-    if (!inputs.empty() && !start.empty())
+    std::string start = o.start.value_or("");
+    if (!o.inputs.empty() && !start.empty())
         throw UsageError("FRAME and --sheet both give the geometry; give one of them");
-    if (!inputs.empty())
-        start = inputs[0];
+    if (!o.inputs.empty())
+        start = o.inputs[0];
 
     FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
-    change_sheet(arguments, geometry.sheet);
-    change_film(arguments, geometry.film);
+    change_sheet(o.sheet, geometry.sheet);
+    change_film(o.film, geometry.film);
     check_geometry(geometry);
-    change_aperture(arguments, geometry, !start.empty() && !changes_lenses(arguments));
+    change_aperture(o.aperture, geometry, !start.empty() && !changes_lenses(o.sheet, o.aperture));
 
-    const Viewer viewer = read_viewer(arguments);
-    if (given(arguments, "plot")) {
-        draw(arguments, geometry, viewer);
+    const Viewer viewer = viewer_of(o);
+    if (o.plot) {
+        draw(o, geometry, viewer);
         return exit_done;
     }
-    print_result(arguments, given(arguments, "json")
-                                ? sheet_report_json(geometry, viewer).dump(2) + "\n"
-                                : sheet_report_text(geometry, viewer));
+    print_result(o.output, o.json ? sheet_report_json(geometry, viewer).dump(2) + "\n"
+                                  : sheet_report_text(geometry, viewer));
     return exit_done;
 }
 
@@ -163,7 +176,7 @@ const Command sheet_command = {
     "film at its focus, nearer and farther (figures 4-3 to 4-6).\n",
     0,
     1000,
-    make_options,
-    run_from_map<run>};
+    described<SheetCommandOptions>,
+    run_with<SheetCommandOptions, run>};
 
 } // namespace integral

@@ -78,6 +78,14 @@ PixelSize parse_size(const char* option, const std::string& text, int most, cons
     return size;
 }
 
+const char* first_given(std::initializer_list<GivenOption> all)
+{
+    for (const GivenOption& option : all)
+        if (option.given)
+            return option.name;
+    return nullptr;
+}
+
 int in_range(const char* option, int value, int least, int most)
 {
     if (value < least || value > most)

@@ -5,6 +5,7 @@
 
 #include "integral/optics/vec.h"
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,21 @@ struct PixelSize {
 /// WxH, each from 1 to `most`; `form` is what a complaint calls it.
 PixelSize parse_size(const char* option, const std::string& text, int most,
                      const char* form = "WxH");
+
+/// An option's name, and whether the line has it.
+struct GivenOption {
+    GivenOption(const char* option, bool is_given) : name(option), given(is_given) {}
+    template <class T>
+    GivenOption(const char* option, const std::optional<T>& value)
+        : name(option), given(value.has_value())
+    {
+    }
+    const char* name;
+    bool given;
+};
+
+/// The name of the first of them that was given; none: nullptr.
+const char* first_given(std::initializer_list<GivenOption> all);
 
 /// A whole number from `least` to `most`.
 int in_range(const char* option, int value, int least, int most);

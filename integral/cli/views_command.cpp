@@ -4,7 +4,7 @@
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/given_views.h"
-#include "integral/cli/picture_series.h"
+#include "integral/cli/series_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/cli/views_to_frame.h"
@@ -51,7 +51,8 @@ options::options_description make_options()
         "carry it, or instead of that")(
         "threads", options::value<int>()->value_name("N")->default_value(0),
         "threads to work with (0: one per core)")("help", "print this");
-    add_series_options(all);
+    static SeriesOptions unread;
+    declare(all, unread);
     return all;
 }
 
@@ -209,7 +210,7 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     const PixelSize size = size_to_look_at(arguments, metadata.film);
     std::optional<PictureSeries> series;
     if (files || animated)
-        series.emplace(arguments, output, grid.count(), 0);
+        series.emplace(begin_series(read_group<SeriesOptions>(arguments), output, grid.count(), 0));
     const std::string path = series || output == "-"
                                  ? output
                                  : quilt_name(output, grid, aspect_of(metadata.film));
@@ -276,7 +277,7 @@ int run(const options::variables_map& arguments)
     const bool animated = is_animation(output);
     if (!animated || back)
         format_for(output);
-    check_series_options(arguments, output);
+    check_series_options(read_group<SeriesOptions>(arguments), output);
     if (files && (back || animated))
         throw UsageError(std::string("--files does not go with ") +
                          (back ? "--to-frame" : "an animation"));

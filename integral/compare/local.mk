@@ -4,19 +4,27 @@
 build_lib_libintegral_a_SOURCES += \
   integral/compare/compare.cpp \
   integral/compare/compare.h \
+  integral/compare/compare_files.cpp \
+  integral/compare/compare_files.h \
   integral/compare/compare_geometry.cpp \
   integral/compare/compare_geometry.h \
   integral/compare/compare_limits.cpp \
   integral/compare/compare_limits.h \
   integral/compare/figures_json.cpp \
   integral/compare/figures_json.h \
+  integral/compare/figures_text.cpp \
+  integral/compare/figures_text.h \
   integral/compare/similarity.cpp \
   integral/compare/similarity.h \
+  integral/compare/suite_accept.cpp \
+  integral/compare/suite_accept.h \
   integral/compare/suite_pair.cpp \
   integral/compare/suite_pair.h \
   integral/compare/suite_pictures.cpp \
   integral/compare/suite_pictures.h \
   integral/compare/suite_report.cpp \
   integral/compare/suite_report.h \
+  integral/compare/suite_run.cpp \
+  integral/compare/suite_run.h \
   integral/compare/tolerances.cpp \
   integral/compare/tolerances.h

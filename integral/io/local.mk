@@ -19,6 +19,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/markup.h \
   integral/io/memory.cpp \
   integral/io/memory.h \
+  integral/io/picture_series.cpp \
+  integral/io/picture_series.h \
   integral/io/plot.cpp \
   integral/io/plot.h \
   integral/io/plot_axis.cpp \
@@ -29,4 +31,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/plot_names.h \
   integral/io/png_codec.cpp \
   integral/io/release.h \
+  integral/io/sheet_plots.cpp \
+  integral/io/sheet_plots.h \
   integral/io/tiff_codec.cpp

@@ -2,12 +2,16 @@
 # Sources of integral/output: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/output/chart_page.cpp \
+  integral/output/chart_page.h \
   integral/output/colour_profile.cpp \
   integral/output/colour_profile.h \
   integral/output/cups_raster.cpp \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/frame_print.cpp \
+  integral/output/frame_print.h \
   integral/output/interlace.cpp \
   integral/output/interlace.h \
   integral/output/interlace_avx2.h \
@@ -34,6 +38,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/paper.h \
   integral/output/pitch_chart.cpp \
   integral/output/pitch_chart.h \
+  integral/output/pitch_report.cpp \
+  integral/output/pitch_report.h \
   integral/output/pitch_wizard.cpp \
   integral/output/pitch_wizard.h \
   integral/output/print_media.cpp \

@@ -67,6 +67,12 @@ std::string filled_in(const std::string& page, const std::vector<Blank>& blanks)
 std::string replay_page(const Frame& frame, const View& start)
 {
     const FrameMetadata& metadata = *frame.metadata;
+    const Subpixels& subpixels = metadata.film.subpixels;
+    if (subpixels != Subpixels::none && subpixels != Subpixels::rgb && subpixels != Subpixels::bgr)
+        throw std::invalid_argument(std::string("--html shows panels of upright stripes, rgb or "
+                                                "bgr, and this frame's subpixels are ") +
+                                    name_of(subpixels.order) +
+                                    "; integral replay without --html shows it");
     const Vec2 zone = viewing_zone(metadata, metadata.aperture.distance);
     DecodedImage picture;
     picture.image = converted(frame.image, 8, Encoding{}, false);

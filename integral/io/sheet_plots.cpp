@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/cli/sheet_plots.h"
+#include "integral/io/sheet_plots.h"
 
-#include "integral/cli/command.h"
 #include "integral/lightfield/lens_profile.h"
 #include "integral/lightfield/names.h"
 #include "integral/lightfield/sheet_figures.h"
@@ -11,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <stdexcept>
 
 namespace integral {
 namespace {
@@ -69,10 +69,10 @@ void demand_surface(const LensSheet& sheet, const std::string& kind)
 {
     if (has_surface(sheet))
         return;
-    throw UsageError("--plot " + kind + ": a spherical lens of radius " +
-                     written(surface_radius(sheet)) +
-                     " mm, t(n-1)/n, is not as wide as the sheet's; a thicker sheet or a smaller "
-                     "pitch is needed");
+    throw std::invalid_argument(
+        "--plot " + kind + ": a spherical lens of radius " + written(surface_radius(sheet)) +
+        " mm, t(n-1)/n, is not as wide as the sheet's; a thicker sheet or a smaller "
+        "pitch is needed");
 }
 
 Plot spread_plot(const FrameMetadata& g)
@@ -81,7 +81,8 @@ Plot spread_plot(const FrameMetadata& g)
     demand_surface(sheet, "spread");
     const Counted c = counted(g);
     if (!(c.aperture > 0 && std::isfinite(c.aperture)))
-        throw UsageError("--plot spread: the capture aperture has no width; give --aperture W");
+        throw std::invalid_argument(
+            "--plot spread: the capture aperture has no width; give --aperture W");
     const double nearest = 0.5 * g.aperture.distance, farthest = 4 * g.aperture.distance;
 
     Plot plot;
@@ -180,7 +181,7 @@ Plot resolution_plot(const FrameMetadata& g, const Viewer& viewer)
     const double pixel = counted(g).pixel, d = g.aperture.distance;
     const auto budget = depth_budget(sheet, pixel);
     if (!budget)
-        throw UsageError(
+        throw std::invalid_argument(
             "--plot resolution: (4-6) has no value for lenses that wide on a sheet that thin");
     const double deepest = *std::max_element(viewer.depths.begin(), viewer.depths.end());
     Plot plot;
@@ -264,7 +265,8 @@ Plot sheet_plot(const std::string& kind, const FrameMetadata& g, const Viewer& v
         return resolution_plot(g, viewer);
     if (kind == "film")
         return film_plot(g);
-    throw UsageError("--plot " + kind + ": spread, lens, sheets, resolution or film is expected");
+    throw std::invalid_argument("--plot " + kind +
+                                ": spread, lens, sheets, resolution or film is expected");
 }
 
 } // namespace integral

@@ -1,56 +1,26 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/cli/picture_series.h"
+#include "integral/io/picture_series.h"
 
-#include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace integral {
 
-void add_series_options(options::options_description& all)
-{
-    all.add_options()("fps", options::value<std::string>()->value_name("N"),
-                      "pictures a second of an animation, 0.1 to 100 (default: 25)")(
-        "quality", options::value<int>()->value_name("N")->default_value(90),
-        "of an animation's pictures, 0 to 100; 100 keeps every 8-bit value");
-}
-
 bool is_animation(const std::string& path) { return extension_of(path) == "webp"; }
 
-void check_series_options(const options::variables_map& arguments, const std::string& output)
-{
-    if (!is_animation(output) && (given(arguments, "fps") || !arguments["quality"].defaulted()))
-        throw UsageError("--fps and --quality are for animations, whose names end in .webp");
-}
-
-namespace {
-
-double pictures_a_second(const options::variables_map& arguments)
-{
-    constexpr double plain = 25;
-    if (!given(arguments, "fps"))
-        return plain;
-    const double value = parse_number("fps", text_of(arguments, "fps"), "a number");
-    if (!(value >= 0.1 && value <= 100))
-        throw UsageError("--fps " + text_of(arguments, "fps") +
-                         ": 0.1 to 100 pictures a second is expected");
-    return value;
-}
-
-} // namespace
-
-PictureSeries::PictureSeries(const options::variables_map& arguments, const std::string& path,
-                             int count, int first)
+PictureSeries::PictureSeries(const std::string& path, const AnimationSettings& settings, int count,
+                             int first)
     : path_(path),
       last_(first + count - 1),
       next_(first),
-      pictures_a_second_(pictures_a_second(arguments)),
-      animation_(in_range(arguments, "quality", 0, 100))
+      pictures_a_second_(settings.pictures_a_second),
+      animation_(settings.quality)
 {
     if (path == "-")
-        throw UsageError("-o -: several pictures need a name, FILE.webp for an animation or "
-                         "FILE.png for files with numbers");
+        throw std::invalid_argument("-o -: several pictures need a name, FILE.webp for an "
+                                    "animation or FILE.png for files with numbers");
     if (is_animation(path)) {
         if (!can_animate())
             throw OutputError(path + ": this program was built without libwebp; a name that ends "

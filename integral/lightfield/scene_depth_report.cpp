@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/cli/scene_depth.h"
+#include "integral/lightfield/scene_depth_report.h"
 
-#include "integral/batch/renderer.h"
-#include "integral/io/image_file.h"
 #include "integral/lightfield/sheet_figures.h"
 #include "integral/lightfield/sheet_report.h"
 
@@ -11,17 +9,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace integral {
 namespace {
 
-/// What helps a scene that reaches beyond its budget.
+/// How a scene that reaches beyond its budget could be brought within it.
 struct Remedy {
-    double shift;  ///< mm by which the sheet would be moved backwards to lie in the middle of the
-                   ///< depths
-    double needed; ///< the budget that this takes, mm
-    std::optional<double> pixel; ///< the pixel pitch that gives it, mm
+    double shift;  ///< how far back the sheet would move into the middle of the depths, mm
+    double needed; ///< the budget that would then be enough, mm
+    std::optional<double> pixel; ///< the pixel pitch that gives this budget, mm
 };
 
 struct Judged {
@@ -50,7 +46,7 @@ template <class... Values> std::string line(const char* format, Values... values
     return text;
 }
 
-/// (4-6) at a depth, in words.
+/// The resolution at a depth, (4-6) or the lenses' own where that is less, as a column of text.
 std::string resolution_at(const DepthFrame& depths, double depth)
 {
     const auto sheet_only = observer_resolution(depths.metadata.sheet.pitch,
@@ -62,42 +58,11 @@ std::string resolution_at(const DepthFrame& depths, double depth)
 
 } // namespace
 
-DepthFrame depths_of_scene(const std::string& path, const std::vector<std::string>& options)
-{
-    const std::string extension = extension_of(path);
-    if (extension == "exr")
-        return read_depths(path);
-    if (extension != "pov" && extension != "ini")
-        throw InputError(path + ": it is no scene (.pov, .ini) and no depth frame (.exr); a "
-                                "micro-image frame holds no depths: "
-                                "Integral_Depth_Image=FILE.exr writes them beside it");
-    read_file(path);
-    const ScratchFolder scratch;
-    const std::string depths = scratch.path("depths.exr");
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    std::vector<std::string> words;
-    if (!folder.empty())
-        words.push_back("+L\"" + folder + "\"");
-    words.push_back(extension == "pov" ? "+I\"" + path + "\"" : "\"" + path + "\"");
-    for (const char* word : {"-D", "+KFI1", "+KFF1"}) // one picture of an animation
-        words.push_back(word);
-    words.insert(words.end(), options.begin(), options.end());
-    for (const std::string& word :
-         {std::string("-F"), std::string("-A"), std::string("-P"), std::string("+Q1"),
-          std::string("Integral_Audit=off"), "Integral_Depth_Image=\"" + depths + "\""})
-        words.push_back(word);
-    render(path, words, scratch);
-    if (!std::filesystem::exists(depths))
-        throw InputError(path + ": its camera is not integral; Integral_Camera=\"lens_sheet{...} "
-                                "film{...}\" after it makes it so");
-    return read_depths(depths);
-}
-
-std::string scene_depth_text(const std::string& path, const DepthFrame& depths)
+std::string scene_depth_text(const std::string& scene, const DepthFrame& depths)
 {
     const Judged j = judge(depths);
     const DepthRange& r = j.range;
-    std::string text = "\nDepths of " + path + "\n";
+    std::string text = "\nDepths of " + scene + "\n";
     if (r.surfaces == 0)
         return text + "  no pixel shows a surface\n";
     text += "                mm behind     lpi there\n"
@@ -131,14 +96,14 @@ std::string scene_depth_text(const std::string& path, const DepthFrame& depths)
     return text + line(", or a scene %.3g times as shallow\n", j.remedy.needed / *j.budget);
 }
 
-nlohmann::ordered_json scene_depth_json(const std::string& path, const DepthFrame& depths)
+nlohmann::ordered_json scene_depth_json(const std::string& scene, const DepthFrame& depths)
 {
     const Judged j = judge(depths);
     const DepthRange& r = j.range;
     const auto or_null = [&](std::optional<double> v) {
         return v && r.surfaces > 0 ? nlohmann::ordered_json(*v) : nlohmann::ordered_json(nullptr);
     };
-    return {{"scene", path},
+    return {{"scene", scene},
             {"pixels", r.pixels},
             {"surfaces", r.surfaces},
             {"nearest_mm", or_null(r.nearest)},

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/replay_options.h"
+
+#include "integral/cli/values.h"
+#include "integral/lightfield/names.h"
+
+#include <cmath>
+
+namespace integral {
+namespace {
+
+constexpr int most_samples = 64, largest_grid = 64;
+constexpr double farthest = 1e9; // mm
+
+Eye parse_eye(const std::string& text)
+{
+    constexpr char form[] = "X,Y,DISTANCE (mm, DISTANCE greater than 0)";
+    const auto v = parse_numbers("eye", text, form, 3, 3);
+    if (!(v[2] > 0 && v[2] <= farthest && std::fabs(v[0]) <= farthest &&
+          std::fabs(v[1]) <= farthest))
+        throw UsageError("--eye " + text + ": " + form + " is expected, each at most 1e9");
+    return {v[0], v[1], v[2]};
+}
+
+/// Reads a number of mm from `least` to 1e6, if it was given.
+void read_mm(const char* option, const std::optional<std::string>& text, double least,
+             const char* form, double& value)
+{
+    if (!text)
+        return;
+    value = parse_number(option, *text, form);
+    if (!(value >= least && value <= 1e6))
+        throw UsageError(std::string("--") + option + " " + *text + ": " + form + " is expected");
+}
+
+LensModel parse_model(const std::string& text)
+{
+    for (const LensModel model : {LensModel::extended_pinhole, LensModel::pinhole, LensModel::full})
+        if (text == name_of(model))
+            return model;
+    throw UsageError("--lens-model " + text + ": extended_pinhole, pinhole or full is expected");
+}
+
+SheetPart parse_part(const std::string& text)
+{
+    constexpr char form[] = "X,Y,W,H (mm, W and H greater than 0)";
+    const auto v = parse_numbers("part", text, form, 4, 4);
+    if (!(v[2] > 0 && v[3] > 0 && v[2] <= farthest && v[3] <= farthest &&
+          std::fabs(v[0]) <= farthest && std::fabs(v[1]) <= farthest))
+        throw UsageError("--part " + text + ": " + form + " is expected, each at most 1e9");
+    return {{v[0], v[1]}, v[2], v[3]};
+}
+
+EyePath parse_path(const std::string& word, const std::string& text)
+{
+    for (const auto& [name, path] :
+         {std::pair("turntable", EyePath::turntable), std::pair("sweep", EyePath::sweep),
+          std::pair("circle", EyePath::circle), std::pair("dolly", EyePath::dolly)})
+        if (word == name)
+            return path;
+    throw UsageError("--path " + text + ": turntable, sweep, circle or dolly is expected");
+}
+
+} // namespace
+
+void declare(options::options_description& all, ReplayOptions& o)
+{
+    all.add_options()("output,o", fills(o.output, "VIEW"),
+                      "the picture to write: .png, .exr or .tiff; - writes a PNG to standard "
+                      "output; with --path FILE.webp, an animation, or "
+                      "FILE.png, files with numbers")(
+        "html", fills(o.html, "FILE"),
+        "a page for any browser, of the frame and its replay, to look at from all sides; the "
+        "options of a view "
+        "say how it starts; - writes to standard output")(
+        "eye", fills(o.eye, "X,Y,DISTANCE"),
+        "the eye: mm to the right of and above the sheet's centre, and mm in front of the sheet "
+        "(default: the centre of the frame's capture aperture)")(
+        "size", fills(o.size, "WxH"),
+        "pixels of the view (default: the film's shape, 1000 on the longer side)")(
+        "part", fills(o.part, "X,Y,W,H"),
+        "only a part of the sheet: its middle, mm to the right of and above the sheet's centre, "
+        "and its width and height")("samples", fills(o.samples, "N"),
+                                    "N by N samples in each pixel, 1 to 64, averaged in linear "
+                                    "light (default: 3; with a pupil or blur 8)")(
+        "pupil", fills(o.pupil, "MM"),
+        "the pupil's diameter, 0 to 1e6 mm (default: 0, which sees every depth sharply)")(
+        "focus", fills(o.focus, "MM"),
+        "the depth that a pupil sees sharply: mm behind the sheet, negative in front of it "
+        "(default: 0, the sheet)")("lens-model", fills(o.lens_model, "MODEL"),
+                                   "extended_pinhole: ideal lenses (default); pinhole; or full: "
+                                   "with the curved surface's aberrations")(
+        "film-gap", fills(o.film_gap, "MM"),
+        "how much farther than at the lenses' focus the film lies; negative: nearer (default: 0)")(
+        "lens-blur", fills(o.lens_blur, "MM"),
+        "diameter of the spot on the film that a point of a lens gathers light from: crosstalk "
+        "between directions, 0 to 1e6 (default: 0)")(
+        "stereo", fills(o.stereo, "MM"),
+        "a pair of views, of eyes so many mm apart, side by side: the left eye's on the left")(
+        "cross-eyed", sets(o.cross_eyed), "the left eye's on the right")(
+        "anaglyph", sets(o.anaglyph), "the pair for red-cyan glasses: the left eye's in red")(
+        "grid", fills(o.grid, "CxR"),
+        "a contact sheet: C by R views of eyes spread over the frame's capture aperture, the eye's "
+        "distance away")("path", fills(o.path, "KIND[,SPAN]"),
+                         "several views of an eye that moves: turntable (the sheet turns, SPAN "
+                         "degrees), sweep (sideways, SPAN mm), circle (SPAN mm) "
+                         "or dolly (nearer, by a factor of SPAN); by default across the viewing "
+                         "zone, and 4 times nearer")("steps", fills(o.steps, "N (=48)"),
+                                                     "views along the path, 2 to 10000")(
+        "sheet", fills(o.sheet, "FILE.json"),
+        "geometry for a frame that carries none, or instead of its own")(
+        "threads", fills(o.threads, "N")->default_value(o.threads),
+        "threads to work with (0: one per core)")("help", sets(o.help), "print this");
+    declare(all, o.series);
+}
+
+View view_of(const ReplayOptions& o)
+{
+    View view;
+    read_mm("pupil", o.pupil, 0, "a diameter from 0 to 1e6 mm", view.pupil);
+    read_mm("focus", o.focus, -1e6, "mm behind the sheet, from -1e6 to 1e6,", view.focus);
+    read_mm("film-gap", o.film_gap, -1e6, "mm, from -1e6 to 1e6,", view.film_gap);
+    read_mm("lens-blur", o.lens_blur, 0, "a diameter from 0 to 1e6 mm", view.blur);
+    if (o.lens_model)
+        view.model = parse_model(*o.lens_model);
+    constexpr int plain_samples = 3, pupil_samples = 8;
+    view.samples = o.samples ? in_range("samples", *o.samples, 1, most_samples)
+                   : view.pupil > 0 || view.blur > 0 ? pupil_samples
+                                                     : plain_samples;
+    if (o.eye)
+        view.eye = parse_eye(*o.eye);
+    if (o.size) {
+        const PixelSize size = parse_size("size", *o.size, largest_replay_side);
+        view.width = size.width;
+        view.height = size.height;
+    }
+    if (o.part)
+        view.part = parse_part(*o.part);
+    return view;
+}
+
+ViewArrangement arrangement_of(const ReplayOptions& o)
+{
+    ViewArrangement arrangement;
+    arrangement.crossed = o.cross_eyed;
+    arrangement.anaglyph = o.anaglyph;
+    if (o.stereo)
+        read_mm("stereo", o.stereo, 0, "a distance from 0 to 1e6 mm",
+                arrangement.separation.emplace());
+    if ((o.cross_eyed || o.anaglyph) && !o.stereo)
+        throw UsageError(std::string(o.cross_eyed ? "--cross-eyed" : "--anaglyph") +
+                         " needs --stereo MM, the eyes' distance");
+    if (o.cross_eyed && o.anaglyph)
+        throw UsageError("--cross-eyed and --anaglyph do not go together");
+    if (!o.grid)
+        return arrangement;
+    if (o.stereo)
+        throw UsageError("--grid and --stereo do not go together");
+    const PixelSize grid = parse_size("grid", *o.grid, largest_grid, "CxR");
+    arrangement.columns = grid.width;
+    arrangement.rows = grid.height;
+    return arrangement;
+}
+
+std::optional<EyeMovement> movement_of(const ReplayOptions& o)
+{
+    EyeMovement movement;
+    if (o.steps)
+        movement.steps = in_range("steps", *o.steps, 2, 10000);
+    if (!o.path) {
+        if (o.steps)
+            throw UsageError("--steps needs --path, how the eye moves");
+        return std::nullopt;
+    }
+    const std::string text = *o.path, word = text.substr(0, text.find(','));
+    movement.path = parse_path(word, text);
+    if (word == text)
+        return movement;
+    const double span = parse_number("path", text.substr(word.size() + 1), "KIND,SPAN (a number)");
+    const double least = movement.path == EyePath::dolly ? 1 : 0,
+                 greatest = movement.path == EyePath::turntable ? 179 : farthest;
+    if (!(span >= least && span <= greatest))
+        throw UsageError("--path " + text + ": a span from " + std::to_string(int(least)) + " to " +
+                         std::to_string(int(greatest)) + " is expected");
+    movement.span = span;
+    return movement;
+}
+
+} // namespace integral

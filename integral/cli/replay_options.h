@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The options of `integral replay`, and what they say of the views to draw.
+#ifndef INTEGRAL_CLI_REPLAY_OPTIONS_H
+#define INTEGRAL_CLI_REPLAY_OPTIONS_H
+
+#include "integral/cli/series_options.h"
+#include "integral/replay/replay_series.h"
+
+namespace integral {
+
+struct ReplayOptions : CommonOptions {
+    std::optional<std::string> output, html, sheet;
+    std::optional<std::string> eye, size, part, pupil, focus, lens_model, film_gap, lens_blur;
+    std::optional<int> samples;
+    std::optional<std::string> stereo, grid, path;
+    bool cross_eyed = false, anaglyph = false;
+    std::optional<int> steps;
+    int threads = 0;
+    SeriesOptions series;
+};
+
+void declare(options::options_description& all, ReplayOptions& o);
+
+/// The view. Its eye and its size are left 0 where they are not given: the frame says them. Throws
+/// UsageError.
+View view_of(const ReplayOptions& o);
+
+/// Throws UsageError.
+ViewArrangement arrangement_of(const ReplayOptions& o);
+
+/// How the eye moves, if it does. Throws UsageError.
+std::optional<EyeMovement> movement_of(const ReplayOptions& o);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/series_options.h"
+
+#include "integral/cli/values.h"
+
+namespace integral {
+
+void declare(options::options_description& all, SeriesOptions& series)
+{
+    all.add_options()("fps", fills(series.fps, "N"),
+                      "pictures a second of an animation, 0.1 to 100 (default: 25)")(
+        "quality", fills(series.quality, "N (=90)"),
+        "of an animation's pictures, 0 to 100; 100 keeps every 8-bit value");
+}
+
+void check_series_options(const SeriesOptions& given, const std::string& output)
+{
+    if (!is_animation(output) && (given.fps || given.quality))
+        throw UsageError("--fps and --quality are for animations, whose names end in .webp");
+}
+
+PictureSeries begin_series(const SeriesOptions& given, const std::string& output, int count,
+                           int first)
+{
+    AnimationSettings settings;
+    read_number("fps", given.fps, settings.pictures_a_second);
+    if (!(settings.pictures_a_second >= 0.1 && settings.pictures_a_second <= 100))
+        throw UsageError("--fps " + given.fps.value_or("") +
+                         ": 0.1 to 100 pictures a second is expected");
+    if (given.quality)
+        settings.quality = in_range("quality", *given.quality, 0, 100);
+    try {
+        return PictureSeries(output, settings, count, first);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
+} // namespace integral

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A comparison's figures for people.
+#ifndef INTEGRAL_COMPARE_FIGURES_TEXT_H
+#define INTEGRAL_COMPARE_FIGURES_TEXT_H
+
+#include "integral/compare/compare.h"
+
+#include <string>
+
+namespace integral {
+
+/// A table, a figure in each line.
+std::string figures_text(const Comparison& comparison);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Several pictures written one after another: into an animated WebP, or into numbered files.
+#ifndef INTEGRAL_IO_PICTURE_SERIES_H
+#define INTEGRAL_IO_PICTURE_SERIES_H
+
+#include "integral/io/animation.h"
+#include "integral/lightfield/frame.h"
+
+#include <optional>
+#include <string>
+
+namespace integral {
+
+/// Whether a path names an animation: it ends in .webp, in any case.
+bool is_animation(const std::string& path);
+
+/// The path of one of several files: its number stands before the extension, with as many digits
+/// as `last`, the greatest number, has. NAME.png becomes NAME07.png.
+std::string numbered(const std::string& path, int number, int last);
+
+/// How an animation is written and played.
+struct AnimationSettings {
+    int quality = 90;              ///< 0 to 100; 100 keeps every 8-bit value
+    double pictures_a_second = 25; ///< > 0
+};
+
+class PictureSeries {
+public:
+    /// `path`: NAME.webp for an animation, which alone `settings` are for; or NAME.png, .exr or
+    /// .tiff for files of the numbers `first` to first + count - 1. Throws std::invalid_argument
+    /// for "-", OutputError for a path that cannot be written.
+    PictureSeries(const std::string& path, const AnimationSettings& settings, int count, int first);
+
+    /// Takes the next picture. A numbered file is written at once, with `metadata` as its document
+    /// where there is some. Throws OutputError.
+    void add(Image picture, const std::optional<FrameMetadata>& metadata = std::nullopt);
+
+    /// Writes the animation, if it is one. there_and_back: after the last picture it plays back to
+    /// the first. Throws OutputError.
+    void finish(bool there_and_back);
+
+private:
+    std::string path_;
+    int last_, next_;
+    double pictures_a_second_;
+    Animation animation_;
+};
+
+} // namespace integral
+
+#endif

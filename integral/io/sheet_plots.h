@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A sheet's figures as plots: those of `integral sheet --plot`.
+#ifndef INTEGRAL_IO_SHEET_PLOTS_H
+#define INTEGRAL_IO_SHEET_PLOTS_H
+
+#include "integral/io/plot.h"
+#include "integral/lightfield/sheet_report.h"
+
+namespace integral {
+
+/// The plot of one kind:
+///   spread      width of the capture aperture's micro-image against the aperture's distance, by
+///               three models (thesis figure 3-26)
+///   lens        the beam of the full model against the extended pinhole's ray, from a lens's axis
+///               to its margin
+///   sheets      the same for each of the thesis's sheets, in one figure
+///   resolution  against depth (figures 4-12, 4-15)
+///   film        the part of the film that a lens shows to an eye at the aperture's centre, with
+///               the film at the lens's focus, nearer and farther (figures 4-3 to 4-6)
+/// Throws std::invalid_argument for another kind, and where the sheet has no such figures.
+Plot sheet_plot(const std::string& kind, const FrameMetadata& geometry, const Viewer& viewer);
+
+} // namespace integral
+
+#endif
