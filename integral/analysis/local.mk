@@ -12,6 +12,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/analysis/lens_borders.h \
   integral/analysis/rectify.cpp \
   integral/analysis/rectify.h \
+  integral/analysis/rectify_report.cpp \
+  integral/analysis/rectify_report.h \
   integral/analysis/scan_colour.cpp \
   integral/analysis/scan_colour.h \
   integral/analysis/scan_map.h \

@@ -5,16 +5,14 @@
 #include "integral/cli/command.h"
 #include "integral/cli/lcd_image.h"
 #include "integral/cli/print_options.h"
-#include "integral/base/file_bytes.h"
+#include "integral/cli/replay_options.h"
 #include "integral/cli/values.h"
-
-#include <algorithm>
 
 namespace integral {
 namespace {
 
 constexpr int most_pixels_a_side = 1000000;
-constexpr double usual_view = 1000 * 1000; // pixels, where --size does not say them
+constexpr double usual_view = 1000 * 1000; // pixels, if --size does not give them
 
 /// A panel's file, or the name that integral lcd knows.
 std::string file_of(const Manifest& manifest, const BatchTarget& panel)
@@ -22,19 +20,37 @@ std::string file_of(const Manifest& manifest, const BatchTarget& panel)
     return extension_of(panel.what) == "json" ? path_in(manifest.folder, panel.what) : panel.what;
 }
 
-/// What a command reads of a target's options. Throws UsageError.
-options::variables_map options_of(const Command& command, const BatchTarget& target, Names words)
+/// The line of a target's command: `own`, the target's options, an input and an output.
+Words line_of(const BatchTarget& target, Words own)
 {
-    words.insert(words.end(), target.options.begin(), target.options.end());
-    words.insert(words.end(), {"frame.png", "--output", "output." + target.format});
-    const options::variables_map arguments = read_arguments(command, words);
-    const auto inputs = inputs_of(arguments);
-    if (inputs.size() > 1)
-        throw UsageError(inputs[0] + ": an option of integral " + command.name + " is expected");
-    return arguments;
+    own.insert(own.end(), target.options.begin(), target.options.end());
+    own.insert(own.end(), {"frame.png", "--output", "output." + target.format});
+    return own;
 }
 
-/// Says where in the manifest stands what `check` finds wrong.
+/// Refuses options that are inputs. Throws UsageError.
+void check_inputs(const Words& inputs, const Command& command)
+{
+    if (inputs.size() > 1)
+        throw UsageError(inputs[0] + ": an option of integral " + command.name + " is expected");
+}
+
+/// A target's options as its command reads them. Throws UsageError.
+template <class Options> Options options_of(const Command& command, const BatchTarget& target)
+{
+    Options read = read_options<Options>(line_of(target, {}));
+    check_inputs(read.inputs, command);
+    return read;
+}
+
+auto lcd_options_of(const BatchTarget& target, const std::string& panel)
+{
+    auto read = read_arguments(lcd_command, line_of(target, {"--panel", panel}));
+    check_inputs(inputs_of(read), lcd_command);
+    return read;
+}
+
+/// Calls `check`; what it throws becomes InputError, with its place in the manifest before it.
 template <class Check>
 void check_at(const std::string& place, const Command& command, const Check& check)
 {
@@ -42,10 +58,9 @@ void check_at(const std::string& place, const Command& command, const Check& che
         check();
     } catch (const UsageError& error) {
         const std::string what = error.what();
+        const bool has_help = what.find(';') != std::string::npos;
         throw InputError(place + ": " + what +
-                         (what.find(';') == std::string::npos
-                              ? std::string("; see integral help ") + command.name
-                              : ""));
+                         (has_help ? "" : std::string("; see integral help ") + command.name));
     } catch (const InputError& error) {
         throw InputError(place + ": " + error.what());
     }
@@ -53,46 +68,27 @@ void check_at(const std::string& place, const Command& command, const Check& che
 
 void check_panel(const BatchTarget& target, const std::string& panel)
 {
-    options::variables_map arguments;
     check_at(target.options_place, lcd_command, [&] {
-        arguments = options_of(lcd_command, target, {"--panel", panel});
+        const auto read = lcd_options_of(target, panel);
         for (const char* option : {"list", "list-displays"})
-            if (arguments[option].as<bool>())
+            if (read[option].template as<bool>())
                 throw UsageError(std::string("--") + option + " makes no image");
-        check_panel_options(arguments);
+        check_panel_options(read);
     });
     check_at(target.place, lcd_command, [&] {
-        const Panel described = panel_of(arguments);
+        const Panel described = panel_of(lcd_options_of(target, panel));
         if (described.calibration)
             for (const std::string& what : described.calibration->assumed)
                 say("batch", target.place + ": " + what);
     });
 }
 
-} // namespace
-
-void check_targets(const Manifest& manifest)
+/// Pixels of WIDTHxHEIGHT; `otherwise` if the option is not given.
+double area_of(const char* option, const std::optional<std::string>& text, double otherwise)
 {
-    for (const BatchTarget& paper : manifest.papers) {
-        if (!paper.what.empty())
-            check_at(paper.place, print_command, [&] { parse_paper_size(paper.what); });
-        check_at(paper.options_place, print_command, [&] { options_of(print_command, paper, {}); });
-    }
-    for (const BatchTarget& panel : manifest.panels)
-        check_panel(panel, file_of(manifest, panel));
-    for (const BatchTarget& preview : manifest.previews)
-        check_at(preview.options_place, replay_command,
-                 [&] { options_of(replay_command, preview, {}); });
-}
-
-namespace {
-
-/// Pixels that --size and the like give; `otherwise` if they are not given.
-double area_of(const options::variables_map& arguments, const char* option, double otherwise)
-{
-    if (!given(arguments, option))
+    if (!text)
         return otherwise;
-    const PixelSize size = parse_size(option, text_of(arguments, option), most_pixels_a_side);
+    const PixelSize size = parse_size(option, *text, most_pixels_a_side);
     return double(size.width) * size.height;
 }
 
@@ -104,21 +100,37 @@ double page_pixels(const BatchTarget& paper, Vec2 pixel_pitch)
     return size.width / pixel_pitch.x * size.height / pixel_pitch.y;
 }
 
-double panel_pixels(const Manifest& manifest, const BatchTarget& target)
+double panel_pixels(const BatchTarget& target, const std::string& file)
 {
     constexpr double views = 4; // of --size, in memory beside the image
-    const auto read = options_of(lcd_command, target, {"--panel", file_of(manifest, target)});
+    const auto read = lcd_options_of(target, file);
     const Panel panel = panel_of(read);
-    return double(panel.film.width) * panel.film.height + views * area_of(read, "size", 0);
+    const double view = given(read, "size") ? area_of("size", text_of(read, "size"), 0) : 0;
+    return double(panel.film.width) * panel.film.height + views * view;
 }
 
 double preview_pixels(const BatchTarget& preview)
 {
-    const auto read = options_of(replay_command, preview, {});
-    return area_of(read, "size", usual_view) * area_of(read, "grid", given(read, "stereo") ? 2 : 1);
+    const auto read = options_of<ReplayOptions>(replay_command, preview);
+    return area_of("size", read.size, usual_view) * area_of("grid", read.grid, read.stereo ? 2 : 1);
 }
 
 } // namespace
+
+void check_targets(const Manifest& manifest)
+{
+    for (const BatchTarget& paper : manifest.papers) {
+        if (!paper.what.empty())
+            check_at(paper.place, print_command, [&] { parse_paper_size(paper.what); });
+        check_at(paper.options_place, print_command,
+                 [&] { options_of<PrintOptions>(print_command, paper); });
+    }
+    for (const BatchTarget& panel : manifest.panels)
+        check_panel(panel, file_of(manifest, panel));
+    for (const BatchTarget& preview : manifest.previews)
+        check_at(preview.options_place, replay_command,
+                 [&] { options_of<ReplayOptions>(replay_command, preview); });
+}
 
 double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel_pitch)
 {
@@ -127,7 +139,8 @@ double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel
         if (step.kind == StepKind::print)
             return page_pixels(manifest.papers[target], pixel_pitch);
         if (step.kind == StepKind::panel)
-            return panel_pixels(manifest, manifest.panels[target]);
+            return panel_pixels(manifest.panels[target],
+                                file_of(manifest, manifest.panels[target]));
         if (step.kind == StepKind::preview)
             return preview_pixels(manifest.previews[target]);
     } catch (const UsageError&) { // its command says what is wrong

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A manifest's papers, panels and previews, against the commands that make them.
+// Checks a manifest's papers, panels and previews by the commands that make them.
 #ifndef INTEGRAL_CLI_BATCH_CHECK_H
 #define INTEGRAL_CLI_BATCH_CHECK_H
 
@@ -8,14 +8,12 @@
 
 namespace integral {
 
-/// Before anything is rendered: that the commands know the papers, the panels and the options'
-/// names. Throws InputError with line and field. Says on standard error what a panel's calibration
-/// lacks.
+/// Throws InputError, with line and field, for a paper, a panel or an option that the commands
+/// do not know. Says on standard error what a panel's calibration lacks.
 void check_targets(const Manifest& manifest);
 
-/// Pixels of the picture that a step makes of a frame whose pixels have this pitch (mm): of a
-/// printed page, a view or a sheet of views, a panel's image, with its views where --size says
-/// theirs. Of a PDF file none: it holds the frame itself.
+/// An OutputPixels of batch/batch_memory.h. Of a PDF file 0: it holds the frame itself. A panel's
+/// image counts with its views if --size gives theirs.
 double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel_pitch);
 
 } // namespace integral

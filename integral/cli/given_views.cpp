@@ -12,22 +12,26 @@
 
 namespace integral {
 
+ViewGrid parse_view_grid(const std::string& text)
+{
+    const PixelSize size = parse_size("views", text, most_views_a_side, "CxR");
+    return {size.width, size.height};
+}
+
 ViewGrid parse_view_grid(const options::variables_map& arguments)
 {
-    const PixelSize size = parse_size("views", text_of(arguments, "views"), most_views_a_side,
-                                      "CxR");
-    return {size.width, size.height};
+    return parse_view_grid(text_of(arguments, "views"));
 }
 
 namespace {
 
-GivenViews read_quilt(const options::variables_map& arguments, const std::string& input, bool eyes)
+GivenViews read_quilt(const std::string& input, const ViewsSaid& said)
 {
-    Views quilt = read_views(input, !given(arguments, "sheet"));
+    Views quilt = read_views(input, !said.ignore_documents);
     const auto named = grid_in_name(input);
     GivenViews all{{}, {}, quilt.metadata};
-    if (given(arguments, "views"))
-        all.grid = parse_view_grid(arguments);
+    if (said.grid)
+        all.grid = *said.grid;
     else if (quilt.metadata)
         all.grid = quilt.metadata->quilt->grid;
     else if (named)
@@ -48,7 +52,7 @@ GivenViews read_quilt(const options::variables_map& arguments, const std::string
     // Pictures that eyes see may leave a rest, as 5 x 9 in 4096 x 4096; a parallel view has just so
     // many pixels.
     const auto divides = [&](int side, int views) {
-        return views >= 1 && (eyes ? side >= views : side % views == 0);
+        return views >= 1 && (said.eyes ? side >= views : side % views == 0);
     };
     if (!divides(quilt.image.width, grid.columns) || !divides(quilt.image.height, grid.rows))
         throw UsageError(input + ": " + std::to_string(quilt.image.width) + "x" +
@@ -66,14 +70,13 @@ bool of_one_kind(const QuiltRecord& a, const QuiltRecord& b)
 }
 
 /// Files that say which view each is; or, where they do not, in the order in which they are given.
-GivenViews read_files(const options::variables_map& arguments,
-                      const std::vector<std::string>& inputs)
+GivenViews read_files(const Words& inputs, const ViewsSaid& said)
 {
     GivenViews all;
     std::map<int, Image> by_number;
     for (const std::string& input : inputs) {
         stop_if_interrupted();
-        Views file = read_views(input, !given(arguments, "sheet"));
+        Views file = read_views(input, !said.ignore_documents);
         if (file.metadata && all.metadata &&
             !of_one_kind(*file.metadata->quilt, *all.metadata->quilt))
             throw UsageError(input + ": it is a view of another set than the files before it");
@@ -85,9 +88,9 @@ GivenViews read_files(const options::variables_map& arguments,
         if (file.metadata)
             all.metadata = file.metadata;
     }
-    all.grid = given(arguments, "views") ? parse_view_grid(arguments)
-               : all.metadata            ? all.metadata->quilt->grid
-                                         : ViewGrid{int(inputs.size()), 1};
+    all.grid = said.grid      ? *said.grid
+               : all.metadata ? all.metadata->quilt->grid
+                              : ViewGrid{int(inputs.size()), 1};
     if (int(by_number.size()) != all.grid.count() ||
         by_number.rbegin()->first != all.grid.count() - 1)
         throw UsageError(std::to_string(inputs.size()) + " files are not the " +
@@ -100,11 +103,17 @@ GivenViews read_files(const options::variables_map& arguments,
 
 } // namespace
 
-GivenViews read_given_views(const options::variables_map& arguments,
-                            const std::vector<std::string>& inputs, bool eyes)
+GivenViews read_given_views(const Words& inputs, const ViewsSaid& said)
 {
-    return inputs.size() == 1 ? read_quilt(arguments, inputs[0], eyes)
-                              : read_files(arguments, inputs);
+    return inputs.size() == 1 ? read_quilt(inputs[0], said) : read_files(inputs, said);
+}
+
+GivenViews read_given_views(const options::variables_map& arguments, const Words& inputs, bool eyes)
+{
+    std::optional<ViewGrid> grid;
+    if (given(arguments, "views"))
+        grid = parse_view_grid(arguments);
+    return read_given_views(inputs, {grid, given(arguments, "sheet"), eyes});
 }
 
 std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, PixelSize size, int threads)

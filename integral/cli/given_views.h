@@ -17,6 +17,7 @@ namespace integral {
 constexpr int most_views_a_side = 256;
 
 /// The value of --views. Throws UsageError.
+ViewGrid parse_view_grid(const std::string& text);
 ViewGrid parse_view_grid(const options::variables_map& arguments);
 
 /// Views by number, and what is known of them.
@@ -26,11 +27,19 @@ struct GivenViews {
     std::optional<FrameMetadata> metadata; ///< of the frame they come from, with its quilt record
 };
 
-/// Reads one quilt, or the files of all views. Their number is that of --views, else what they say
-/// of themselves, else (files) how many there are. `eyes`: they are said to be what eyes see; a
-/// quilt may then have a rest. Throws UsageError and InputError.
-GivenViews read_given_views(const options::variables_map& arguments,
-                            const std::vector<std::string>& inputs, bool eyes);
+/// What a line says of the views that it gives.
+struct ViewsSaid {
+    std::optional<ViewGrid> grid;  ///< their number
+    bool ignore_documents = false; ///< the line has other geometry than the files'
+    bool eyes = false;             ///< they are what eyes see
+};
+
+/// Reads one quilt, or the files of all views. Their number is what the line says, else what they
+/// say of themselves, else (files) how many there are. A quilt of what eyes see may have a rest
+/// beside its views. Throws UsageError and InputError.
+GivenViews read_given_views(const Words& inputs, const ViewsSaid& said);
+GivenViews read_given_views(const options::variables_map& arguments, const Words& inputs,
+                            bool eyes);
 
 /// What eyes see of a frame that are spread over its viewing zone, by number. Throws Interrupted.
 std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, PixelSize size, int threads);

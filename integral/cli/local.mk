@@ -35,6 +35,4 @@ build_bin_integral_SOURCES += \
   integral/cli/unconverted.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
-  integral/cli/views_command.cpp \
-  integral/cli/views_to_frame.cpp \
-  integral/cli/views_to_frame.h
+  integral/cli/views_command.cpp

@@ -4,179 +4,112 @@
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/given_views.h"
-#include "integral/cli/series_options.h"
 #include "integral/cli/progress.h"
+#include "integral/cli/series_options.h"
 #include "integral/cli/values.h"
-#include "integral/cli/views_to_frame.h"
 #include "integral/io/image_file.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/parallel_views.h"
+#include "integral/replay/perspective_views.h"
+#include "integral/replay/view_files.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <iostream>
-#include <optional>
 
 namespace integral {
 namespace {
 
-constexpr int largest_side = 32768;
+constexpr int largest_side = 32768; // pixels
+constexpr int most_threads = 1024;
 
-options::options_description make_options()
+struct ViewsOptions : CommonOptions {
+    std::optional<std::string> output, views, size, sheet;
+    bool eyes = false, files = false, upright = false, to_frame = false;
+    int threads = 0;
+    SeriesOptions series;
+};
+
+void declare(options::options_description& all, ViewsOptions& o)
 {
-    options::options_description all("Options");
-    all.add_options()("output,o", options::value<std::string>()->value_name("FILE"),
+    all.add_options()("output,o", fills(o.output, "FILE"),
                       "the quilt, or with --to-frame the frame: .png, .exr or .tiff; a quilt's "
                       "name gets _qsCxRaASPECT before the extension, "
-                      "unless it has such an end; .webp: an animation")(
-        "views", options::value<std::string>()->value_name("CxR"),
-        "views across and up (default: as many as whole pixels are nearest to a lens's; with "
-        "--to-frame what the quilt says)")("eyes", options::bool_switch(),
-                                           "what eyes see that are spread over the frame's viewing "
-                                           "zone, in place of parallel views; needs --views")(
-        "files", options::bool_switch(),
-        "a file for each view, with its number before the extension, in place of a quilt")(
-        "upright", options::bool_switch(),
-        "parallel views as they look, of the film's shape and without the lenses' slant, in place "
-        "of a pixel a lens; not for --to-frame. "
-        "An animation's are")(
-        "size", options::value<std::string>()->value_name("WxH"),
-        "pixels of each view of --eyes and --upright (default: 500 on the longer side)")(
-        "to-frame", options::bool_switch(),
-        "back: the frame that shows the views of a quilt, or of files")(
-        "sheet", options::value<std::string>()->value_name("FILE.json"),
-        "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not "
-        "carry it, or instead of that")(
-        "threads", options::value<int>()->value_name("N")->default_value(0),
-        "threads to work with (0: one per core)")("help", "print this");
-    static SeriesOptions unread;
-    declare(all, unread);
-    return all;
+                      "unless it has such an end; .webp: an animation");
+    all.add_options()("views", fills(o.views, "CxR"),
+                      "views across and up (default: as many as whole pixels are nearest to a "
+                      "lens's; with --to-frame what the quilt says)");
+    all.add_options()("eyes", sets(o.eyes),
+                      "what eyes see that are spread over the frame's viewing zone, in place of "
+                      "parallel views; needs --views");
+    all.add_options()("files", sets(o.files),
+                      "a file for each view, with its number before the extension, in place of a "
+                      "quilt");
+    all.add_options()("upright", sets(o.upright),
+                      "parallel views as they look, of the film's shape and without the lenses' "
+                      "slant, in place of a pixel a lens; not for --to-frame. "
+                      "An animation's are");
+    all.add_options()("size", fills(o.size, "WxH"),
+                      "pixels of each view of --eyes and --upright (default: 500 on the longer "
+                      "side)");
+    all.add_options()("to-frame", sets(o.to_frame),
+                      "back: the frame that shows the views of a quilt, or of files");
+    all.add_options()("sheet", fills(o.sheet, "FILE.json"),
+                      "geometry of the frame (integral sheet FRAME --json writes it), if the "
+                      "pictures do not carry it, or instead of that");
+    all.add_options()("threads", fills(o.threads, "N")->default_value(o.threads),
+                      "threads to work with (0: one per core)");
+    all.add_options()("help", sets(o.help), "print this");
+    declare(all, o.series);
 }
 
-void check_view_size(int width, int height)
+std::string text_of(ViewGrid grid)
 {
-    if (std::max(width, height) > largest_side)
-        throw UsageError("views of " + std::to_string(width) + "x" + std::to_string(height) +
-                         " pixels have more than " + std::to_string(largest_side) + " one way");
+    return std::to_string(grid.columns) + "x" + std::to_string(grid.rows);
 }
 
-void check_quilt_size(ViewGrid grid, int width, int height)
+std::string text_of(PixelSize size)
 {
-    if (std::max(double(grid.columns) * width, double(grid.rows) * height) > largest_side)
-        throw UsageError("a quilt of " + std::to_string(grid.columns) + "x" +
-                         std::to_string(grid.rows) + " views of " + std::to_string(width) + "x" +
-                         std::to_string(height) + " pixels has more than " +
-                         std::to_string(largest_side) + " one way; fewer views would do");
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
-double aspect_of(const Film& film)
+void check_view_size(PixelSize size)
 {
-    return film.width * film.pixel_pitch.x / (film.height * film.pixel_pitch.y);
+    if (std::max(size.width, size.height) > largest_side)
+        throw UsageError("views of " + text_of(size) + " pixels have more than " +
+                         std::to_string(largest_side) + " one way");
+}
+
+void check_quilt_size(ViewGrid grid, PixelSize size)
+{
+    if (std::max(double(grid.columns) * size.width, double(grid.rows) * size.height) > largest_side)
+        throw UsageError("a quilt of " + text_of(grid) + " views of " + text_of(size) +
+                         " pixels has more than " + std::to_string(largest_side) +
+                         " one way; fewer views would do");
+}
+
+/// The number of views: --views, else the film's whole pixels to a lens.
+ViewGrid grid_of(const ViewsOptions& o, const FrameMetadata& metadata)
+{
+    if (o.views)
+        return parse_view_grid(*o.views);
+    const ViewGrid grid = natural_views(metadata);
+    if (grid.columns > metadata.film.width || grid.rows > metadata.film.height)
+        throw UsageError(
+            o.inputs[0] + ": a lens is as large as " + text_of(grid) +
+            " pixels, more than the whole film; --views CxR would tell how many views to take");
+    return grid;
 }
 
 /// The size of a view for people to look at.
-PixelSize size_to_look_at(const options::variables_map& arguments, const Film& film)
+PixelSize size_to_look_at(const ViewsOptions& o, const Film& film)
 {
-    if (given(arguments, "size"))
-        return parse_size("size", text_of(arguments, "size"), largest_side);
+    if (o.size)
+        return parse_size("size", *o.size, largest_side);
     constexpr int default_longer_side = 500;
     View view;
     set_view_size(view, film, default_longer_side);
     return {view.width, view.height};
-}
-
-/// Parallel views as they look: upright and of the film's shape. Black where the lenses reflect
-/// totally.
-std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, PixelSize size, int threads)
-{
-    View view;
-    view.width = size.width;
-    view.height = size.height;
-    std::vector<Image> views;
-    const Progress bar = progress_bar("views");
-    for (const auto& eye : far_eyes(*frame.metadata, grid)) {
-        auto picture = eye ? replay_each(frame, view, {*eye}, threads,
-                                         piece_of(bar, int(views.size()), grid.count()))
-                           : std::vector<Image>{blank_like(frame.image, size.width, size.height)};
-        if (!picture)
-            throw Interrupted();
-        views.push_back(std::move(picture->front()));
-    }
-    return views;
-}
-
-/// Says what is lost on the way there and back, where something is.
-void state_loss(const Frame& frame, ViewGrid grid, int threads)
-{
-    if (views_are_exact(*frame.metadata, grid))
-        return;
-    const auto psnr = psnr_there_and_back(frame, grid, threads, progress_bar("there and back"));
-    if (!psnr)
-        throw Interrupted();
-    say("views", "the views are interpolated between the film's pixels: made into a frame again, "
-                 "PSNR " +
-                     with_decimals(*psnr, 1) + " dB");
-}
-
-/// Makes some rows, which draw(row) does, in `threads` threads.
-template <class Draw> void draw_rows(int rows, int threads, Draw draw)
-{
-    stop_if_interrupted();
-    for_each_row(rows, threads, draw);
-}
-
-/// The quilt of parallel views, some rows at a time.
-void write_quilt(const std::string& path, const Frame& frame, const ParallelViews& views,
-                 ViewGrid grid, const FrameMetadata& metadata, int threads)
-{
-    Image form = form_of(frame.image);
-    form.width = grid.columns * views.width();
-    form.height = grid.rows * views.height();
-    PictureWriter file = PictureWriter::of_frame(path, form, metadata);
-    const Progress bar = progress_bar("views");
-    const int most = rows_of_a_band(form);
-    for (int first = 0; first < form.height; first += most) {
-        Image band = blank_like(form, form.width, std::min(most, form.height - first));
-        draw_rows(band.height, threads, [&](int y) {
-            const int row = grid.rows - 1 - (first + y) / views.height(); // view 0 is at the bottom
-            for (int column = 0; column < grid.columns; ++column)
-                views.draw(row * grid.columns + column, (first + y) % views.height(), band,
-                           column * views.width(), y);
-        });
-        file.write(band);
-        bar(first + band.height, form.height);
-    }
-    stop_if_interrupted();
-    file.finish();
-}
-
-/// Parallel views as files of their own.
-void write_views(PictureSeries& series, const Frame& frame, const ParallelViews& views,
-                 ViewGrid grid, FrameMetadata metadata, int threads)
-{
-    const Progress bar = progress_bar("views");
-    for (int k = 0; k < grid.count(); ++k) {
-        Image view = blank_like(frame.image, views.width(), views.height());
-        draw_rows(view.height, threads, [&](int y) { views.draw(k, y, view, 0, y); });
-        metadata.quilt->view = k;
-        series.add(std::move(view), metadata);
-        bar(k + 1, grid.count());
-    }
-}
-
-/// Row by row upwards, the even rows from the left, the odd ones from the right: each view beside
-/// the one before.
-void play(PictureSeries& series, const std::vector<Image>& views, ViewGrid grid)
-{
-    for (int row = 0; row < grid.rows; ++row)
-        for (int i = 0; i < grid.columns; ++i) {
-            stop_if_interrupted();
-            series.add(views[row * grid.columns + (row % 2 ? grid.columns - 1 - i : i)]);
-        }
-    series.finish(true);
 }
 
 /// A pixel for each lens.
@@ -190,111 +123,185 @@ PixelSize size_of_parallel_views(const std::string& input, const FrameMetadata& 
     }
 }
 
-int make_views(const options::variables_map& arguments, const std::string& output, int threads)
+/// The quilt's path, which names the number of views.
+std::string quilt_path(const std::string& output, ViewGrid grid, const Film& film)
 {
-    const Frame frame = read_frame_with_metadata(inputs_of(arguments)[0],
-                                                 text_of(arguments, "sheet"));
+    const double aspect = film.width * film.pixel_pitch.x / (film.height * film.pixel_pitch.y);
+    const std::string path = output == "-" ? output : quilt_name(output, grid, aspect);
+    const auto named = grid_in_name(path);
+    if (named && (named->columns != grid.columns || named->rows != grid.rows))
+        throw UsageError("-o " + output + ": its name says " + text_of(*named) +
+                         " views, but there are " + text_of(grid));
+    check_writable(path);
+    return path;
+}
+
+/// Says what is lost on the way there and back, if something is.
+void state_loss(const Frame& frame, ViewGrid grid, int threads)
+{
+    if (views_are_exact(*frame.metadata, grid))
+        return;
+    const auto psnr = psnr_there_and_back(frame, grid, threads, progress_bar("there and back"));
+    if (!psnr)
+        throw Interrupted();
+    say("views", "the views are interpolated between the film's pixels: made into a frame again, "
+                 "PSNR " +
+                     with_decimals(*psnr, 1) + " dB");
+}
+
+/// Where views go: into a series of files or an animation, else into a quilt.
+struct ViewsOutput {
+    std::string path;
+    std::optional<PictureSeries> series;
+};
+
+/// Parallel views, a pixel for each lens.
+void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid, int threads)
+{
+    state_loss(frame, grid, threads);
+    FrameMetadata metadata = *frame.metadata;
+    metadata.quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
+    const ParallelViews views(frame, grid);
+    const Progress bar = progress_bar("views");
+    if (output.series)
+        write_views(*output.series, frame, views, grid, metadata, threads, bar);
+    else
+        write_quilt(output.path, frame, views, grid, metadata, threads, bar);
+}
+
+/// Views to look at: of eyes, or parallel ones upright.
+void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, PixelSize size,
+                   bool of_eyes, int threads)
+{
+    std::vector<Image> views = of_eyes ? views_of_eyes(frame, grid, size, threads)
+                                       : upright_views(frame, grid, size.width, size.height,
+                                                       threads, progress_bar("views"));
+    if (is_animation(output.path))
+        return write_animation(*output.series, views, grid);
+    std::optional<FrameMetadata> metadata; // no frame can be made of upright views
+    if (of_eyes) {
+        metadata = *frame.metadata;
+        const double distance = metadata->aperture.distance;
+        metadata->quilt = QuiltRecord{grid, std::nullopt,
+                                      EyeGrid{viewing_zone(*metadata, distance), distance}};
+    }
+    if (!output.series)
+        return write_frame(output.path, Frame{quilt_of_views(std::move(views), grid), metadata});
+    for (int k = 0; k < grid.count(); ++k) {
+        if (metadata)
+            metadata->quilt->view = k;
+        output.series->add(std::move(views[std::size_t(k)]), metadata);
+    }
+}
+
+int make_views(const ViewsOptions& o, const std::string& name, int threads)
+{
+    const std::string& input = o.inputs[0];
+    const Frame frame = read_frame_with_metadata(input, o.sheet.value_or(""));
     stop_if_interrupted();
     const FrameMetadata& metadata = *frame.metadata;
-    const bool eyes = arguments["eyes"].as<bool>(), files = arguments["files"].as<bool>(),
-               animated = is_animation(output);
-    const bool upright = !eyes && (animated || arguments["upright"].as<bool>());
-    const ViewGrid grid = given(arguments, "views") ? parse_view_grid(arguments)
-                                                    : natural_views(metadata);
-    if (!given(arguments, "views") &&
-        (grid.columns > metadata.film.width || grid.rows > metadata.film.height))
-        throw UsageError(
-            inputs_of(arguments)[0] + ": a lens is as large as " + std::to_string(grid.columns) +
-            "x" + std::to_string(grid.rows) +
-            " pixels, more than the whole film; --views CxR would tell how many views to take");
-    const PixelSize size = size_to_look_at(arguments, metadata.film);
-    std::optional<PictureSeries> series;
-    if (files || animated)
-        series.emplace(begin_series(read_group<SeriesOptions>(arguments), output, grid.count(), 0));
-    const std::string path = series || output == "-"
-                                 ? output
-                                 : quilt_name(output, grid, aspect_of(metadata.film));
-    if (!series) {
-        const auto named = grid_in_name(path);
-        if (named && (named->columns != grid.columns || named->rows != grid.rows))
-            throw UsageError("-o " + output + ": its name says " + std::to_string(named->columns) +
-                             "x" + std::to_string(named->rows) + " views, but there are " +
-                             std::to_string(grid.columns) + "x" + std::to_string(grid.rows));
-        check_writable(path);
-    }
-
+    const bool animated = is_animation(name), upright = !o.eyes && (animated || o.upright);
+    const ViewGrid grid = grid_of(o, metadata);
+    const PixelSize size = size_to_look_at(o, metadata.film);
+    ViewsOutput output{name, std::nullopt};
+    if (o.files || animated)
+        output.series.emplace(begin_series(o.series, name, grid.count(), 0));
+    else
+        output.path = quilt_path(name, grid, metadata.film);
     if (metadata.sheet.arrangement == Arrangement::lenticular && grid.rows > 1)
-        throw UsageError("--views " + text_of(arguments, "views") +
+        throw UsageError("--views " + o.views.value_or("") +
                          ": lenticular lenses show nothing new from above: one row is expected");
-    const PixelSize of_lenses = eyes ? size
-                                     : size_of_parallel_views(inputs_of(arguments)[0],
-                                                              metadata); // refuses what has none
-    const PixelSize of_a_view = upright ? size : of_lenses;
-    check_view_size(of_a_view.width, of_a_view.height);
-    if (!series)
-        check_quilt_size(grid, of_a_view.width, of_a_view.height);
+    // Also of upright ones, which are refused where there are no parallel views.
+    const PixelSize parallel = o.eyes ? size : size_of_parallel_views(input, metadata);
+    const PixelSize of_a_view = upright ? size : parallel;
+    check_view_size(of_a_view);
+    if (!output.series)
+        check_quilt_size(grid, of_a_view);
 
-    FrameMetadata of_views = metadata;
-    of_views.quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
-    if (!eyes && !upright) {
-        state_loss(frame, grid, threads);
-        const ParallelViews views(frame, grid);
-        if (files)
-            write_views(*series, frame, views, grid, of_views, threads);
-        else
-            write_quilt(path, frame, views, grid, of_views, threads);
-    } else {
-        std::vector<Image> views = eyes ? views_of_eyes(frame, grid, size, threads)
-                                        : upright_views(frame, grid, size, threads);
-        if (eyes)
-            of_views.quilt->eyes = EyeGrid{viewing_zone(metadata, metadata.aperture.distance),
-                                           metadata.aperture.distance};
-        const auto about = [&](std::optional<int> view) -> std::optional<FrameMetadata> {
-            if (upright)
-                return std::nullopt; // to look at; there is no way back from them
-            of_views.quilt->view = view;
-            return of_views;
-        };
-        if (animated)
-            play(*series, views, grid);
-        for (int k = 0; k < (files ? grid.count() : 0); ++k)
-            series->add(std::move(views[std::size_t(k)]), about(k));
-        if (!series)
-            write_frame(path, Frame{quilt_of_views(std::move(views), grid), about(std::nullopt)});
-    }
-    if (!series && path != output)
-        std::cout << path << '\n';
+    if (o.eyes || upright)
+        make_pictures(output, frame, grid, size, o.eyes, threads);
+    else
+        make_parallel_views(output, frame, grid, threads);
+    if (output.path != name)
+        std::cout << output.path << '\n';
     return exit_done;
 }
 
-int run(const options::variables_map& arguments)
+/// --to-frame: the frame that shows the views of a quilt, or of files.
+int make_frame(const ViewsOptions& o, const std::string& output, int threads)
 {
-    const std::string output = text_of(arguments, "output");
-    if (output.empty())
-        throw UsageError("-o FILE is missing");
-    const bool back = arguments["to-frame"].as<bool>(), eyes = arguments["eyes"].as<bool>(),
-               files = arguments["files"].as<bool>();
-    const bool animated = is_animation(output);
-    if (!animated || back)
-        format_for(output);
-    check_series_options(read_group<SeriesOptions>(arguments), output);
-    if (files && (back || animated))
+    const std::string& input = o.inputs[0];
+    check_writable(output);
+    ViewsSaid said;
+    if (o.views)
+        said.grid = parse_view_grid(*o.views);
+    said.ignore_documents = o.sheet.has_value();
+    said.eyes = o.eyes;
+    const GivenViews given = read_given_views(o.inputs, said);
+    const std::string sheet = o.sheet.value_or("");
+    if (sheet.empty() && !given.metadata)
+        throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "
+                         "(integral sheet FRAME --json writes it): " +
+                         input + " carries none");
+    FrameMetadata geometry = sheet.empty() ? *given.metadata : read_metadata(sheet);
+    if (geometry.film.width < 1)
+        throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
+    stop_if_interrupted();
+    std::optional<EyeGrid> eyes;
+    if (given.metadata)
+        eyes = given.metadata->quilt->eyes;
+    if (o.eyes && given.metadata && !eyes)
+        throw UsageError(input + ": it says that it holds parallel views, not those of --eyes");
+    const double distance = geometry.aperture.distance;
+    if (o.eyes && !eyes)
+        eyes = EyeGrid{viewing_zone(geometry, distance), distance};
+    try {
+        const Progress bar = progress_bar("views");
+        auto image = eyes ? frame_from_perspective_views(given.views, geometry, given.grid, *eyes,
+                                                         threads, bar)
+                          : frame_from_views(given.views, geometry, given.grid, threads, bar);
+        if (!image)
+            throw Interrupted();
+        Frame frame{std::move(*image), std::nullopt};
+        geometry.quilt.reset();
+        set_metadata(frame, geometry);
+        write_frame(output, std::move(frame));
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(input + ": " + error.what());
+    }
+    return exit_done;
+}
+
+/// Refuses options that do not go together. Throws UsageError.
+void check_options(const ViewsOptions& o, bool animated)
+{
+    if (o.files && (o.to_frame || animated))
         throw UsageError(std::string("--files does not go with ") +
-                         (back ? "--to-frame" : "an animation"));
-    if (eyes && !back && !given(arguments, "views"))
+                         (o.to_frame ? "--to-frame" : "an animation"));
+    if (o.eyes && !o.to_frame && !o.views)
         throw UsageError("--eyes needs --views CxR, how many eyes");
-    const bool upright = arguments["upright"].as<bool>();
-    if (upright && (back || eyes))
+    if (o.upright && (o.to_frame || o.eyes))
         throw UsageError(std::string("--upright does not go with ") +
-                         (back ? "--to-frame" : "--eyes, whose views are upright"));
-    if (given(arguments, "size") && (back || (!eyes && !animated && !upright)))
+                         (o.to_frame ? "--to-frame" : "--eyes, whose views are upright"));
+    if (o.size && (o.to_frame || (!o.eyes && !animated && !o.upright)))
         throw UsageError("--size is for --eyes, --upright and animations; else parallel views have "
                          "a pixel a lens");
-    if (!back && inputs_of(arguments).size() > 1)
+    if (!o.to_frame && o.inputs.size() > 1)
         throw UsageError("one frame is expected; --to-frame takes several views");
-    const int threads = in_range(arguments, "threads", 0, 1024);
-    return back ? frame_of_views(arguments, output, threads)
-                : make_views(arguments, output, threads);
+}
+
+int run(const ViewsOptions& o)
+{
+    const std::string output = o.output.value_or("");
+    if (output.empty())
+        throw UsageError("-o FILE is missing");
+    const bool animated = is_animation(output);
+    if (!animated || o.to_frame)
+        format_for(output);
+    check_series_options(o.series, output);
+    check_options(o, animated);
+    const int threads = in_range("threads", o.threads, 0, most_threads);
+    return o.to_frame ? make_frame(o, output, threads) : make_views(o, output, threads);
 }
 
 } // namespace
@@ -310,7 +317,7 @@ const Command views_command = {
     "so that nothing else has to be said on the way back; other programs' need --sheet.\n",
     1,
     most_views_a_side* most_views_a_side,
-    make_options,
-    run_from_map<run>};
+    described<ViewsOptions>,
+    run_with<ViewsOptions, run>};
 
 } // namespace integral

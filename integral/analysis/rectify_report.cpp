@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/analysis/rectify_report.h"
+
+#include "integral/base/constants.h"
+#include "integral/base/number_text.h"
+
+#include <cstdio>
+
+namespace integral {
+
+void LightReport::add_text(const std::string& what) { text_ += (text_.empty() ? "" : ", ") + what; }
+
+void LightReport::add_evened(bool by_flat, bool by_surface, double ratio)
+{
+    json_["uneven_light"] = {
+        {"by", by_surface ? (by_flat ? "flat and surface" : "surface") : "flat"}, {"ratio", ratio}};
+    add_text("light evened that differed " + with_digits(ratio, 3) + " times");
+}
+
+void LightReport::add_balanced(bool by_white_patch, Color gains)
+{
+    json_["colour"] = {{"by", by_white_patch ? "white patch" : "grey world"},
+                       {"gains", {gains.r, gains.g, gains.b}}};
+    add_text("red, green, blue times " + with_digits(gains.r, 4) + ", " + with_digits(gains.g, 4) +
+             ", " + with_digits(gains.b, 4));
+}
+
+void LightReport::add_flattened(double least)
+{
+    json_["vignetting"] = {{"least", least}};
+    add_text("micro-images flattened that fell to " + with_digits(least, 3));
+}
+
+nlohmann::ordered_json rectify_json(const FoundLattice& found, const LatticeSearch& search,
+                                    const Film& film, const LightReport& light)
+{
+    const ScanMap& m = found.map;
+    const double pitch = search.sheet.pitch;
+    return {
+        {"rotation_degrees", m.rotation / radians_per_degree},
+        {"pitch_mm", pitch},
+        {"pitch_px", {pitch * m.scale.x, pitch * m.scale.y}},
+        {"micro_image_pitch_mm",
+         pitch * (1 + search.sheet.thickness / (search.sheet.ior * search.aperture.distance))},
+        {"middle_px", {m.middle.x, m.middle.y}},
+        {"sheet_offset_mm", {search.sheet.offset.x, search.sheet.offset.y}},
+        {"scan_dpi", {mm_per_inch * m.scale.x, mm_per_inch * m.scale.y}},
+        {"scale", {m.scale.x / search.about.scale.x, m.scale.y / search.about.scale.y}},
+        {"standard_error",
+         found.errors_known
+             ? nlohmann::ordered_json{{"rotation_degrees",
+                                       found.rotation_error / radians_per_degree},
+                                      {"pitch_relative",
+                                       {found.scale_error.x, found.scale_error.y}},
+                                      {"middle_px", {found.offset_error.x, found.offset_error.y}}}
+             : nlohmann::ordered_json(nullptr)},
+        {"contrast", found.contrast},
+        {"significance", found.significance},
+        {"film",
+         {{"width", film.width},
+          {"height", film.height},
+          {"pixel_pitch_mm", {film.pixel_pitch.x, film.pixel_pitch.y}}}},
+        {"corrections", light.json()}};
+}
+
+std::string rectify_text(const FoundLattice& found, const LatticeSearch& search, const Film& film,
+                         const LightReport& light)
+{
+    const ScanMap& m = found.map;
+    const double pitch = search.sheet.pitch;
+    char text[1200];
+    std::snprintf(
+        text, sizeof text,
+        "turned                   %.4f +- %.4f degrees, anticlockwise\n"
+        "lens pitch               %.4f, %.4f pixels of the scan +- %.4f%%, %.4f%%\n"
+        "the scan's resolution    %.3f, %.3f dpi (%+.3f%%, %+.3f%% against what it says)\n"
+        "the sheet's middle       at %.3f, %.3f pixels of the scan +- %.3f, %.3f\n"
+        "edge on the lens borders %+.0f%%, %.0f deviations above lattices at random\n"
+        "frame                    %d x %d pixels of %.5g x %.5g mm\n"
+        "light                    %s\n",
+        m.rotation / radians_per_degree, found.rotation_error / radians_per_degree,
+        pitch * m.scale.x, pitch * m.scale.y, 100 * found.scale_error.x, 100 * found.scale_error.y,
+        mm_per_inch * m.scale.x, mm_per_inch * m.scale.y,
+        100 * (m.scale.x / search.about.scale.x - 1), 100 * (m.scale.y / search.about.scale.y - 1),
+        m.middle.x, m.middle.y, found.offset_error.x, found.offset_error.y, 100 * found.contrast,
+        found.significance, film.width, film.height, film.pixel_pitch.x, film.pixel_pitch.y,
+        light.text().empty() ? "left as it is" : light.text().c_str());
+    return text +
+           std::string(
+               found.errors_known
+                   ? ""
+                   : "the errors behind +- are not known: the edges have no clear maximum here\n");
+}
+
+} // namespace integral

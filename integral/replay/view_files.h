@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Writes the views of a frame as pictures: as one quilt, as numbered files or as an animation.
+#ifndef INTEGRAL_REPLAY_VIEW_FILES_H
+#define INTEGRAL_REPLAY_VIEW_FILES_H
+
+#include "integral/io/picture_series.h"
+#include "integral/replay/parallel_views.h"
+
+#include <string>
+
+namespace integral {
+
+/// Parallel views as they look from far away: upright, of the film's shape if `width` and `height`
+/// (pixels) are. Black where the lenses reflect totally. Throws Interrupted if `progress` stops it,
+/// std::invalid_argument as lens_window does.
+std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, int width, int height,
+                                 int threads, const Progress& progress);
+
+/// Writes parallel views as a quilt, a band of rows at a time; view 0 is at the bottom left.
+/// `metadata` becomes the file's document. Throws OutputError, Interrupted.
+void write_quilt(const std::string& path, const Frame& frame, const ParallelViews& views,
+                 ViewGrid grid, const FrameMetadata& metadata, int threads,
+                 const Progress& progress);
+
+/// Adds parallel views to a series, each with `metadata` and its number in the quilt record, which
+/// `metadata` must have. Throws OutputError, Interrupted.
+void write_views(PictureSeries& series, const Frame& frame, const ParallelViews& views,
+                 ViewGrid grid, FrameMetadata metadata, int threads, const Progress& progress);
+
+/// Writes views as an animation, each beside the one before: row by row upwards, the even rows from
+/// the left, the odd ones from the right. Throws OutputError, Interrupted.
+void write_animation(PictureSeries& series, const std::vector<Image>& views, ViewGrid grid);
+
+} // namespace integral
+
+#endif
