@@ -329,6 +329,21 @@ FoundLattice found_lattice(const BlurredEdges& edges, const std::vector<Vec2>& p
     return result;
 }
 
+/// By how much the scan is reduced. Throws std::invalid_argument if it is too coarse or too small.
+int reduction_for(const Image& scan, const LatticeSearch& search)
+{
+    const double pixels = search.sheet.pitch *
+                          std::min(search.about.scale.x, search.about.scale.y); // of a lens
+    if (!(pixels >= least_pixels_a_lens))
+        throw std::invalid_argument("a lens has " + std::to_string(pixels) +
+                                    " of the scan's pixels; scan it finer, with 4 a lens or more");
+    const int reduction = std::max(1, int(pixels / most_pixels_a_lens));
+    if (!(std::min(scan.width, scan.height) / reduction >= 8 * (pixels / reduction)))
+        throw std::invalid_argument(
+            "it holds fewer than 8 lenses one way, too few to find their lattice");
+    return reduction;
+}
+
 } // namespace
 
 std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch& search,
@@ -336,15 +351,8 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
 {
     const auto follow = [&](int done) { return !progress || progress(done, 10); };
     const double pitch = search.sheet.pitch;
-    const double full_pixels = pitch * std::min(search.about.scale.x, search.about.scale.y);
-    if (!(full_pixels >= least_pixels_a_lens))
-        throw std::invalid_argument("a lens has " + std::to_string(full_pixels) +
-                                    " of the scan's pixels; scan it finer, with 4 a lens or more");
-    const int reduction = std::max(1, int(full_pixels / most_pixels_a_lens));
-    const double pixels = full_pixels / reduction;
-    if (!(std::min(scan.width, scan.height) / reduction >= 8 * pixels))
-        throw std::invalid_argument(
-            "it holds fewer than 8 lenses one way, too few to find their lattice");
+    const int reduction = reduction_for(scan, search);
+    const double pixels = pitch * std::min(search.about.scale.x, search.about.scale.y) / reduction;
 
     // From here on in pixels of the reduced scan.
     const Plane edges = edge_response(scan, reduction, 1.5 * pixels, threads);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Finds the lattice of a print's micro-images in its scan: rotation, scale and offset.
 //
-// A coarse place comes from the spectrum of the scan's edges. Then the map from film to scan is
-// sought under which the borders between micro-images, as the optics foretell them, lie on the most
-// edge (an M-estimator), from the scan's middle outwards and from a wide blur to a narrow one. So
-// what is fitted is the micro-images' own pitch, displaced outwards as they are, and what comes out
-// is the scan's scale on the lenses' pitch.
+// The spectrum of the scan's edges gives candidates. Each is then fitted: the map from film to scan
+// is changed until the borders between micro-images, as the optics predict them, lie on the
+// strongest edges (an M-estimator), from the scan's middle outwards and with less and less blur.
+// The prediction includes that micro-images lie farther apart than their lenses, so the result is
+// the scan's scale by the lenses' pitch.
 #ifndef INTEGRAL_ANALYSIS_LATTICE_SEARCH_H
 #define INTEGRAL_ANALYSIS_LATTICE_SEARCH_H
 
@@ -16,39 +16,40 @@
 
 namespace integral {
 
-/// What is known beforehand.
+/// What is known before the search.
 struct LatticeSearch {
     LensSheet sheet;
     Aperture aperture;
     LensMapping mapping = LensMapping::automatic;
-    std::optional<Film> frame; ///< the film of the frame that was printed, where it is known and
-                               ///< about.middle is that frame's
-    ScanMap about; ///< roughly: the middle to half a lens, or any place if that does not matter
+    std::optional<Film> frame; ///< the film of the frame that was printed, if it is known and
+                               ///< about.middle is the middle of that frame
+    ScanMap about; ///< where to search: the middle to half a lens, or any if which lens does not
+                   ///< matter
     double scale_range = 0.04;  ///< either way, relative
     double turn_range = 0.1745; ///< either way, radians
 };
 
 struct FoundLattice {
     ScanMap map;
-    // Standard errors: from how the scan's parts agree (up to 64), and, with a frame, how far the
-    // picture's own edges pulled before what could be told of their pull was removed:
+    // Standard errors, by how well the scan's parts (up to 64) agree; with a frame also by how far
+    // the edges of the picture itself displaced the fit before most of that was removed:
     bool errors_known = false; ///< false: the fit is at no clear maximum
-    Vec2 scale_error; ///< relative, of map.scale; equal for lenticular sheets, whose scan is taken
-                      ///< to have one scale
+    Vec2 scale_error; ///< relative, of map.scale; for lenticular sheets one for both, as their scan
+                      ///< is assumed to have one scale
     double rotation_error = 0; ///< radians
     Vec2 offset_error; ///< scan pixels, of map.middle; of lenticular sheets only across the lenses
-    double contrast = 0; ///< how much more edge there is on the borders than elsewhere, relative
-    double significance = 0; ///< the same against lattices laid at random, in their standard
-                             ///< deviations
+    double contrast = 0; ///< how much stronger edges are on the borders than elsewhere, relative
+    double significance = 0; ///< the same compared with random lattices, in standard deviations of
+                             ///< those
     int borders = 0;         ///< points of borders that were used
 };
 
-/// Below this there is no lattice: photographs and noise reach half of it.
+/// A scan of less significance has no lattice of these lenses; photographs and noise reach half of
+/// it.
 constexpr double least_significance = 8;
 
-/// Throws std::invalid_argument with a sentence where the scan is too small or too coarse for the
-/// sheet; a lattice that is not there comes back with little significance. Nothing: `progress`
-/// stopped it.
+/// The lattice of the scan; if there is none, its significance is low. Nothing: `progress` stopped
+/// it. Throws std::invalid_argument if the scan is too small or too coarse for the sheet.
 std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch& search,
                                          int threads = 0, const Progress& progress = {});
 

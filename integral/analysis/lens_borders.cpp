@@ -22,8 +22,8 @@ public:
         return mapped.ray ? Owner(mapped.ray->lens) : std::nullopt;
     }
 
-    /// Along one line, from `start` in `count` steps: the borders that are passed, exactly or
-    /// midway between the steps.
+    /// Adds the borders along a line of `count` points from `start`: exactly, or midway between two
+    /// points.
     void along(Vec2 start, Vec2 step, int count, bool exactly, std::vector<Vec2>& found) const
     {
         Owner before = owner(start);
@@ -57,7 +57,7 @@ private:
     LensMapping mapping_;
 };
 
-/// Which of a raster's lines cross borders well.
+/// Whether the rows and the columns of a raster cross borders at steep angles.
 struct Crossing {
     explicit Crossing(const LensSheet& sheet)
         : lenticular(sheet.arrangement == Arrangement::lenticular),
@@ -87,8 +87,7 @@ template <class Trace> void trace_lines(int count, int threads, Trace trace, std
         all.insert(all.end(), line.begin(), line.end());
 }
 
-/// Distance of lines (mm) whose crossings are about `most`: at least one every four pitches, at
-/// most one a step.
+/// The distance of lines (mm) that cross borders about `most` times; from one step to four pitches.
 double line_spacing(const LensSheet& sheet, Vec2 half, double step, int most)
 {
     const double crossings = 4 * half.x * half.y / sheet.pitch *

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A scan resampled to a film's own pixels.
+// Resamples a scan to the pixels of a film.
 #ifndef INTEGRAL_ANALYSIS_RECTIFY_H
 #define INTEGRAL_ANALYSIS_RECTIFY_H
 
@@ -10,16 +10,16 @@
 
 namespace integral {
 
-/// The smallest film of these pixels, centred on the sheet, that holds all of the scan. Width and
-/// height odd or even as `like`'s, so that their pixels lie on the same places; `like` of 0 by 0:
-/// even.
+/// The smallest film of this pixel pitch (mm), centred on the sheet, that holds the whole scan.
+/// Width and height are odd or even as those of `like` are, so that the pixels of both lie in the
+/// same places; even if `like` is 0 by 0.
 Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixel_pitch,
                   const Film& like);
 
-/// The film's pixels, each from the scan around its centre by Lanczos's kernel of three lobes, in
-/// linear light and multiplied by `light`; where the scan is finer than the film the kernel is so
-/// much wider. Black where a centre is outside the scan. 16 bits, sRGB. Nothing: `progress` stopped
-/// it.
+/// The film's pixels: each is the scan around its centre, weighted by Lanczos's kernel of three
+/// lobes, in linear light, and multiplied by `light`. If the scan is finer than the film, the
+/// kernel is wider by that factor. Pixels whose centre is outside the scan are black. 16 bits,
+/// sRGB. Nothing: `progress` stopped it.
 std::optional<Image> rectified(const Image& scan, const ScanMap& map, const Film& film,
                                const ScanLight& light, int threads, const Progress& progress = {});
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A scan's light put right: cast, uneven lighting, and the vignetting within the micro-images.
+// Corrects a scan's light: colour cast, uneven lighting, and vignetting within the micro-images.
 //
-// Thesis 5.6.6: a scanner that is balanced for its own lamp scans integral photographs, which other
-// light passes through, far too red and orange; it asks for other lamps or for filters before the
-// scanner. Gains of the channels in linear light are such filters, made to measure.
+// Thesis 5.6.6: a scanner is balanced for its own lamp; integral photographs are lit from behind by
+// another lamp, and their scans are far too red and orange. The thesis asks for other lamps or for
+// filters before the scanner. Gains of the channels in linear light act as such filters.
 #ifndef INTEGRAL_ANALYSIS_SCAN_COLOUR_H
 #define INTEGRAL_ANALYSIS_SCAN_COLOUR_H
 
@@ -15,7 +15,7 @@
 
 namespace integral {
 
-/// Means of linear light over squares of a scan, for everything that changes slowly over it.
+/// The means of linear light over squares of a scan, for what changes slowly over it.
 struct LightGrid {
     int columns = 0, rows = 0, square = 1; ///< squares, and the pixels of a square's side
     int width = 0, height = 0;             ///< of the scan
@@ -24,39 +24,39 @@ struct LightGrid {
     Color at(int column, int row) const { return means[std::size_t(row) * columns + column]; }
 };
 
-/// Of squares as large as makes about 64 on the scan's longer side, at least 8 pixels wide.
+/// About 64 squares on the scan's longer side, each at least 8 pixels wide.
 LightGrid light_grid(const Image& scan, int threads);
 
-/// What a scan's linear light is multiplied by.
+/// The factors that correct a scan's linear light, pixel by pixel.
 class ScanLight {
 public:
-    /// A flat-field scan, of nothing but the light: divided by, its mean left. Throws
-    /// std::invalid_argument where it has another size than the scan, or is black somewhere.
+    /// Divides by a flat-field scan, which shows nothing but the light, relative to its mean.
+    /// Throws std::invalid_argument if it has another size than the scan, or is black somewhere.
     void divide_by_flat(const Image& flat, int width, int height, int threads);
 
-    /// The surface c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2 of the logarithm of luminance, fitted
-    /// to a scan's squares so that what departs much from it, as the picture's darker things do,
-    /// counts little (Tukey's biweight): divided by, its mean left.
+    /// Divides by the surface c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2 of the logarithm of
+    /// luminance, relative to its mean. It is fitted to the scan's squares with Tukey's biweight,
+    /// so that squares far from it, as those of dark things in the picture, count little.
     void divide_by_surface(const LightGrid& scan);
 
-    /// Grey world: the channels' means of what is neither burnt out nor dark become equal; the
-    /// luminance stays.
+    /// Grey world: makes the means of the channels equal, over what is neither burnt out nor dark,
+    /// and keeps the luminance.
     void balance_grey(const LightGrid& scan);
 
-    /// A patch (scan pixels from the top left, inside the scan) becomes white, which sets the
-    /// exposure too. Throws std::invalid_argument where it is black.
+    /// Makes the mean of a patch white, which also sets the exposure. The patch is in pixels from
+    /// the top left, inside the scan. Throws std::invalid_argument if it is black.
     void balance_white(const Image& scan, int x, int y, int width, int height);
 
-    /// What to multiply linear light at a scan pixel by.
+    /// The factor for the linear light at a scan pixel.
     Color gain(Vec2 pixel) const;
 
     Color channel_gains() const { return gains_; }
-    /// Greatest over least light of the surface or the flat field, over the scan; 1: even.
+    /// The greatest over the least light of the surface or the flat field; 1: even.
     double unevenness() const { return unevenness_; }
 
 private:
     double surface(Vec2 pixel) const; ///< natural logarithm
-    std::optional<LightGrid> flat_;   ///< means over the flat's mean
+    std::optional<LightGrid> flat_;   ///< divided by its mean
     std::optional<std::array<double, 6>> surface_;
     double width_ = 1, height_ = 1, unevenness_ = 1;
     Color gains_{1, 1, 1, 1};
@@ -65,9 +65,9 @@ private:
 /// Relative luminance of linear light (sRGB's primaries).
 double luminance(Color linear);
 
-/// Divides a frame's light by what an average micro-image has at each place of the cell, 1 at its
-/// brightest: vignetting. Nowhere brighter than by a factor of 8. Returns the least of the average
-/// micro-image (1: nothing to do).
+/// Removes vignetting: divides a frame's light by that of the average micro-image at the same place
+/// in the cell, relative to its brightest place. The gain is at most 8. Returns the least light of
+/// the average micro-image, relative to the brightest; 1 if there is nothing to do.
 double flatten_micro_images(Image& frame, const Film& film, const SheetOptics& optics,
                             LensMapping mapping, int threads);
 

@@ -7,8 +7,8 @@
 
 namespace integral {
 
-/// The place and the turn of a film in a scan. Scan pixels are continuous: origin at the top left
-/// corner of the top left pixel, y downwards.
+/// Where a film lies in a scan and how it is turned. Scan pixels are continuous: the origin is the
+/// top left corner of the top left pixel, and y points downwards.
 struct ScanMap {
     Vec2 middle;         ///< scan pixel of the sheet's centre
     Vec2 scale{1, 1};    ///< scan pixels a mm, along the scan's own x and y; > 0
@@ -33,7 +33,7 @@ inline Vec2 film_from_scan(const ScanMap& map, Vec2 pixel)
     return {c * x + s * y, -s * x + c * y};
 }
 
-/// The same place in a scan whose pixels are `factor` as wide.
+/// The same place in a scan whose pixels are `factor` times as wide.
 inline ScanMap in_larger_pixels(const ScanMap& map, double factor)
 {
     return {(1 / factor) * map.middle, (1 / factor) * map.scale, map.rotation};

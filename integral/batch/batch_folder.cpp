@@ -3,7 +3,6 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/batch/content_hash.h"
-#include "integral/base/file_bytes.h"
 #include "integral/io/codecs.h"
 
 #include <cerrno>
@@ -45,8 +44,8 @@ bool has_content(const std::string& path, const StepRecord& record)
     }
 }
 
-/// Waits until a file or folder is on the disk. Throws OutputError where it cannot get there: some
-/// file systems say only now that they are full.
+/// Waits until a file or folder is on the disk. Throws OutputError if that fails: some file systems
+/// report only then that they are full.
 void sync(const std::string& path)
 {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -58,7 +57,8 @@ void sync(const std::string& path)
         throw OutputError(path + ": cannot be written: " + std::strerror(error));
 }
 
-/// Another process that reads the record may do the same at the same time.
+/// Moves what a step has made to its output's path. Another process that has read the record may be
+/// doing the same: then the file may have been moved already.
 void put_in_place(const BatchFolder& folder, const BatchStep& step, const StepRecord& record)
 {
     const std::string output = folder.output(step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where a batch keeps its things.
+// The paths of a batch's files below its output folder, and how a step's output gets there.
 #ifndef INTEGRAL_BATCH_BATCH_FOLDER_H
 #define INTEGRAL_BATCH_BATCH_FOLDER_H
 
@@ -12,45 +12,47 @@ namespace integral {
 
 /// Paths below the output folder.
 struct BatchFolder {
-    std::string path; ///< absolute
+    std::string path; ///< absolute, of the output folder
 
     std::string output(const BatchStep& step) const { return path + "/" + step.output; }
+    /// The folder of records, locks and unfinished work.
     std::string own() const { return path + "/.integral-batch"; }
     std::string record(const BatchStep& step) const
     {
         return own() + "/steps/" + step.name + ".json";
     }
     std::string lock(const std::string& name) const { return own() + "/locks/" + name; }
-    /// The folder in which a step works; gone when it has ended.
+    /// The folder of a step's unfinished files; deleted when the step has ended.
     std::string work(const BatchStep& step) const { return own() + "/work/" + step.name; }
-    /// What a step writes, before it becomes its output.
+    /// What a step's program writes, before it is moved to the output's path.
     std::string made(const BatchStep& step) const
     {
         return work(step) + "/made" + step.output.substr(step.output.rfind('.'));
     }
-    /// All that a failed step's program said.
+    /// What the program of a step that failed has printed.
     std::string log(const BatchStep& step) const { return path + "/logs/" + step.name + ".txt"; }
 };
 
-/// The folder, made where it is missing, with those in it that the plan's outputs need. Throws
-/// OutputError.
+/// Makes the output folder and the folders in it that the plan's outputs need, if they are missing.
+/// Throws OutputError.
 BatchFolder make_batch_folder(const std::string& output, const BatchPlan& plan);
 
-/// The folder as it is.
+/// The paths alone; nothing is made.
 BatchFolder batch_folder(const std::string& output);
 
-/// Whether a step's output is there as its record says, made from these inputs. An output that is
-/// whole but was not yet in its place when its batch was killed is put there.
+/// Whether a step's output is there, as its record describes it, and was made from inputs of the
+/// hash `inputs`. An output that was whole but not yet in its place when its batch was killed is
+/// moved there.
 bool is_done(const BatchFolder& folder, const BatchStep& step, const StepRecord& record,
              const std::string& inputs);
 
-/// Puts what a step has made in its place, with its record: first the record, which tells the file
-/// by its content, so that a kill between the two loses nothing. Fills in the record's output and
-/// bytes. Throws OutputError.
+/// Writes a step's record and moves what it has made to its output's path. The record, with the
+/// hash of the file, is written first: if the batch is killed between the two, is_done finds the
+/// file and moves it. Throws OutputError.
 void publish(const BatchFolder& folder, const BatchStep& step, StepRecord record);
 
-/// Whether a picture has its last byte, as far as its format shows it: a disk may have been full.
-/// Other formats: whether it is not empty.
+/// Whether a file was written to its end, which a full disk may have prevented: by the last chunk
+/// of PNG and the table of OpenEXR; of other formats whether it is not empty.
 bool is_whole(const std::string& path);
 
 } // namespace integral

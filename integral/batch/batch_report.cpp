@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// done, failed, blocked or missing.
+/// The state of a step in the summary: done, failed, blocked or missing.
 std::string state_of(const StepResult& result, const StepRecord& record)
 {
     if (result.fate == StepFate::failed || result.fate == StepFate::blocked)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What decides when a batch's steps begin and with how much of the machine: order and threads.
+// The order in which a batch's steps start, and the threads that each one gets.
 #ifndef INTEGRAL_BATCH_BATCH_SCHEDULE_H
 #define INTEGRAL_BATCH_BATCH_SCHEDULE_H
 
@@ -9,13 +9,13 @@
 
 namespace integral {
 
-/// Puts steps of the plan in the order in which they are to begin: the longest first, by what is
-/// known of their last run or by their pixels; then the last ones to end do so at nearly the same
-/// time. What a frame's steps make of it comes at once.
+/// Sorts steps of the plan (indices) by the order in which they are to start: first those that read
+/// a frame, then the frames, the longest first, by the seconds of their last run or by their
+/// pixels. So the last ones end at nearly the same time.
 void sort_longest_first(std::list<int>& steps, const BatchPlan& plan, const BatchFolder& folder);
 
-/// Threads of a step that begins when `others` more could: one while there is enough to do; the
-/// last frames have more, so that no core of `at_once` is idle while they end.
+/// The threads of a step that starts when `others` more could start as well: one if these are
+/// enough for the `at_once` programs that may run; else more, so that no core is idle.
 int threads_beside(int others, int at_once);
 
 } // namespace integral

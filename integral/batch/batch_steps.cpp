@@ -3,7 +3,6 @@
 
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
-#include "integral/batch/renderer.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 
@@ -21,12 +20,12 @@
 namespace integral {
 namespace {
 
-constexpr double default_pixels = 800.0 * 600; // the renderer's own settings'
+constexpr double default_pixels = 800.0 * 600; // the renderer's default size
 constexpr int thumbnail_side = 240;            // pixels
 
 std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-/// A program's path, if it is a bare name: from PATH, as it would be run.
+/// The path on PATH of the program that a bare name would run; other names stay as they are.
 std::string found_on_path(const std::string& name)
 {
     const char* path = std::getenv("PATH");
@@ -58,7 +57,7 @@ std::string last_line(const std::string& text)
     return last;
 }
 
-/// A file's first bytes: of a frame, those that hold all that comes before its pixels.
+/// A file's first bytes, enough for the header of a frame.
 std::string beginning_of(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -86,8 +85,8 @@ std::string thumbnail_size(const std::string& frame)
     return side(size.width) + "x" + side(size.height);
 }
 
-/// What a step's program said of its frame though it made its file, without the program's and the
-/// frame's name; empty if nothing.
+/// The first message of a step's program about its frame, though it made its file; without the
+/// names of the program and the frame. Empty if there is none.
 std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
 {
     const std::string mark = one_line("integral " + step.words[0] + ": " + frame + ": ");

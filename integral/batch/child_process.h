@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Other programs, run beside this one.
+// Runs other programs as child processes.
 #ifndef INTEGRAL_BATCH_CHILD_PROCESS_H
 #define INTEGRAL_BATCH_CHILD_PROCESS_H
 
@@ -16,18 +16,17 @@ constexpr int program_cannot_be_run = 127; ///< status, as a shell's
 struct ChildEnd {
     int status = 0;    ///< of exit; -1 if a signal ended it
     int signal = 0;    ///< that ended it, or 0
-    double memory = 0; ///< bytes, the most that it had
+    double memory = 0; ///< the most that it took, bytes
 };
 
-/// One running program. It does not outlive this one: the kernel kills it then, however this
-/// program ends.
+/// One running program. When this program ends, in whatever way, the kernel kills it.
 class ChildProcess {
 public:
-    /// Starts `words` (the first one is the program: a path, or a name to be looked for on PATH) in
-    /// `folder`, without input; what it says goes to the file `log`. To be called by the program's
-    /// first thread, whose end is what the child dies of. Throws OutputError where the log cannot
-    /// be written or no process can be made; a program that cannot be run ends with status
-    /// program_cannot_be_run.
+    /// Starts the program of the first word (a path, or a name that is looked for on PATH) in
+    /// `folder`, without input; what it prints goes to the file `log`. Must be called by this
+    /// program's first thread, as the child is killed when the thread that started it ends. Throws
+    /// OutputError if the log cannot be written or no process can be made. A program that cannot be
+    /// run ends with status program_cannot_be_run.
     ChildProcess(const std::vector<std::string>& words, const std::string& folder,
                  const std::string& log);
     /// Kills it if it still runs.
@@ -37,10 +36,10 @@ public:
     ChildProcess& operator=(const ChildProcess&) = delete;
     ChildProcess& operator=(ChildProcess&&) = delete;
 
-    /// Looks whether it has ended; once it has, not to be called again.
+    /// How it has ended; nothing while it runs. Must not be called again once it has ended.
     std::optional<ChildEnd> ended();
-    /// Waits for its end; not to be called again. Throws Interrupted, having asked it to end and
-    /// waited for that.
+    /// Waits for its end; must not be called again. If this program is interrupted, asks it to end,
+    /// waits for that, and throws Interrupted.
     ChildEnd wait();
     /// Asks it to end.
     void stop();

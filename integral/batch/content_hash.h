@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// SHA-256 of texts and files: by it a batch tells whether anything has changed.
+// SHA-256 of texts and files, by which a batch knows whether anything has changed.
 #ifndef INTEGRAL_BATCH_CONTENT_HASH_H
 #define INTEGRAL_BATCH_CONTENT_HASH_H
 
@@ -8,7 +8,7 @@
 
 namespace integral {
 
-/// A hash over several pieces; where one ends and the next begins is part of it.
+/// The hash of a sequence of texts. The same characters divided otherwise have another hash.
 class ContentHash {
 public:
     ContentHash();
@@ -16,7 +16,7 @@ public:
     ContentHash(const ContentHash&) = delete;
     ContentHash& operator=(const ContentHash&) = delete;
     void add(const std::string& piece);
-    /// 64 hexadecimal digits; ends the hash.
+    /// 64 hexadecimal digits. Nothing can be added afterwards.
     std::string digits();
 
     struct State;

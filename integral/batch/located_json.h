@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// JSON that a person writes: every complaint names the line and the field.
+// JSON documents that people write: each message about a value names its line and field.
 #ifndef INTEGRAL_BATCH_LOCATED_JSON_H
 #define INTEGRAL_BATCH_LOCATED_JSON_H
 
@@ -11,8 +11,8 @@
 
 namespace integral {
 
-/// A value of a JSON document that knows where it stands. The document must be kept by whoever
-/// holds one: they share it.
+/// A value of a JSON document that knows its line and its field. All values of a document share it
+/// and keep it alive.
 class Located {
 public:
     /// Throws InputError, "PATH:LINE: ...", for JSON that is malformed or has a field twice.

@@ -19,8 +19,8 @@ namespace {
 struct Holder {
     std::string host, boot;
     long process = 0;
-    std::string begun; ///< when it began, in the kernel's ticks: process numbers are used again
-    std::string name_space; ///< in which that number means this process; empty: unknown
+    std::string begun; ///< when it started, in the kernel's ticks: its number may be used again
+    std::string name_space; ///< the PID namespace of the number; empty: unknown
 };
 
 bool operator==(const Holder& a, const Holder& b)
@@ -37,7 +37,7 @@ std::string first_line(const std::string& path)
     return line;
 }
 
-/// Empty if there is no such process.
+/// When a process started, in the kernel's ticks; empty if there is no such process.
 std::string begin_of_process(long process)
 {
     const std::string status = first_line("/proc/" + std::to_string(process) + "/stat");
@@ -72,7 +72,8 @@ Holder holder_in(const std::string& path)
     return holder;
 }
 
-/// `now` is the file system's own clock.
+/// Whether a lock's holder has ended. `path` is the lock's file; `now` is the time by the file
+/// system's clock.
 bool is_dead(const Holder& holder, const std::string& path, const struct timespec& now)
 {
     const Holder me = myself();
@@ -81,14 +82,14 @@ bool is_dead(const Holder& holder, const std::string& path, const struct timespe
     if (can_be_asked && holder.boot == me.boot)
         return begin_of_process(holder.process) != holder.begun;
     if (can_be_asked && !holder.boot.empty())
-        return true; // before this machine's last start
+        return true; // it ran before this machine's last start
     struct stat status;
     return stat(path.c_str(), &status) == 0 &&
            now.tv_sec - status.st_mtim.tv_sec > LockFile::seconds_of_silence;
 }
 
-/// One process at a time, where the file system can do that, judges a lock: it goes with its
-/// process.
+/// Keeps other processes from judging and taking over locks at the same time, if the file system
+/// can do that. The kernel releases it when the process ends.
 class Guard {
 public:
     explicit Guard(const std::string& path)
@@ -127,8 +128,8 @@ bool LockFile::take(const std::string& path, std::string& holder)
     const auto slash = path.rfind('/');
     const Guard guard(path.substr(0, slash + 1) + "guard");
     const Holder me = myself();
-    // Made whole under a name of its own, then linked to the lock's: that succeeds for one process
-    // alone.
+    // The file is written under a name of its own and then linked to the lock's name, in which only
+    // one process succeeds.
     const std::string own = path.substr(0, slash + 1) + unfinished_name("lock");
     const Json json{{"host", me.host},
                     {"process", me.process},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Locks between processes, also of several machines that share a folder: files that are made in one
-// go.
+// Locks between processes, also of several machines that share a folder. A lock is a file that only
+// one process can succeed in making.
 #ifndef INTEGRAL_BATCH_LOCK_FILE_H
 #define INTEGRAL_BATCH_LOCK_FILE_H
 
@@ -8,10 +8,10 @@
 
 namespace integral {
 
-/// Holds at most one lock. A process that was killed leaves its file behind. In the same PID
-/// namespace of the same machine that is seen at once, by its process; from another machine or
-/// container, by the file's age, as holders refresh theirs. Locks of earlier versions, which do not
-/// name their namespace, are judged by age as well.
+/// Holds at most one lock. A process that was killed leaves its file behind, which is then taken
+/// over. On the same machine and in the same PID namespace that is known by the process that the
+/// file names; elsewhere by the age of the file, as holders refresh theirs. The files of earlier
+/// versions, which do not name their namespace, are judged by age, too.
 class LockFile {
 public:
     LockFile() = default;
@@ -19,11 +19,12 @@ public:
     LockFile(LockFile&& other) noexcept : path_(std::move(other.path_)) { other.path_.clear(); }
     LockFile& operator=(LockFile&& other) noexcept;
 
-    /// Tries to take it; false if another holds it: then `holder` says who, "process 12 on HOST".
-    /// Throws OutputError where the folder cannot be written.
+    /// Tries to take the lock of that path. Returns false if another process holds it, which
+    /// `holder` then names: "process 12 on HOST". Throws OutputError if the folder cannot be
+    /// written.
     bool take(const std::string& path, std::string& holder);
     bool held() const { return !path_.empty(); }
-    /// Shows others that the holder is alive: to be called every few seconds, at least once in
+    /// Shows other machines that the holder is alive. Must be called at least once in
     /// `seconds_of_silence`.
     void refresh() const;
     void release();

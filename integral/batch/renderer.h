@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// povray-integral, run by a command of the integral program.
+// Runs povray-integral and finds the reason in what it prints.
 #ifndef INTEGRAL_BATCH_RENDERER_H
 #define INTEGRAL_BATCH_RENDERER_H
 
@@ -10,8 +10,7 @@
 
 namespace integral {
 
-/// A folder of its own in the machine's place for temporary files, deleted with all that is in it
-/// at the end.
+/// A new folder for temporary files (in TMPDIR or /tmp), deleted with all that is in it at the end.
 class ScratchFolder {
 public:
     /// Throws OutputError.
@@ -29,16 +28,17 @@ private:
 /// PATH.
 std::string renderer_program();
 
-/// POV-Ray's reason for a failure in all that it said: the sentence that says "Error:", its broken
-/// lines joined, else its last line.
+/// The reason for a failure in what POV-Ray has printed: the sentence with "Error:", its broken
+/// lines joined; else the last line.
 std::string reason_in(const std::string& said);
 
-/// What to throw where povray-integral cannot be run, of what ChildProcess or it has said.
+/// The error to throw if povray-integral cannot be run. `said` is what it or ChildProcess has
+/// printed.
 InputError no_renderer(const std::string& said);
 
 /// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its
-/// end. What it says goes to a file in `scratch`. Throws InputError, with the renderer's own
-/// reason, where it fails, naming `what` (the scene); Interrupted where that is why.
+/// end. What it prints goes to a file in `scratch`. If it fails, throws InputError with `what` (the
+/// scene's name) and the renderer's reason; Interrupted if it was interrupted.
 void render(const std::string& what, const std::vector<std::string>& options,
             const ScratchFolder& scratch);
 

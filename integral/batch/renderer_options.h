@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// povray-integral's options as its own parser reads them from the words of a command line.
+// Reads povray-integral's options from the words of a command line, as its own parser does.
 #ifndef INTEGRAL_BATCH_RENDERER_OPTIONS_H
 #define INTEGRAL_BATCH_RENDERER_OPTIONS_H
 
@@ -41,8 +41,8 @@ std::vector<std::string> values_of_option(const std::vector<std::string>& words,
 std::string value_of_option(const std::vector<std::string>& words, const std::string& keyword,
                             const std::string& letters);
 
-/// Why a batch gives an option among this word's itself, or has no use for it; empty if all may be
-/// given.
+/// Why a manifest may not have this word: the batch gives one of its options itself or has no use
+/// for it. Empty if it may.
 std::string refused_renderer_option(const std::string& word);
 
 } // namespace integral

@@ -32,8 +32,8 @@ std::string without_quotes(const std::string& text)
     return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// What begins as a scene's text or as settings; other files (pictures, fonts, meshes of data) name
-/// no files.
+/// Whether a file is a scene's text or settings, by its name. Others (pictures, fonts, meshes of
+/// data) name no files.
 bool names_files(const std::string& path)
 {
     const std::string extension = extension_of(path);
@@ -69,7 +69,8 @@ std::string library_in(const std::string& line)
     return value_of_option({option}, "library_path", "l");
 }
 
-/// All that stands in quotation marks on one line of a text; in settings, also what follows =.
+/// What may be names of files: all that stands in quotation marks within a line of a text; in
+/// settings, also what follows =.
 std::vector<std::string> names_in(const std::string& text, bool settings)
 {
     std::vector<std::string> names;

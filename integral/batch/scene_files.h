@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The files that a frame depends on, as far as its scene's text names them.
+// Finds the files that a frame depends on, as far as its scene's text names them.
 #ifndef INTEGRAL_BATCH_SCENE_FILES_H
 #define INTEGRAL_BATCH_SCENE_FILES_H
 
@@ -9,7 +9,7 @@
 namespace integral {
 
 struct SceneFile {
-    std::string name; ///< as it is written where it is named
+    std::string name; ///< as the text that names it has it
     std::string path;
 };
 

@@ -18,13 +18,13 @@ extern char** environ;
 namespace integral {
 namespace {
 
-/// What a program said, and how it ended.
+/// What a program has printed, and its exit status.
 struct Said {
     int status;
     std::string output, errors;
 };
 
-/// Both ends of a pipe, which close themselves.
+/// A pipe; its ends are closed at the end.
 struct Pipe {
     Pipe()
     {
@@ -128,7 +128,7 @@ std::string joined(const std::vector<std::string>& words, char separator)
     return text;
 }
 
-/// Slurm forgets jobs some minutes after their end.
+/// Whether Slurm says that it does not know a job: it forgets jobs some minutes after their end.
 bool says_unknown(const Said& said)
 {
     return said.errors.find("Invalid job id") != std::string::npos;

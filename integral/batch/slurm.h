@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Slurm, through its own programs: sbatch, squeue, scancel, scontrol. Nothing links it, and where
-// they are missing, they are refused in words.
+// Calls Slurm through its own programs: sbatch, squeue, scancel, scontrol. If they are missing, a
+// message says so; no library of Slurm's is linked.
 #ifndef INTEGRAL_BATCH_SLURM_H
 #define INTEGRAL_BATCH_SLURM_H
 
@@ -9,7 +9,7 @@
 
 namespace integral {
 
-/// What is asked of sbatch. Empty texts and 0: the cluster's own defaults.
+/// A request for sbatch: an array of tasks. An empty text is the cluster's default.
 struct SlurmRequest {
     std::string name; ///< as squeue shows it
     std::string partition, time, memory;
@@ -17,9 +17,9 @@ struct SlurmRequest {
     std::vector<std::string> options; ///< more of sbatch's own
     int tasks = 1;                    ///< of the array, numbered from 0
     std::vector<std::string> after; ///< jobs that must have ended, well or not, before this begins
-    std::string log_folder;         ///< what task T of job J says goes to J_T.txt there
-    std::string folder;             ///< to work in
-    std::string commands;           ///< of /bin/sh
+    std::string log_folder;         ///< what task T of job J prints goes to J_T.txt there
+    std::string folder;             ///< in which the tasks run
+    std::string commands;           ///< for /bin/sh
 };
 
 /// A text as one word for a shell.

@@ -80,7 +80,7 @@ void copy_rows(const Image& from, int first, int rows, Image& to, int to_first)
         from.samples);
 }
 
-/// A strip as its file has it.
+/// A strip's file.
 struct StripFile {
     DecodedImage picture; ///< its document is the whole frame's
     int first, height;    ///< the first of its rows in the frame, and the frame's height
@@ -121,7 +121,7 @@ std::string common_part(FrameMetadata metadata)
     return to_json(metadata);
 }
 
-/// Adds up what strips say of their frame.
+/// Joins the documents of strips to that of their frame.
 class Documents {
 public:
     void add(const std::string& path, const StripFile& strip)
@@ -292,11 +292,11 @@ std::vector<std::string> words_of_randomness(const std::vector<std::string>& fil
     for (const std::string& file : files)
         if (extension_of(file) == "pov" || extension_of(file) == "inc")
             add_words(read_file(file), words);
-    std::vector<std::string> chance;
+    std::vector<std::string> found;
     for (const char* word : {"radiosity", "photons", "media", "jitter", "crand", "subsurface"})
         if (words.count(word))
-            chance.push_back(word);
-    return chance;
+            found.push_back(word);
+    return found;
 }
 
 } // namespace integral

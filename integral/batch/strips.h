@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// One frame rendered as strips of rows, by several runs of the renderer on as many machines, and
-// put together again: the same pixels as the frame rendered whole, except where the scene's own
-// light is random.
+// Divides a frame into strips of rows, which several runs of the renderer make, and joins them. The
+// pixels are those of the frame rendered whole, unless the scene's light is random.
 #ifndef INTEGRAL_BATCH_STRIPS_H
 #define INTEGRAL_BATCH_STRIPS_H
 
@@ -12,43 +11,43 @@
 
 namespace integral {
 
-/// Rows of a frame, 0 at the top, that one run gives; it renders some more on either side, which
-/// anti-aliasing looks at.
+/// The rows of a frame, 0 at the top, that one run makes. It renders more rows above and below,
+/// which anti-aliasing compares them with.
 struct RowStrip {
     int first = 0, rows = 0;
-    int above = 0, below = 0; ///< rows rendered besides
+    int above = 0, below = 0; ///< further rows that are rendered
 };
 
-/// A frame's `height` rows in at most `strips` (at least 1) strips of whole blocks, as even as they
-/// can be; a frame of fewer blocks has fewer. Anti-aliasing refines block by block, and the
-/// renderer's blocks (`block_side` pixels, 32 unless Render_Block_Size says otherwise) are counted
-/// from the first row that is rendered: strips begin, and their rows above do, where a block of the
-/// whole frame begins. `reach` is rows_looked_at, or 0 without anti-aliasing.
+/// Divides a frame of `height` rows into at most `strips` (at least 1) strips of whole blocks, of
+/// nearly the same height; a frame with fewer blocks has fewer strips. The renderer anti-aliases
+/// block by block (`block_side` pixels, 32 unless Render_Block_Size says otherwise), counted from
+/// the first row that it renders. So each strip, and the rows above it, begin where a block of the
+/// whole frame does. `reach` is rows_looked_at, or 0 without anti-aliasing.
 std::vector<RowStrip> row_strips(int height, int strips, int block_side, int reach);
 
 /// The renderer's options for a strip of a frame of `height` rows: Start_Row, End_Row and, with
 /// rows besides its own, Integral_Rows.
 std::vector<std::string> options_of(const RowStrip& strip, int height);
 
-/// Writes to `output` the rows of a strip alone, of `rendered`, the picture (PNG or OpenEXR) that
-/// the renderer wrote with options_of(strip): of the whole frame's size. Its document says which
-/// rows they are. Throws InputError, OutputError.
+/// Copies the rows of a strip from `rendered` to a picture `output`, whose document says which rows
+/// they are. `rendered` is the picture (PNG or OpenEXR), of the whole frame's size, that the
+/// renderer wrote with options_of(strip). Throws InputError, OutputError.
 void cut_strip(const std::string& rendered, const RowStrip& strip, const std::string& output);
 
-/// Writes the frame that strips make, files of cut_strip from the top down: in their own format,
-/// with their common geometry, the sum of their seconds and the error that their estimates tell of
-/// the whole. Throws InputError, naming the strip, where one is missing, cannot be read, is out of
-/// its place or of another frame; OutputError.
+/// Joins strips, files of cut_strip from the top down, to a frame of the same format, with their
+/// common geometry, the sum of their seconds and the error of the whole by their estimates. Throws
+/// InputError, naming the strip, if one is missing, cannot be read, is out of its place or belongs
+/// to another frame; OutputError.
 void merge_strips(const std::vector<std::string>& strips, const std::string& output);
 
 /// The error of a frame from those of its strips, weighted by their lit pixels, which add up.
-/// Strips are audited apart from each other: the mean squares' intervals add up as independent ones
-/// do, but never below the bias that is common to all of them.
+/// Strips are audited independently, so the intervals of the mean squares add up as independent
+/// ones do, but never below the bias that is common to all strips.
 ErrorEstimate combined(const std::vector<ErrorEstimate>& strips);
 
-/// Words of a scene's files (.pov, .inc; others are passed by) after which strips cannot be
-/// promised to equal the whole frame, nor two runs each other: `radiosity`, `photons`, `media`,
-/// `jitter`, `crand`, `subsurface`. Comments and strings do not count. Throws InputError.
+/// Those words in a scene's files (.pov and .inc; others are ignored) that make two renderings of
+/// it differ: `radiosity`, `photons`, `media`, `jitter`, `crand`, `subsurface`. Comments and
+/// strings do not count. Throws InputError.
 std::vector<std::string> words_of_randomness(const std::vector<std::string>& files);
 
 } // namespace integral

@@ -13,12 +13,12 @@ namespace integral {
 
 namespace {
 
-/// Moves `count` pixels of a fixed size between a row of a view, where they follow each other, and
-/// the film, where they are `step` bytes apart. Pixels of three bytes are moved in larger pieces,
-/// whose rest comes over pixels that are written later.
+/// Copies `count` pixels of a fixed size between a row of a view, where they follow each other, and
+/// the film, where they are `step` bytes apart. Pixels of three bytes are copied as four or more:
+/// the surplus falls on pixels that are written later.
 struct PixelMover {
     void (*gather)(unsigned char* view, const unsigned char* film, std::size_t step, int count);
-    /// alone: no pixel behind these is written later.
+    /// `alone`: the pixels after these are not written later.
     void (*scatter)(unsigned char* film, std::size_t step, const unsigned char* view, int count,
                     bool alone);
     std::size_t bytes;
@@ -68,7 +68,7 @@ PixelMover mover_for(const Image& image)
     }
 }
 
-/// Exact views: which pixel of which view belongs to which pixel of the film.
+/// Exact views: tells which pixel of which view belongs to which pixel of the film.
 class WholePixels {
 public:
     explicit WholePixels(const Lenses& lenses) : lenses_(lenses)
@@ -85,9 +85,9 @@ public:
         }
     }
 
-    /// Calls move(view, its first pixel, the film's first pixel, how many, whether it is the
-    /// lenses' last) for a row of the film, place after place in the lenses: pixels one after
-    /// another in the view, a lens apart on the film.
+    /// For each place in the lenses that row y of the film has, calls move(view, first pixel in the
+    /// view, first pixel on the film, count, whether this is the last place). The pixels follow
+    /// each other in the view and are a lens apart on the film.
     template <class Move> void each(int y, Move move) const
     {
         const bool lenticular = lenses_.arrangement == Arrangement::lenticular;
@@ -100,8 +100,8 @@ public:
                  film_row + runs_[column].film, runs_[column].pixels, column == 0);
     }
 
-    /// Copies a row of a view, whose pixels are of `move`'s size, and which is black; `film` is the
-    /// frame's first row.
+    /// Copies a row of a view from the film to `to`, which must be black, as a view may have pixels
+    /// that the film has not. `film` is the frame's first row.
     void gather_row(int view, int row, const PixelMover& move, const unsigned char* film,
                     unsigned char* to) const
     {
@@ -126,8 +126,8 @@ private:
     std::vector<Run> runs_;
 };
 
-/// for_each_row by blocks of rows: moving a row takes less than handing it out, and threads then
-/// seldom write side by side.
+/// for_each_row by blocks of rows: copying a row takes less time than giving it to a thread, and
+/// threads then seldom write to neighbouring bytes.
 bool for_each_block(int rows, int threads, const std::function<void(int row)>& work,
                     const Progress& progress)
 {
@@ -201,7 +201,7 @@ std::optional<std::vector<Image>> parallel_views(const Frame& frame, ViewGrid gr
         for (int k = 0; k < grid.count(); ++k)
             maker.draw(k, y, views[k], 0, y);
     };
-    // Behind 2-D lenses a row of all views is many rows of the film.
+    // Behind square and hexagonal lenses one row of all views takes many rows of the film.
     const bool done = grid.rows > 1 ? for_each_row(maker.height(), threads, row, progress)
                                     : for_each_block(maker.height(), threads, row, progress);
     if (!done)
@@ -227,53 +227,72 @@ std::vector<std::optional<Eye>> far_eyes(const FrameMetadata& metadata, ViewGrid
     return eyes;
 }
 
+namespace {
+
+/// Throws std::invalid_argument unless there are as many views as wanted, of one form and of the
+/// window's size.
+void check_views(const std::vector<Image>& views, const Lenses& lenses)
+{
+    const int count = lenses.grid.count();
+    if (int(views.size()) != count)
+        throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " +
+                                    std::to_string(count));
+    const LensWindow& window = lenses.window;
+    for (const Image& view : views)
+        if (view.width != window.columns || view.height != window.rows ||
+            !same_form(view, views[0]))
+            throw std::invalid_argument(
+                "views of " + std::to_string(view.width) + "x" + std::to_string(view.height) +
+                " pixels; this sheet and film have views of " + std::to_string(window.columns) +
+                "x" + std::to_string(window.rows) + ", all of one form");
+}
+
+/// Copies exact views to the film. Returns false if `progress` stopped it.
+bool scatter_views(const std::vector<Image>& views, const Lenses& lenses, Image& image, int threads,
+                   const Progress& progress)
+{
+    const WholePixels pixels(lenses);
+    const PixelMover move = mover_for(image);
+    unsigned char* to = bytes_of(image);
+    std::vector<const unsigned char*> from;
+    for (const Image& view : views)
+        from.push_back(bytes_of(view));
+    const auto row = [&](int y) {
+        pixels.each(y,
+                    [&](int view, std::size_t of_view, std::size_t of_film, int count, bool last) {
+                        move.scatter(to + of_film * move.bytes, move.bytes * pixels.lens(),
+                                     from[view] + of_view * move.bytes, count, last);
+                    });
+    };
+    return for_each_block(lenses.film.height, threads, row, progress);
+}
+
+/// Interpolates between views that are not exact. Returns false if `progress` stopped it.
+bool interpolate_views(const std::vector<Image>& views, const Lenses& lenses, Image& image,
+                       int threads, const Progress& progress)
+{
+    std::vector<LinearReader> light;
+    for (const Image& view : views)
+        light.emplace_back(view);
+    const auto at = [&](int view, int column, int row) { return light[view](column, row); };
+    const auto work = [&](int y) {
+        for (int x = 0; x < lenses.film.width; ++x)
+            store_linear(image, x, y, film_pixel(lenses, x, y, at));
+    };
+    return for_each_row(lenses.film.height, threads, work, progress);
+}
+
+} // namespace
+
 std::optional<Image> frame_from_views(const std::vector<Image>& views,
                                       const FrameMetadata& metadata, ViewGrid grid, int threads,
                                       const Progress& progress)
 {
     const Lenses lenses(metadata, grid);
-    const Film& film = lenses.film;
-    if (int(views.size()) != grid.count())
-        throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " +
-                                    std::to_string(grid.count()));
-    for (const Image& view : views)
-        if (view.width != lenses.window.columns || view.height != lenses.window.rows ||
-            !same_form(view, views[0]))
-            throw std::invalid_argument("views of " + std::to_string(view.width) + "x" +
-                                        std::to_string(view.height) +
-                                        " pixels; this sheet and film have views of " +
-                                        std::to_string(lenses.window.columns) + "x" +
-                                        std::to_string(lenses.window.rows) + ", all of one form");
-    Image image = blank_like(views[0], film.width, film.height);
-    if (lenses.exact) {
-        const WholePixels pixels(lenses);
-        const PixelMover move = mover_for(image);
-        unsigned char* to = bytes_of(image);
-        std::vector<const unsigned char*> from;
-        for (const Image& view : views)
-            from.push_back(bytes_of(view));
-        const auto row = [&](int y) {
-            pixels.each(
-                y, [&](int view, std::size_t of_view, std::size_t of_film, int count, bool last) {
-                    move.scatter(to + of_film * move.bytes, move.bytes * pixels.lens(),
-                                 from[view] + of_view * move.bytes, count, last);
-                });
-        };
-        if (!for_each_block(film.height, threads, row, progress))
-            return std::nullopt;
-        return image;
-    }
-    std::vector<LinearReader> light;
-    for (const Image& view : views)
-        light.emplace_back(view);
-    const auto work = [&](int y) {
-        for (int x = 0; x < film.width; ++x) {
-            store_linear(image, x, y, film_pixel(lenses, x, y, [&](int view, int column, int row) {
-                             return light[view](column, row);
-                         }));
-        }
-    };
-    if (!for_each_row(film.height, threads, work, progress))
+    check_views(views, lenses);
+    Image image = blank_like(views[0], lenses.film.width, lenses.film.height);
+    const auto fill = lenses.exact ? scatter_views : interpolate_views;
+    if (!fill(views, lenses, image, threads, progress))
         return std::nullopt;
     return image;
 }

@@ -8,7 +8,7 @@
 namespace integral {
 namespace {
 
-constexpr double whole = 1e-6; // of a pixel: so much off counts as a whole number
+constexpr double whole = 1e-6; // pixels by which a whole number may be off
 
 bool is_whole(double value) { return std::fabs(value - std::round(value)) < whole; }
 
@@ -22,8 +22,8 @@ Vec2 pixels_a_lens(const FrameMetadata& m)
     return {p / m.film.pixel_pitch.x, lattice.row_spacing() / m.film.pixel_pitch.y};
 }
 
-/// `first`: mm from the first lens's pole to the first pixel's centre, in the direction in which
-/// pixels are counted.
+/// `first` is the distance (mm) of the first pixel's centre from the first lens's pole, in the
+/// direction in which pixels are counted.
 Side side_of(double first, double pixel_pitch, double pitch)
 {
     return {int(std::lround(pitch / pixel_pitch)),
@@ -57,6 +57,11 @@ Lenses::Lenses(const FrameMetadata& m, ViewGrid grid)
         }
         return;
     }
+    window = window_of_border(corner);
+}
+
+LensWindow Lenses::window_of_border(LensIndex corner) const
+{
     LensIndex least = corner, most = corner;
     const auto take = [&](int x, int y) {
         const LensIndex lens = lattice.nearest(point(x, y));
@@ -74,9 +79,9 @@ Lenses::Lenses(const FrameMetadata& m, ViewGrid grid)
         throw std::invalid_argument("its film lies behind more than 1000000 lenses one way: they "
                                     "are much narrower than its pixels");
     const int lenses = int(most.i - least.i + 1);
-    window = {{least.i, most.j},
-              arrangement == Arrangement::hexagonal ? 2 * lenses + 1 : lenses,
-              lenticular ? film.height : int(most.j - least.j + 1)};
+    return {{least.i, most.j},
+            arrangement == Arrangement::hexagonal ? 2 * lenses + 1 : lenses,
+            arrangement == Arrangement::lenticular ? film.height : int(most.j - least.j + 1)};
 }
 
 ViewGrid natural_views(const FrameMetadata& m)
@@ -89,9 +94,8 @@ ViewGrid natural_views(const FrameMetadata& m)
 bool views_are_exact(const FrameMetadata& m, ViewGrid grid)
 {
     const Vec2 pixels = pixels_a_lens(m);
-    const bool lenticular = m.sheet.arrangement ==
-                            Arrangement::lenticular;                    // has no pixels a lens down
-    const bool some = pixels.x > 0.5 && (lenticular || pixels.y > 0.5); // nought is whole, too
+    const bool lenticular = m.sheet.arrangement == Arrangement::lenticular; // pixels.y is 0
+    const bool some = pixels.x > 0.5 && (lenticular || pixels.y > 0.5);     // 0 is whole, too
     return some && m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 &&
            m.film.subpixels == Subpixels::none && is_whole(pixels.x) && is_whole(pixels.y) &&
            grid.columns == natural_views(m).columns && grid.rows == natural_views(m).rows;

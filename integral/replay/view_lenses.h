@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which pixels of parallel views belong to which places on the film: the geometry that both ways
-// share.
+// Maps pixels of parallel views to places on the film and back, for taking a frame apart and for
+// making one of views.
 #ifndef INTEGRAL_REPLAY_VIEW_LENSES_H
 #define INTEGRAL_REPLAY_VIEW_LENSES_H
 
@@ -14,11 +14,11 @@
 
 namespace integral {
 
-/// One side of a film whose lenses are a whole number of pixels wide: every pixel has a lens and a
-/// place in it. A pixel on the border of two lenses is the farther one's.
+/// The pixels along one side of a film whose lenses are a whole number of pixels wide: each pixel
+/// has a lens and a place in it. A pixel on the border of two lenses belongs to the second one.
 struct Side {
-    int pixels; ///< a lens
-    int border; ///< the first pixel that is not the first lens's
+    int pixels; ///< of a lens
+    int border; ///< the first pixel of the second lens
     int lens(int pixel) const { return pixel < border ? 0 : (pixel - border) / pixels + 1; }
     int place(int pixel) const
     {
@@ -26,7 +26,7 @@ struct Side {
     }
 };
 
-/// The geometry that both ways share.
+/// The lenses of a frame and the parts of each that its views show.
 class Lenses {
 public:
     /// Throws as lens_window does.
@@ -34,8 +34,8 @@ public:
 
     Vec2 point(int x, int y) const { return film_from_pixel(film, {x + 0.5, y + 0.5}); }
 
-    /// The lens of a view's pixel; and back, the first pixel of a lens (that a film pixel of row
-    /// `film_row` lies behind).
+    /// The lens of a view's pixel. The inverses are column_of and row_of: the first pixel of a lens
+    /// that a film pixel of row `film_row` lies behind.
     LensIndex lens_at(int column, int view_row) const
     {
         if (arrangement == Arrangement::lenticular)
@@ -73,7 +73,7 @@ public:
             return {middle.x + part.x * breadth, middle.y};
         return middle + (part.x * breadth) * lattice.across() + (part.y * row) * lattice.along();
     }
-    /// The place that view number k sees in every lens.
+    /// The place that view number k shows of every lens.
     Vec2 part_of_view(int k) const
     {
         return {0.5 - (k % grid.columns + 0.5) / grid.columns,
@@ -95,10 +95,15 @@ public:
     bool exact;
     Side across{}, down{};
     LensWindow window;
+
+private:
+    /// The lenses behind the film's border, and so behind all of it. `corner` is that of its first
+    /// pixel. Throws std::invalid_argument if they are too many.
+    LensWindow window_of_border(LensIndex corner) const;
 };
 
-/// What view number `view` shows of a frame's light in a pixel, for views that are not exact;
-/// nothing where the lens has no film.
+/// The light of one pixel of a view that is not exact; nothing where there is no film behind the
+/// lens.
 inline std::optional<Color> view_pixel(const Lenses& lenses, const LinearReader& light, int view,
                                        int column, int row)
 {
@@ -111,8 +116,8 @@ inline std::optional<Color> view_pixel(const Lenses& lenses, const LinearReader&
                         [&](int channel) { return of_subpixels(light, film, at, channel); });
 }
 
-/// Where a film pixel's channel comes from: the views' pixel, and the place between their
-/// directions.
+/// Where a channel of a film pixel comes from: the pixel in every view, and the place among the
+/// views (column and row of the grid, from the top left; whole at the views themselves).
 struct ViewPlace {
     int column, row;
     double x, y;
@@ -129,8 +134,8 @@ inline ViewPlace view_place(const Lenses& lenses, int x, int y, int channel)
             (0.5 - part.y) * lenses.grid.rows - 0.5};
 }
 
-/// The light of a film pixel, interpolated between the directions of views that are not exact:
-/// at(view, column, row) is a Color of their light.
+/// The light of a film pixel, interpolated between the directions of views that are not exact.
+/// at(view, column, row) gives the light of a view's pixel as a Color.
 template <class At> Color film_pixel(const Lenses& lenses, int x, int y, At at)
 {
     const ViewGrid grid = lenses.grid;

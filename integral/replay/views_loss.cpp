@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What interpolated views lose: block by block of the film, so that neither all views nor a second
-// frame have to be in memory.
+// Measures what interpolated views lose, block by block of the film, so that neither all views nor
+// a second frame have to be in memory.
 #include "integral/compare/compare.h"
 #include "integral/replay/view_lenses.h"
 
@@ -17,10 +17,9 @@ struct Block {
     int x, y, width, height;
 };
 
-/// Pixels of all views that a block of the film needs: columns and rows of each view.
+/// The pixels that a block of the film needs of each view, up to the right column and bottom row.
 struct Needed {
-    int left = std::numeric_limits<int>::max(), top = left, right = -1,
-        bottom = -1; // the last ones
+    int left = std::numeric_limits<int>::max(), top = left, right = -1, bottom = -1;
     int columns() const { return right - left + 1; }
     int rows() const { return bottom - top + 1; }
 };
@@ -44,7 +43,7 @@ Needed needed_by(const Lenses& lenses, const Block& block)
     return needed;
 }
 
-/// The views' pixels of which a block is made, each view beside the one before.
+/// The pixels that a block needs of all views, in one picture: the views side by side.
 Image views_of_block(const Lenses& lenses, const LinearReader& light, const Image& frame,
                      const Needed& needed)
 {
@@ -90,7 +89,7 @@ std::optional<double> psnr_there_and_back(const Frame& frame, ViewGrid grid, int
     if (lenses.exact)
         return std::numeric_limits<double>::infinity();
     const LinearReader light(frame.image);
-    // Many views of few pixels a lens are larger than the film.
+    // More views than a lens has pixels need smaller blocks, as they are larger than the film.
     const ViewGrid natural = natural_views(*frame.metadata);
     const double views_a_pixel = double(grid.count()) / natural.count();
     constexpr double side_of_one = 512;
