@@ -36,7 +36,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int total_steps = 1000, sent_steps = 500;
 constexpr auto poll_interval = std::chrono::milliseconds(200);
 
-/// Options that place or scale pages.
+/// The options that would place or scale pages.
 const char* const scaling_options[] = {"fit-to-page",     "fitplot",
                                        "landscape",       "media",
                                        "mirror",          "natural-scaling",
@@ -67,7 +67,7 @@ std::string printer_uri(const std::string& printer)
     return uri;
 }
 
-/// A request about a printer, or about one of its jobs; answered in `attributes`.
+/// Asks the server about a printer, or about one of its jobs, for these attributes.
 Message ask(http_t* server, ipp_op_t operation, const std::string& printer, int job,
             const std::vector<const char*>& attributes)
 {
@@ -84,7 +84,7 @@ Message ask(http_t* server, ipp_op_t operation, const std::string& printer, int 
     return Message(cupsDoRequest(server, request, "/"), ippDelete); // frees the request
 }
 
-/// An attribute's values as text; "" if absent.
+/// An attribute's values as text; "" if the answer lacks it.
 std::string text_of(const Message& answer, const char* name)
 {
     ipp_attribute_t* attribute = ippFindAttribute(answer.get(), name, IPP_TAG_ZERO);
@@ -100,7 +100,7 @@ int integer_of(const Message& answer, const char* name)
     return attribute ? ippGetInteger(attribute, 0) : 0;
 }
 
-/// One line of a printer's words: its message and its reasons, without "none".
+/// A printer's message and reasons in one line, without the reason "none".
 std::string reasons_of(const std::string& message, const std::string& reasons)
 {
     std::string words = message;
@@ -112,9 +112,9 @@ std::string reasons_of(const std::string& message, const std::string& reasons)
     return words.empty() ? "no reason given" : words;
 }
 
-/// Whether printer-state-reasons, joined by commas, tell of something that a person has to see to.
-/// Without ending they are errors; warnings and reports (a supply is low) are not, those apart that
-/// printers stop for; nor is what CUPS' own backends say.
+/// Whether one of the printer-state-reasons, joined by commas, needs a person's help. Those without
+/// an ending are errors. Warnings and reports (a supply is low) are not, except for those that
+/// printers stop for; neither is what CUPS' own backends report.
 bool in_trouble(const std::string& reasons)
 {
     const auto begins = [](const std::string& word, const char* with) {
@@ -156,7 +156,8 @@ std::vector<std::string> printers_of(http_t* server)
     return names;
 }
 
-/// The queue's name; throws OutputError where there is none such, or it takes no jobs now.
+/// The name of the wanted queue, or of the default. Throws OutputError where there is no such
+/// queue, or it takes no jobs now.
 std::string ready_printer(http_t* server, const std::string& wanted)
 {
     const std::vector<std::string> names = printers_of(server);
@@ -195,7 +196,7 @@ std::string figures(const char* format, double a, double b)
 /// The job's document, and the options that go with it.
 struct Document {
     std::string bytes;
-    PrintOptions options;
+    DriverOptions options;
 };
 
 Document document_of(const SpoolJob& job, http_t* server, const std::string& printer)
@@ -205,7 +206,7 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
     const std::vector<PrintMedium> media = queue.media();
     const SizeMm page = {first.width / job.dpi.x * 25.4, first.height / job.dpi.y * 25.4};
     std::string list, unused;
-    const Vec2 across = {job.dpi.y, job.dpi.x}; // of a page that is turned
+    const Vec2 across = {job.dpi.y, job.dpi.x}; // the resolution of a page that is turned
     const std::string upright = queue.resolution(job.dpi, list),
                       turned = queue.resolution(across, unused);
     if (upright.empty() && turned.empty())
@@ -250,11 +251,11 @@ Document document_of(const SpoolJob& job, http_t* server, const std::string& pri
     return document;
 }
 
-/// A job on the server, which is cancelled unless it is done.
+/// A job on the server. Its destructor cancels it unless it is done.
 class SentJob {
 public:
     SentJob(http_t* server, std::string printer, const std::string& title,
-            const PrintOptions& options)
+            const DriverOptions& options)
         : server_(server), printer_(std::move(printer))
     {
         cups_option_t* list = nullptr;
@@ -269,7 +270,7 @@ public:
     }
     ~SentJob()
     {
-        // Anew, as the connection may be in the middle of the document.
+        // Connect again: this connection may be in the middle of sending the document.
         if (!done && httpReconnect2(server_, 5000, nullptr) == 0)
             cupsCancelJob2(server_, printer_.c_str(), number, 0);
     }
@@ -277,14 +278,14 @@ public:
     SentJob& operator=(const SentJob&) = delete;
 
     int number = 0;
-    bool done = false; ///< printed, or given up by the server itself
+    bool done = false; ///< printed, or cancelled or aborted by the server
 
 private:
     http_t* server_;
     std::string printer_;
 };
 
-/// Sends the document; false if `progress` stopped it.
+/// Sends the document. Returns false if `progress` stopped it.
 bool send(http_t* server, const std::string& printer, int number, const std::string& title,
           const std::string& bytes, const Progress& progress)
 {
@@ -306,8 +307,8 @@ bool send(http_t* server, const std::string& printer, int number, const std::str
     return true;
 }
 
-/// Waits for the end of the job; false if `progress` stopped it. Throws std::runtime_error with the
-/// printer's reason.
+/// Waits for the end of the job. Returns false if `progress` stopped it. Throws std::runtime_error
+/// with the printer's reason.
 bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheets, double patience,
             const Progress& progress)
 {
