@@ -9,8 +9,7 @@
 #include <stdexcept>
 
 #ifdef HAVE_CUPS
-#include "integral/output/cups_raster.h"
-#include "integral/output/print_queue.h"
+#include "integral/output/spool_document.h"
 
 #include <cups/cups.h>
 
@@ -186,71 +185,6 @@ std::string ready_printer(http_t* server, const std::string& wanted)
     return printer;
 }
 
-std::string figures(const char* format, double a, double b)
-{
-    char text[96];
-    std::snprintf(text, sizeof text, format, a, b);
-    return text;
-}
-
-/// The job's document, and the options that go with it.
-struct Document {
-    std::string bytes;
-    DriverOptions options;
-};
-
-Document document_of(const SpoolJob& job, http_t* server, const std::string& printer)
-{
-    PrintQueue queue(server, printer);
-    const Image& first = job.pages.front();
-    const std::vector<PrintMedium> media = queue.media();
-    const SizeMm page = {first.width / job.dpi.x * 25.4, first.height / job.dpi.y * 25.4};
-    std::string list, unused;
-    const Vec2 across = {job.dpi.y, job.dpi.x}; // the resolution of a page that is turned
-    const std::string upright = queue.resolution(job.dpi, list),
-                      turned = queue.resolution(across, unused);
-    if (upright.empty() && turned.empty())
-        throw std::runtime_error("no resolution of " +
-                                 figures("%g x %g dpi", job.dpi.x, job.dpi.y) + "; it has " + list +
-                                 ", and pixels are never resampled: render for one of these");
-    const std::optional<PagePlace> place = place_page(media, page, job.medium);
-    if (!place)
-        throw std::runtime_error("no medium " + (job.medium.empty() ? "" : job.medium + " ") +
-                                 "of " + figures("%.1f x %.1f mm", page.width, page.height) +
-                                 "; it has " + media_in_words(media));
-    const std::string& resolution = place->turned ? turned : upright;
-    if (resolution.empty())
-        throw std::runtime_error("a page of " + figures("%.1f x %.1f mm", page.width, page.height) +
-                                 " lies across " + media[place->medium].label +
-                                 ", which has no resolution of " +
-                                 figures("%g x %g dpi", across.x, across.y) + "; it has " + list +
-                                 ": render it upright");
-
-    Document document;
-    const PrintMedium& medium = media[place->medium];
-    document.options = queue.plain_options();
-    document.options.emplace_back("PageSize", medium.name);
-    document.options.emplace_back("Resolution", resolution);
-    document.options.emplace_back("print-scaling", "none");
-    document.options.insert(document.options.end(), job.options.begin(), job.options.end());
-    const cups_page_header2_t header = queue.page_header(document.options);
-
-    const int width = int(std::lround(medium.printable.width / 25.4 * header.HWResolution[0]));
-    const int height = int(std::lround(medium.printable.height / 25.4 * header.HWResolution[1]));
-    std::vector<Image> sheets;
-    for (const Image& each : job.pages) {
-        std::optional<Image> sheet = centred_page(place->turned ? turned_page(each) : each, width,
-                                                  height);
-        if (!sheet)
-            throw std::runtime_error(
-                "prints " + figures("%g x %g pixels of ", width, height) + medium.label + " (" +
-                medium.name + "), and the page has colour outside them; leave its margins white");
-        sheets.push_back(std::move(*sheet));
-    }
-    document.bytes = cups_raster(sheets, job.copies, header);
-    return document;
-}
-
 /// A job on the server. Its destructor cancels it unless it is done.
 class SentJob {
 public:
@@ -307,6 +241,39 @@ bool send(http_t* server, const std::string& printer, int number, const std::str
     return true;
 }
 
+/// What the server tells of a job. Throws std::runtime_error where it does not answer.
+Message ask_about_job(http_t* server, const std::string& printer, int number)
+{
+    Message job = ask(server, IPP_OP_GET_JOB_ATTRIBUTES, printer, number,
+                      {"job-state", "job-state-reasons", "job-printer-state-message",
+                       "job-impressions-completed", "job-media-progress"});
+    if (cupsLastError() > IPP_STATUS_OK_CONFLICTING)
+        throw std::runtime_error(std::string("the CUPS server does not tell how the job goes: ") +
+                                 cupsLastErrorString());
+    return job;
+}
+
+/// Whether the job is printed. Throws std::runtime_error where it will not be.
+bool is_printed(const Message& job, SentJob& sent)
+{
+    const int state = integer_of(job, "job-state");
+    const std::string words = reasons_of(text_of(job, "job-printer-state-message"),
+                                         text_of(job, "job-state-reasons"));
+    if (state == IPP_JSTATE_COMPLETED) {
+        sent.done = true;
+        return true;
+    }
+    if (state == IPP_JSTATE_CANCELED || state == IPP_JSTATE_ABORTED) {
+        sent.done = true;
+        const char* end = state == IPP_JSTATE_CANCELED ? " was cancelled (" : " failed (";
+        throw std::runtime_error("job " + std::to_string(sent.number) + end + words + ")");
+    }
+    if (state == IPP_JSTATE_STOPPED || state == IPP_JSTATE_HELD)
+        throw std::runtime_error("job " + std::to_string(sent.number) + " was stopped (" + words +
+                                 "); it is cancelled");
+    return false;
+}
+
 /// Waits for the end of the job. Returns false if `progress` stopped it. Throws std::runtime_error
 /// with the printer's reason.
 bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheets, double patience,
@@ -315,31 +282,12 @@ bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheet
     int best = 0;
     Clock::time_point last_progress = Clock::now();
     for (;; std::this_thread::sleep_for(poll_interval)) {
-        const Message job = ask(server, IPP_OP_GET_JOB_ATTRIBUTES, printer, sent.number,
-                                {"job-state", "job-state-reasons", "job-printer-state-message",
-                                 "job-impressions-completed", "job-media-progress"});
-        if (cupsLastError() > IPP_STATUS_OK_CONFLICTING)
-            throw std::runtime_error(
-                std::string("the CUPS server does not tell how the job goes: ") +
-                cupsLastErrorString());
-        const int state = integer_of(job, "job-state");
-        const std::string words = reasons_of(text_of(job, "job-printer-state-message"),
-                                             text_of(job, "job-state-reasons"));
-        if (state == IPP_JSTATE_COMPLETED) {
-            sent.done = true;
+        const Message job = ask_about_job(server, printer, sent.number);
+        if (is_printed(job, sent)) {
             if (progress)
                 progress(total_steps, total_steps);
             return true;
         }
-        if (state == IPP_JSTATE_CANCELED || state == IPP_JSTATE_ABORTED) {
-            sent.done = true;
-            const char* end = state == IPP_JSTATE_CANCELED ? " was cancelled (" : " failed (";
-            throw std::runtime_error("job " + std::to_string(sent.number) + end + words + ")");
-        }
-        if (state == IPP_JSTATE_STOPPED || state == IPP_JSTATE_HELD)
-            throw std::runtime_error("job " + std::to_string(sent.number) + " was stopped (" +
-                                     words + "); it is cancelled");
-
         const Message device = ask(
             server, IPP_OP_GET_PRINTER_ATTRIBUTES, printer, 0,
             {"printer-state", "printer-state-message", "printer-state-reasons"});
@@ -388,7 +336,7 @@ std::optional<int> spool(const SpoolJob& job, const Progress& progress)
                 throw OutputError(printer + ": option " + name + "=" + value +
                                   " would place or scale the page anew; leave it out");
     try {
-        const Document document = document_of(job, server.get(), printer);
+        const SpoolDocument document = spool_document(job, server.get(), printer);
         SentJob sent(server.get(), printer, job.title, document.options);
         if (!send(server.get(), printer, sent.number, job.title, document.bytes, progress))
             return std::nullopt;
