@@ -13,13 +13,13 @@
 namespace integral {
 namespace {
 
-/// The encoding in which two pictures are compared.
+/// The encoding in which two pictures are compared: the one that is not linear, if there is one.
 Encoding common_encoding(const Image& a, const Image& b)
 {
     return a.encoding.kind == Encoding::Kind::linear ? b.encoding : a.encoding;
 }
 
-/// Reads pixels over black in an encoding.
+/// Reads an image's pixels, laid over black, in a given encoding.
 class Viewed {
 public:
     Viewed(const Image& image, Encoding encoding)
@@ -41,7 +41,7 @@ public:
 
 private:
     const Image& image_;
-    std::optional<LinearReader> linear_; ///< where stored values may not do
+    std::optional<LinearReader> linear_; ///< for pixels whose stored values cannot be used
     Encoding encoding_;
     bool as_stored_;
 };
@@ -56,7 +56,7 @@ void require_same_size(const Image& a, const Image& b)
                                     "; compare pictures of one size");
 }
 
-/// Whether `value` is the new largest; NaN is larger than all.
+/// Whether `value` is larger than the largest so far; NaN is larger than all numbers.
 bool exceeds(double value, double largest) { return !std::isnan(largest) && !(value <= largest); }
 
 float luma(Color c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
@@ -106,17 +106,17 @@ private:
     Lattice lattice_;
     using Sums = std::map<std::pair<std::int64_t, std::int64_t>, Sum>; // by row, then column
     Sums sums_;
-    Sums::value_type* last_ = nullptr; // neighbouring pixels mostly have one lens
+    Sums::value_type* last_ = nullptr; // of the pixel before, which mostly has the same lens
 };
 
-/// Two pictures' differences, pixel by pixel, of some rows.
+/// The differences of some rows of two pictures.
 struct Differences {
-    std::vector<double> squares; ///< of a pixel's channels, added up
+    std::vector<double> squares; ///< for each pixel, the sum over its channels
     std::vector<float> luma_a, luma_b;
-    std::vector<LensIndex> lenses;   ///< if they are asked for
-    std::vector<double> largest;     ///< of a row's channels
-    std::vector<std::int64_t> close; ///< a row's pixels of which no channel differs by more than
-                                     ///< 2/255
+    std::vector<LensIndex> lenses; ///< for each pixel; empty where there is no geometry
+    std::vector<double> largest;   ///< for each row, of any channel
+    /// For each row, the number of pixels of which no channel differs by more than 2/255.
+    std::vector<std::int64_t> close;
 };
 
 } // namespace
@@ -135,7 +135,7 @@ struct Comparer::State {
             this->similarity.emplace(width, height);
     }
 
-    /// Row `row` of some, whose pixels stand in row `y` of a and b.
+    /// Fills row `row` of the differences from row `y` of a and b.
     void take_row(const Viewed& a, const Viewed& b, int y, int row)
     {
         double row_largest = 0;
@@ -164,7 +164,7 @@ struct Comparer::State {
         d.close[std::size_t(row)] = row_close;
     }
 
-    /// Rows [y, y + rows) of a and b.
+    /// Takes the rows [y, y + rows) of a and b.
     void take(const Viewed& a, const Viewed& b, int y, int rows)
     {
         const std::size_t pixels = std::size_t(rows) * width;
@@ -194,7 +194,7 @@ struct Comparer::State {
     int channels() const { return alpha ? 4 : 3; }
 
     int width, height;
-    bool alpha; ///< of both
+    bool alpha; ///< whether both have alpha
     Comparison result;
     std::optional<MicroImages> micro_images;
     std::optional<Similarity> similarity;

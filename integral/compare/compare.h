@@ -10,7 +10,7 @@
 
 namespace integral {
 
-/// The lens whose share of the film (the pixels nearest to it) differs most.
+/// The lens whose micro-image, the film's pixels that are nearest to it, differs most.
 struct WorstMicroImage {
     LensIndex lens;
     Vec2 pole; ///< mm, sheet frame
@@ -28,24 +28,24 @@ struct Comparison {
     double ssim = 0;               ///< mean structural similarity of the lumas, see similarity.h
     double largest_difference = 0; ///< of any channel of any pixel
     double within_two = 0; ///< fraction of pixels of which no channel differs by more than 2/255
-    Encoding encoding;     ///< that of the figures
-    std::optional<WorstMicroImage> worst; ///< where either picture has metadata (the first's, if
-                                          ///< both)
+    Encoding encoding;     ///< in which the figures were computed
+    /// By the metadata of the first picture that has some; empty where neither has.
+    std::optional<WorstMicroImage> worst;
 };
 
 /// Compares two pictures that come row by row.
 class Comparer {
 public:
-    /// `a` and `b`: the pictures' forms (their samples are not looked at) and metadata. Without
+    /// `a` and `b` give the pictures' forms and metadata; their samples are not used. Without
     /// `similarity` the SSIM is left 0, which saves most of the time. Throws std::invalid_argument
     /// if the sizes differ.
     Comparer(const Frame& a, const Frame& b, bool similarity = true);
     ~Comparer();
 
-    /// The next rows of both: as many of the one as of the other.
+    /// Takes the next rows of both pictures, the same number of each.
     void add(const Image& a, const Image& b);
 
-    /// After all rows.
+    /// The figures, after all rows have been added.
     Comparison result() const;
 
 private:
@@ -53,14 +53,14 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Throws std::invalid_argument if the sizes differ.
+/// Compares two pictures in memory. Throws std::invalid_argument if the sizes differ.
 Comparison compare(const Frame& a, const Frame& b);
 
 /// |a - b| of the colours as `compare` sees them, times `gain`: three channels, encoded as
-/// compared. 8 bits if both pictures have 8, else 16. Of rows as of whole pictures.
+/// compared. 8 bits if both pictures have 8, else 16. Also for some rows of both pictures.
 Image difference_picture(const Image& a, const Image& b, double gain = 1);
 
-/// The form of that.
+/// The form of the difference picture, without samples.
 Image difference_form(const Image& a, const Image& b);
 
 } // namespace integral

@@ -10,7 +10,7 @@
 namespace integral {
 namespace {
 
-/// The document without what geometry is not.
+/// The document's fields that are compared; without `with_render` none of the render.
 Json geometry_of(const FrameMetadata& metadata, bool with_render)
 {
     Json json = parse_json(to_json(metadata));
@@ -23,7 +23,8 @@ Json geometry_of(const FrameMetadata& metadata, bool with_render)
     return json;
 }
 
-/// As JSON writes it; the parts of a list or an object, each apart, are named by `path`.
+/// The first difference, in words; empty if there is none. `path` names the values within their
+/// documents.
 std::string difference(const Json& reference, const Json& result, const std::string& path)
 {
     if (reference.is_number() && result.is_number()) {

@@ -10,11 +10,11 @@
 
 namespace integral {
 
-/// The first field of their documents in which two geometries differ, in words ("sheet.pitch_mm
-/// is 1.28, its reference's 1.27"); empty if there is none. Numbers may differ by 1e-9 of
-/// themselves, as other compilers round. How a frame was rendered is left out (program, scene,
-/// seconds, samples, error, mapping), unless it changes how the frame is to be seen: lens model,
-/// pseudoscopic, prefilter.
+/// The first field in which the documents of two geometries differ, in words ("sheet.pitch_mm is
+/// 1.28, its reference's 1.27"); empty if they agree. Numbers may differ by a relative 1e-9,
+/// because compilers round differently. Fields of how a frame was rendered (program, scene,
+/// seconds, samples, error, mapping) do not count, except those that change how it is to be seen:
+/// lens model, pseudoscopic, prefilter.
 std::string geometry_difference(const std::optional<FrameMetadata>& reference,
                                 const std::optional<FrameMetadata>& result);
 

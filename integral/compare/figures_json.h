@@ -8,7 +8,7 @@
 
 namespace integral {
 
-/// A PSNR that is infinite, and a micro-image that is not there, are null.
+/// An object of all figures. An infinite PSNR and a missing worst micro-image are null.
 Json figures_json(const Comparison& comparison);
 
 } // namespace integral

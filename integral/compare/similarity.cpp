@@ -10,10 +10,10 @@ namespace integral {
 namespace {
 
 constexpr int reach = 5, window = 2 * reach + 1;
-constexpr int moments = 5; // of a window: means of a, b, a^2, b^2 and ab
+constexpr int moments = 5; // a window's means of a, b, a^2, b^2 and ab
 constexpr int ring_rows = window + Similarity::most_rows;
 
-/// A Gaussian of sigma 1.5.
+/// Samples of a Gaussian of sigma 1.5, not normalised.
 std::vector<double> gaussian_taps()
 {
     std::vector<double> taps;
@@ -22,8 +22,8 @@ std::vector<double> gaussian_taps()
     return taps;
 }
 
-/// The sums of the taps' products with `value(i)` and of the taps, over the places around a centre
-/// that are inside, the first one first.
+/// Calls add(i, tap) for each place i of [0, length) that the window around `centre` covers, in
+/// order. Returns the sum of these taps.
 template <class Add> double weigh(const std::vector<double>& taps, int centre, int length, Add add)
 {
     double weight = 0;
@@ -50,7 +50,7 @@ Similarity::Similarity(int width, int height)
 {
 }
 
-/// Where in the ring the means of a row begin.
+/// The index in the ring at which one mean of row y begins.
 std::size_t Similarity::place(int y, int moment) const
 {
     const int row = y % std::min(ring_rows, height_);
@@ -72,7 +72,7 @@ void Similarity::take_row(int y, const float* a, const float* b)
     for (int k = 0; k < moments; ++k) {
         const double* from = v + std::size_t(k) * width_;
         double* to = ring_.data() + place(y, k);
-        if (width_ < window) { // each window is cut at its own place
+        if (width_ < window) { // every window is cut, each at another place
             for (int x = 0; x < across; ++x) {
                 double sum = 0;
                 const auto add = [&](int i, double tap) { sum += tap * from[i]; };
@@ -91,7 +91,7 @@ void Similarity::take_row(int y, const float* a, const float* b)
     }
 }
 
-/// The windows' own figures, of those whose centres are in row y.
+/// The SSIM of each window whose centre is in row y.
 void Similarity::add_centres(int y, std::vector<double>& terms) const
 {
     const int across = right_ - left_;
@@ -131,8 +131,8 @@ void Similarity::add(const float* a, const float* b, int rows)
         return;
     std::vector<std::vector<double>> terms(std::size_t(end - first));
     for_each_row(end - first, 0, [&](int k) { add_centres(first + k, terms[std::size_t(k)]); });
-    for (const auto& row : terms) // in order, so that the sum is the same however many threads
-                                  // there are
+    // In order, so that the sum is the same however many threads there are.
+    for (const auto& row : terms)
         for (const double term : row)
             total_ += term;
     centred_ = end;

@@ -10,7 +10,7 @@
 namespace integral {
 namespace {
 
-/// Reads one of the two; nothing, with the fault noted, if it cannot be.
+/// Reads one of the two pictures. If that fails, notes the fault and returns nothing.
 std::optional<Frame> read(SuitePair& pair, const std::string& path, const char* which)
 {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// One picture of a suite and its reference: what is found of them.
+// One picture of a suite compared with its reference.
 #ifndef INTEGRAL_COMPARE_SUITE_PAIR_H
 #define INTEGRAL_COMPARE_SUITE_PAIR_H
 
@@ -11,7 +11,7 @@
 
 namespace integral {
 
-/// What became of a pair. Of several, the one that stands last here.
+/// The outcome for a pair. Where several hold, it is the one that stands last here.
 enum class PairState {
     passed,
     over_limit,
@@ -33,27 +33,26 @@ struct SuiteFolders {
 };
 
 struct SuitePair {
-    std::string name; ///< relative to either folder
-    bool has_reference = false, has_result = false;
+    std::string name;                               ///< relative to either folder
+    bool has_reference = false, has_result = false; ///< whether the files are there
     PairState state = PairState::passed;
-    std::vector<std::string> faults; ///< a line each
+    std::vector<std::string> faults; ///< one line for each
     Limits limits;
-    std::optional<Comparison> figures; ///< where both could be read and are of one size
-    std::string pictures;              ///< HTML that shows them, if a report is wanted
+    std::optional<Comparison> figures; ///< empty unless both were read and have the same size
+    std::string pictures;              ///< HTML that shows both, if a report is wanted
 
     bool missing() const { return state >= PairState::no_reference; }
     bool passed() const { return state == PairState::passed; }
 };
 
-/// Whether there is a report to make pictures for, and how the differences are amplified in it (0:
-/// so that they are seen).
+/// The pictures of a report.
 struct SuitePictures {
-    bool wanted = false;
-    double gain = 0;
+    bool wanted = false; ///< whether there is a report
+    double gain = 0;     ///< multiplies the differences; 0: each so that it can be seen
 };
 
-/// Compares one pair, or looks at the one file that there is; fills in what is empty above. Faults
-/// of the files are noted, not thrown.
+/// Compares a pair, or reads the one file that there is, and fills in state, faults, figures and
+/// pictures. Files that cannot be read are noted as faults, not thrown.
 void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictures& pictures);
 
 } // namespace integral

@@ -20,15 +20,14 @@ figcaption { color: var(--quiet); font-size: 0.87rem; margin: 0 0 3px; }
 
 namespace {
 
-constexpr int shown_failed = 376, shown_small = 176; // pixels of the longer side; three of the
-                                                     // larger fit beside each other
-constexpr int magnified_side = 240;
+// Pixels of the longer side. Three pictures of shown_failed fit beside each other.
+constexpr int shown_failed = 376, shown_small = 176, magnified_side = 240;
 
 struct Rectangle {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// A square of `side` pixels around a pixel, moved or cut to lie in the picture.
+/// A square of `side` pixels around a pixel, moved and if need be cut to lie in the picture.
 Rectangle around(const Image& picture, int x, int y, int side)
 {
     Rectangle r;
@@ -44,7 +43,7 @@ struct Detail {
     std::string words;
 };
 
-/// The pixel that differs most, of those that `counts` allows.
+/// The pixel that differs most, of those for which counts(x, y) is true.
 template <class Counts> Vec2 worst_pixel(const Image& difference, Counts counts)
 {
     float most = -1;
@@ -61,8 +60,8 @@ template <class Counts> Vec2 worst_pixel(const Image& difference, Counts counts)
     return worst;
 }
 
-/// What is shown magnified: the worst micro-image with a quarter of its neighbours, else the
-/// surroundings of the worst pixel.
+/// The part that is shown magnified: the worst micro-image with a quarter of each neighbour, or
+/// without geometry the surroundings of the worst pixel.
 Detail find_detail(const Image& difference, const Comparison& figures,
                    const FrameMetadata* geometry)
 {
@@ -81,8 +80,8 @@ Detail find_detail(const Image& difference, const Comparison& figures,
     const Lattice lattice(geometry->sheet);
     const LensIndex lens = figures.worst->lens;
     Vec2 centre = lattice.pole(lens);
-    if (lattice.arrangement() == Arrangement::lenticular) { // a micro-image is as long as the film:
-                                                            // where on it
+    // A lenticular micro-image is as long as the film: show it where it differs most.
+    if (lattice.arrangement() == Arrangement::lenticular) {
         const Vec2 worst = worst_pixel(difference, [&](int x, int y) {
             return lattice.nearest(film_from_pixel(film, {x + 0.5, y + 0.5})) == lens;
         });
@@ -106,7 +105,7 @@ std::string figure(const std::string& caption, const std::string& picture)
            "</figure>\n";
 }
 
-/// A part of a picture, its pixels whole numbers of pixels on the screen.
+/// HTML of a part of a picture, each of its pixels magnified to a whole number of pixels.
 std::string magnified(const Image& picture, const Rectangle& r, const std::string& text)
 {
     const int times = std::max(1, magnified_side / std::max(r.width, r.height));
@@ -141,10 +140,10 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
         return html + "</div>\n";
 
     const double largest = pair.figures->largest_difference;
-    if (gain == 0) // what is beyond it is cut; a whole number, so that the words are exact
+    if (gain == 0) // a whole number, which the caption can state exactly
         gain = std::clamp(std::floor(1 / std::min(largest, 8 * pair.figures->rmse)), 1.0, 65535.0);
     Image difference = difference_picture(reference->image, result->image, gain);
-    difference.encoding = Encoding{}; // shown as it is
+    difference.encoding = Encoding{}; // so that the stored values are shown unchanged
     const std::string times = "difference × " + with_digits(gain, 6);
     html += figure(times,
                    picture_element(difference, longest, "their difference", Scaling::greatest)) +

@@ -8,15 +8,15 @@
 
 namespace integral {
 
-/// HTML: reference, result and difference side by side, scaled down and embedded; of a pair that
-/// failed also the worst micro-image of each (without geometry, the surroundings of the pixel that
-/// differs most), magnified. Where there is nothing to compare they are smaller. `gain` multiplies
-/// the difference; 0: so that what differs is seen, eight times the RMSE or the largest difference
-/// at full scale. Either picture may be missing.
+/// HTML that shows reference, result and difference side by side, scaled down and embedded; smaller
+/// where there is nothing to compare. A pair that failed is also shown magnified at its worst
+/// micro-image, or without geometry around the pixel that differs most. `gain` multiplies the
+/// difference; 0 brings eight times the RMSE, or the largest difference if that is less, to full
+/// scale. Either picture may be missing.
 std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference,
                            const std::optional<Frame>& result, double gain);
 
-/// The CSS that they need.
+/// The CSS that this HTML needs.
 extern const char suite_pictures_style[];
 
 } // namespace integral

@@ -31,13 +31,13 @@ Counts counts_of(const Suite& suite)
     return counts;
 }
 
-/// The file of tolerances and what is wrong with it: "suite.json: line 3: ...".
+/// A fault of the tolerances with the name of their file: "suite.json: line 3: ...".
 std::string unused_fault(const Suite& suite, const std::string& fault)
 {
     return suite.tolerances + ": " + fault;
 }
 
-/// One or several paragraphs of faults.
+/// A paragraph for each fault.
 std::string fault_lines(const std::vector<std::string>& faults)
 {
     std::string html;
@@ -46,7 +46,7 @@ std::string fault_lines(const std::vector<std::string>& faults)
     return html;
 }
 
-/// The pairs as the page has them: those that failed first.
+/// The pairs in the page's order: those that failed first.
 std::vector<const SuitePair*> failed_first(const Suite& suite)
 {
     std::vector<const SuitePair*> pairs;
@@ -65,7 +65,7 @@ std::string figure_text(double figure, std::size_t kind)
     return std::isinf(figure) ? "∞" : kind == 1 ? with_decimals(figure, 2) : with_digits(figure, 4);
 }
 
-/// A figure above its limit.
+/// A cell of the table: a figure, and its limit below it.
 std::string figure_cell(const SuitePair& pair, std::size_t kind)
 {
     std::optional<double> figure;
@@ -204,7 +204,7 @@ std::string suite_json(const Suite& suite)
         json["files"].push_back(file);
     }
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-           "\n"; // a name may be no UTF-8
+           "\n"; // replaces bytes of names that are not UTF-8
 }
 
 std::string suite_junit(const Suite& suite)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a suite's comparison gave: as a page, for programs, for CI systems.
+// The outcome of a suite's comparison: as a page, as JSON for programs, as XML for CI systems.
 #ifndef INTEGRAL_COMPARE_SUITE_REPORT_H
 #define INTEGRAL_COMPARE_SUITE_REPORT_H
 
@@ -11,21 +11,23 @@ struct Suite {
     SuiteFolders folders;
     std::string tolerances;          ///< the file of tolerances; empty if there is none
     std::vector<SuitePair> pairs;    ///< by name
-    std::vector<std::string> unused; ///< faults of tolerances that no file matches, "line 3: ..."
+    std::vector<std::string> unused; ///< tolerances that match no file: "line 3: ..."
     bool passed() const;
 };
 
-/// "12 compared, 2 failed, 1 missing": pairs of two files, those of them that failed, files without
-/// their counterpart.
+/// "12 compared, 2 failed, 1 missing": the number of pairs of two files, of those among them that
+/// failed, and of files without a counterpart.
 std::string suite_summary(const Suite& suite);
 
-/// One HTML page: a table, failed pairs first, then their pictures. `folder` is where the page will
-/// lie, so that it links to the files themselves; empty: it does not.
+/// One HTML page: a table, failed pairs first, then the pairs' pictures. `folder` is where the page
+/// will lie, for its links to the files; empty: it has no links.
 std::string suite_page(const Suite& suite, const std::string& folder);
 
+/// All outcomes, faults, limits and figures, as a JSON document.
 std::string suite_json(const Suite& suite);
 
-/// JUnit's XML: a test case for each pair, `failure` or (a damaged file) `error` in it.
+/// JUnit's XML: a test case for each pair. One that failed holds `failure`, or `error` for a
+/// damaged file.
 std::string suite_junit(const Suite& suite);
 
 } // namespace integral

@@ -19,7 +19,7 @@ namespace {
 
 std::string quoted(const std::string& text) { return '"' + excerpt(text) + '"'; }
 
-/// A value that must be an object; `name` is the field's.
+/// Throws unless a value is an object; `name` is its field's.
 const Json& object_at(int line, const std::string& name, const Json& json)
 {
     if (!json.is_object())

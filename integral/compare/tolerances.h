@@ -16,26 +16,26 @@ namespace integral {
 
 struct Tolerances {
     Limits defaults;
-    /// Limits of the files that match; the document's null lifts one.
+    /// Limits of the files that a pattern matches. An empty limit, the document's null, lifts one.
     struct Entry {
         std::string pattern;
-        int line = 0; ///< of the document, from 1
+        int line = 0; ///< where the entry stands in the document, from 1
         std::vector<std::pair<std::size_t, std::optional<double>>> limits; ///< by kind
     };
     std::vector<Entry> entries; ///< in the document's order
 };
 
-/// Reads the document. Throws std::invalid_argument: "line 3: " and what is wrong there, with the
-/// legal words for an unknown one.
+/// Reads the document. Throws std::invalid_argument, which says the line and what is wrong in it,
+/// and the legal words where one is unknown.
 Tolerances tolerances_from_json(const std::string& text);
 
-/// Whether a file's name, relative to the suite and with / between folders, is the pattern or
-/// matches it as a glob: * any characters (/ too), ? one, [a-z] one of those.
+/// Whether a file's name, relative to the suite and with / between folders, is the pattern itself
+/// or matches it as a glob: * stands for any characters, also /, ? for one, [a-z] for one of those.
 bool matches(const std::string& pattern, const std::string& name);
 
-/// A file's limits: the defaults, then every entry that matches, in order, a later one over an
-/// earlier one. A file that is left without any must equal its reference: its largest difference is
-/// limited to 0.
+/// A file's limits: the defaults, changed by every entry that matches, in order, so that later
+/// entries take the place of earlier ones. A file without any limit must equal its reference: its
+/// largest difference is limited to 0.
 Limits limits_for(const Tolerances& tolerances, const std::string& name);
 
 } // namespace integral

@@ -16,7 +16,7 @@ namespace integral {
 namespace {
 
 using Style = PlotSeries::Style;
-constexpr double gap = std::numeric_limits<double>::quiet_NaN(); // breaks a line
+constexpr double gap = std::numeric_limits<double>::quiet_NaN(); // a point that breaks a line
 
 std::string written(double value)
 {
@@ -45,7 +45,7 @@ void add(PlotSeries& s, double x, std::optional<double> y)
     s.y.push_back(y.value_or(gap));
 }
 
-/// A line across the plot at one height, or at one on either side of 0.
+/// A line across the plot at the height y; with both_sides another one at -y.
 PlotSeries level(const std::string& label, double from, double to, double y,
                  bool both_sides = false)
 {
@@ -59,7 +59,7 @@ PlotSeries level(const std::string& label, double from, double to, double y,
     return s;
 }
 
-/// Rays across a lens, for a figure that is smooth at a plot's size.
+/// How many rays across a lens make a figure that looks smooth in a plot.
 int points_across(const LensSheet& sheet)
 {
     return sheet.arrangement == Arrangement::lenticular ? 1000 : 100;
@@ -224,7 +224,7 @@ Plot film_plot(const FrameMetadata& g)
     plot.x.low = -margin;
     plot.x.high = margin;
     const double image = micro_image_width(sheet, d, c.aperture);
-    for (const double part : {-0.3, -0.15, 0.0, 0.15, 0.3}) { // of the thickness
+    for (const double part : {-0.3, -0.15, 0.0, 0.15, 0.3}) { // parts of the thickness
         const double film_gap = part * t;
         PlotSeries seen = series(part == 0 ? "film at the focus"
                                            : "film " + written(std::fabs(film_gap)) + " mm " +

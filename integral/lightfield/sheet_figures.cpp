@@ -9,9 +9,10 @@
 namespace integral {
 namespace {
 
-constexpr double half_inch = mm_per_inch / 2; // a line pair is two pixels, or two lenses
+constexpr double half_inch = mm_per_inch / 2; // as a line pair is two pixels, or two lenses
 
-/// Angle outside the medium of a ray inside it at slope `lateral` over t.
+/// The angle in air, in degrees, of a ray that moves by `lateral` through the sheet's thickness.
+/// Empty: it is totally reflected.
 std::optional<double> refracted_angle(const LensSheet& sheet, double lateral)
 {
     const double s = sheet.ior * std::sin(std::atan(lateral / sheet.thickness));
@@ -71,7 +72,7 @@ std::optional<double> depth_budget(const LensSheet& sheet, double pixel)
 
 std::optional<double> pixel_for_budget(const LensSheet& sheet, double budget)
 {
-    return depth_budget(sheet, budget); // pixel times budget is the same for every pixel of a sheet
+    return depth_budget(sheet, budget); // budget times pixel pitch depends on the sheet alone
 }
 
 double observer_resolution(double pitch, double viewing, double object)

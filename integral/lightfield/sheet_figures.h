@@ -12,7 +12,7 @@
 namespace integral {
 
 /// (2-1): the angle between the axis and the ray to a lens's edge, arcsin(n sin(atan(p/2t)));
-/// twice this is the viewing angle. Nothing: totally reflected, the view is limited by that.
+/// twice this is the viewing angle. Empty: such rays are totally reflected, which limits the view.
 std::optional<double> greatest_angle(const LensSheet& sheet);
 
 /// (3-8): micro-image width by the simple pinhole, t w / d.
@@ -22,11 +22,10 @@ double pinhole_spread(const LensSheet& sheet, double distance, double width);
 /// cell, W t/(n cell); all in mm.
 double filling_distance(const LensSheet& sheet, double width, double cell);
 
-/// (4-1): pixels of each lens that an eye's pupil sees at a distance, in a film of pixels `pixel`
-/// wide.
+/// (4-1): how many pixels of each lens an eye's pupil sees from a distance; `pixel` is their pitch.
 double pixels_seen(const LensSheet& sheet, double pixel, double pupil, double distance);
 
-/// (4-4): the angle that a pixel covers, arcsin(n sin(atan(pixel/t))). Nothing: totally reflected.
+/// (4-4): the angle that a pixel covers, arcsin(n sin(atan(pixel/t))). Empty: totally reflected.
 std::optional<double> pixel_angle(const LensSheet& sheet, double pixel);
 
 /// (4-5): what a pixel of that angle, centred on its lens's axis, covers at a distance:
@@ -34,11 +33,11 @@ std::optional<double> pixel_angle(const LensSheet& sheet, double pixel);
 double pixel_spread(double angle, double distance);
 
 /// (4-6): resolution of the pixelated image of an object at a depth (distance from the sheet, > 0).
-/// Nothing where the formula has none: n^2 p^2 > 4t^2 + p^2.
+/// Empty where the formula has no value: n^2 p^2 > 4t^2 + p^2.
 std::optional<double> depth_resolution(const LensSheet& sheet, double pixel, double depth);
 
-/// The depth up to which (4-6) is at least the sheet's own resolution, 12.7/p: its depth budget
-/// on either side of the sheet.
+/// The depth budget: the depth on either side of the sheet up to which (4-6) is at least the
+/// sheet's own resolution, 12.7/p. Empty where (4-6) has no value.
 std::optional<double> depth_budget(const LensSheet& sheet, double pixel);
 
 /// Inverse: the pixel pitch whose depth budget is `budget` mm, > 0.
@@ -48,8 +47,8 @@ std::optional<double> pixel_for_budget(const LensSheet& sheet, double budget);
 /// in front of the sheet (negative: behind); object < viewing.
 double observer_resolution(double pitch, double viewing, double object);
 
-/// (5-1): the distance from which on a sheet's whole width shows the same pixel of every lens,
-/// width t / pixel.
+/// (5-1): the least distance from which the whole width of a sheet shows the same pixel of every
+/// lens, width t / pixel.
 double discrete_view_distance(const LensSheet& sheet, double pixel, double width);
 
 /// The pitch at which the lenses image an eye at `distance` on the film, on the axis:
@@ -58,7 +57,7 @@ double visual_pitch(double pitch, const LensSheet& sheet, double distance);
 
 /// The period on the sheet of the pattern in which an eye sees the lenses change from one pixel
 /// to the next (thesis 5.3): p / |N - round(N)| for N pixels per visual pitch.
-/// Nothing: N is whole, and the whole sheet changes at once.
+/// Empty: N is whole, and the whole sheet changes at once.
 std::optional<double> moire_pitch(double pitch, const LensSheet& sheet, double pixel,
                                   double distance);
 

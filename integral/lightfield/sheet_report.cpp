@@ -17,7 +17,7 @@ namespace {
 /// One line of the report.
 struct Figure {
     const char* group;
-    const char* key; ///< in JSON
+    const char* key; ///< its name in JSON
     const char* label;
     std::optional<double> value;
     const char* unit;
@@ -90,7 +90,7 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
     };
 }
 
-/// Resolution at one depth.
+/// Figures at one depth: mm, lpi.
 struct DepthFigures {
     double depth;
     std::optional<double> resolution, spread, observer_front; ///< (4-6), (4-5), (4-7)
@@ -117,8 +117,8 @@ std::vector<DepthFigures> depths_of(const FrameMetadata& g, const Viewer& viewer
     return rows;
 }
 
-/// The camera of a geometry, with the default lens model; where its film has no size, one of some
-/// lenses.
+/// The camera of a geometry with the default lens model. A film without a size gets one that covers
+/// some lenses.
 IntegralCamera camera_of(const FrameMetadata& g, LensMapping mapping)
 {
     Film film = g.film;
@@ -132,9 +132,9 @@ IntegralCamera camera_of(const FrameMetadata& g, LensMapping mapping)
     return {SheetOptics(g.sheet, g.aperture), film, {}, mapping, {}, 1, 1, false};
 }
 
-/// What a render will cost and how far it will be from its reference.
+/// What a render is foretold to cost, and how far it will be from its reference.
 struct Sampling {
-    std::optional<double> imaged, imaged_by_closest; ///< parts of the film
+    std::optional<double> imaged, imaged_by_closest; ///< the part of the film that gets rays
     std::vector<SamplingForecast> settings;
 
     std::optional<double> rays(const FrameMetadata& g, const SamplingForecast& setting) const
@@ -157,7 +157,7 @@ Sampling sampling_of(const FrameMetadata& g, const Viewer& viewer)
     return sampling;
 }
 
-/// Of black against white; nothing where there is no error.
+/// The PSNR in dB, where full scale is black against white. Empty where there is no error.
 std::optional<double> psnr(double rms)
 {
     if (!(rms > 0))
@@ -267,7 +267,7 @@ std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
             text += line("\n%s\n", group = f.group);
         text += line("  %-40s%12s %-4s  %s", f.label, shown(f.value).c_str(), f.value ? f.unit : "",
                      f.equation);
-        text.erase(text.find_last_not_of(' ') + 1); // no trailing blanks
+        text.erase(text.find_last_not_of(' ') + 1); // no blanks at the line's end
         text += "\n";
     }
 

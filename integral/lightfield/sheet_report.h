@@ -12,17 +12,17 @@
 
 namespace integral {
 
-/// Who looks, from the aperture's distance. mm.
+/// The viewer, whose distance is the aperture's. mm.
 struct Viewer {
     double pupil = 5;           ///< diameter; > 0
     std::vector<double> depths; ///< at which to tabulate resolution; each > 0
-    double detail = 5; ///< between the edges of the picture that sampling is judged by; > 0
+    double detail = 5; ///< distance between the edges for which sampling errors are foretold; > 0
 };
 
-/// The direction in which the lenses are counted: across the axes of a lenticular sheet along its
-/// slit, along the rows of the others. mm.
+/// The geometry along one direction, in which lenses and pixels are counted: the slit's direction
+/// of a lenticular sheet, the rows' direction of the others. mm.
 struct Counted {
-    double period;   ///< from lens to lens
+    double period;   ///< from each lens to the next
     double cell;     ///< extent of a lens's cell, which an aperture fills (cell_extent)
     double pixel;    ///< pixel pitch
     double aperture; ///< the capture aperture's extent
@@ -30,11 +30,11 @@ struct Counted {
 };
 Counted counted(const FrameMetadata& geometry);
 
-/// A readable table. Figures that the geometry does not have are shown as "-".
+/// The report for people: tables of figures. Those that the geometry does not have are "-".
 std::string sheet_report_text(const FrameMetadata& geometry, const Viewer& viewer);
 
-/// The geometry document (as to_json) with `figures`, `depths` and `sampling` added; absent figures
-/// are null.
+/// The geometry's document, as of to_json, with `figures`, `depths` and `sampling` added. Figures
+/// that the geometry does not have are null.
 nlohmann::ordered_json sheet_report_json(const FrameMetadata& geometry, const Viewer& viewer);
 
 } // namespace integral

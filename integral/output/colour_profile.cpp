@@ -29,7 +29,8 @@ std::string srgb_profile()
     if (!cmsSaveProfileToMem(profile.get(), bytes.data(), &size))
         throw std::runtime_error("Little CMS makes no sRGB profile");
     constexpr std::size_t date = 24,
-                          date_size = 12; // of the header: when the profile was made, which is now
+                          date_size = 12; // the header's field with the date of making, which would
+                                          // be now
     static const unsigned char fixed_date[date_size] = {0x07, 0xd0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0};
     std::memcpy(bytes.data() + date, fixed_date, date_size);
     return bytes;

@@ -12,24 +12,25 @@ namespace integral {
 
 enum class Intent { perceptual, relative, saturation, absolute };
 
-/// sRGB's own profile: the bytes of an ICC file, the same ones each time.
+/// The profile of sRGB: the bytes of an ICC file, the same in every run.
 std::string srgb_profile();
 
-/// Brings colours of sRGB to those of an RGB device.
+/// Converts colours from sRGB to an RGB device's.
 class ProfileTransform {
 public:
-    /// `profile`: the device's, an ICC file's bytes; `bits` of the samples, 8 or 16. Throws
-    /// std::runtime_error, a sentence, where the bytes are no ICC profile or not of an RGB device.
+    /// `profile`: the bytes of the device's ICC file. `bits`: 8 or 16, of the pictures' samples.
+    /// Throws std::runtime_error, with a sentence for the user, where the bytes are no ICC profile
+    /// or the device is not RGB.
     ProfileTransform(const std::string& profile, int bits, Intent intent);
 
-    /// Changes a picture of three channels, encoded in sRGB.
+    /// Converts a picture in place: three channels, encoded in sRGB.
     void apply(Image& picture) const;
 
 private:
     std::shared_ptr<void> transform_;
 };
 
-/// A picture in the colours of a device. Throws as ProfileTransform does.
+/// A picture, converted. Throws as ProfileTransform does.
 Image in_profile(Image picture, const std::string& profile, Intent intent);
 
 } // namespace integral

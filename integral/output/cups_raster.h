@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pages as a CUPS raster, the form in which a driver reads them. For files that are built with
-// libcups only (HAVE_CUPS).
+// Pages as a CUPS raster, the form in which a driver reads them. To be included only where libcups
+// is (HAVE_CUPS).
 #ifndef INTEGRAL_OUTPUT_CUPS_RASTER_H
 #define INTEGRAL_OUTPUT_CUPS_RASTER_H
 
@@ -13,9 +13,9 @@
 
 namespace integral {
 
-/// An application/vnd.cups-raster stream of version 3 (uncompressed), every page `copies` times,
-/// the copies of the whole document one after another. Pages: 8-bit RGB, of one size. `like`: the
-/// queue's own header (medium, resolution, colour space RGB or sRGB, 8 bits, chunky); the sizes in
+/// An application/vnd.cups-raster stream, version 3 (uncompressed): the whole document `copies`
+/// times, one copy after another. `pages` are 8-bit RGB and of one size. `like` is the queue's own
+/// header (medium, resolution, colour space RGB or sRGB, 8 bits, chunky), in which the sizes in
 /// pixels and bytes are set here. Throws std::runtime_error with libcups' reason.
 std::string cups_raster(const std::vector<Image>& pages, int copies,
                         const cups_page_header2_t& like);

@@ -57,4 +57,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/screens.h \
   integral/output/screens_x.cpp \
   integral/output/spool.cpp \
-  integral/output/spool.h
+  integral/output/spool.h \
+  integral/output/spool_document.cpp \
+  integral/output/spool_document.h

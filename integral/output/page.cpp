@@ -11,13 +11,14 @@
 namespace integral {
 namespace {
 
-/// How a length of `pixels` is divided into tiles of at most `room`, of which neighbours share
-/// `overlap`: the first pixels.
+/// A length of the picture, in pixels, divided into tiles of one size; the last ones overlap more
+/// where the length asks for it.
 struct Tiling {
-    int size = 0; ///< of a tile
-    std::vector<int> first;
+    int size = 0;           ///< of a tile
+    std::vector<int> first; ///< each tile's first pixel
 };
 
+/// Tiles of at most `room` pixels, of which neighbours share at least `overlap`.
 Tiling tiled(int pixels, int room, int overlap)
 {
     if (room >= pixels)
@@ -30,9 +31,10 @@ Tiling tiled(int pixels, int room, int overlap)
     return tiling;
 }
 
-constexpr double most_pixels = 1e6; // of a page's side, and of any length on it
+constexpr double most_pixels = 1e6; // in any length of a page
 
-/// Throws for lengths that no page has: of a film whose pixels are much smaller than a printer's.
+/// Throws std::invalid_argument for a length of more than most_pixels pixels, which comes of a film
+/// whose pixels are much smaller than any printer's.
 void check_pixels(double mm, double pixel)
 {
     if (mm / pixel > most_pixels)
@@ -41,6 +43,7 @@ void check_pixels(double mm, double pixel)
             with_digits(pixel, 4) + " mm: no printer has the frame's resolution");
 }
 
+/// A length in whole pixels, rounded up. Throws as check_pixels does.
 int in_pixels(double mm, double pixel)
 {
     check_pixels(mm, pixel);
@@ -48,9 +51,9 @@ int in_pixels(double mm, double pixel)
 }
 
 constexpr double strip_height = 2.5, strip_margin = 3; // mm
-constexpr double letter_width = 0.6;                   // of the em; letters are narrower on average
+constexpr double letter_width = 0.6; // a letter's average width is less, as a part of the em
 
-/// The strip below the picture, smaller where the paper is too narrow for it.
+/// Places the strip's text below the picture, in smaller letters where the paper is too narrow.
 void place_strip(Page& page, double below_picture, const std::string& text)
 {
     const double width = page.width * page.pixel_pitch.x, left = page.x * page.pixel_pitch.x;
@@ -64,18 +67,20 @@ void place_strip(Page& page, double below_picture, const std::string& text)
         (page.y + page.part.height) * page.pixel_pitch.y + below_picture + 1.5 * strip_height};
 }
 
-/// One direction of the page: its pixels, and what has to stay free beside the picture before and
-/// after it.
+/// One direction of the page, in pixels: its length, and the lengths that have to stay free before
+/// and after the picture.
 struct Extent {
     int page = 0, before = 0, after = 0;
     int room() const { return page - before - after; }
 };
 
-} // namespace
+/// Both directions of the page: that of the paper, or as large as picture and marks.
+struct Space {
+    Extent across, down;
+};
 
-std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest& request)
+Space space_of(const FrameMetadata& m, Vec2 pitch, const PageRequest& request)
 {
-    const Film& film = m.film;
     const double margin = marks_margin(request),
                  below = margin + (request.strip.empty() ? 0 : 2 * strip_height);
     Extent across{0, in_pixels(margin, pitch.x), in_pixels(margin, pitch.x)},
@@ -86,84 +91,121 @@ std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest&
         across.page = int(std::lround(request.paper->width / pitch.x));
         down.page = int(std::lround(request.paper->height / pitch.y));
     } else {
-        // Room for the lens at the middle: half a lens's cell on either side.
+        // A lens comes to the page's middle: the picture moves by up to half a lens's cell.
         const Vec2 cell = request.centre_on_lens ? cell_extent(m.sheet) : Vec2{0, 0};
-        across.page = across.before + film.width + across.after +
+        across.page = across.before + m.film.width + across.after +
                       (margin > 0 ? in_pixels(cell.x, pitch.x) : 0);
-        down.page = down.before + film.height + down.after +
+        down.page = down.before + m.film.height + down.after +
                     (margin > 0 ? in_pixels(cell.y, pitch.y) : 0);
     }
-    const double overlap = request.tiles ? request.overlap : 0;
-    const int overlap_x = in_pixels(overlap, pitch.x), overlap_y = in_pixels(overlap, pitch.y);
-    const bool fits = across.room() >= film.width && down.room() >= film.height;
+    return {across, down};
+}
+
+bool fits(const Space& space, const Film& film)
+{
+    return space.across.room() >= film.width && space.down.room() >= film.height;
+}
+
+/// Throws std::invalid_argument where the picture, or its tiles, do not fit on the paper.
+void check_room(const Space& space, const Film& film, Vec2 pitch, const PageRequest& request,
+                int overlap_x, int overlap_y)
+{
     const std::string paper = request.paper ? with_digits(request.paper->width, 4) + " x " +
                                                   with_digits(request.paper->height, 4) + " mm"
                                             : "its own size";
-    if (!fits && !request.tiles)
-        throw std::invalid_argument("a picture of " + with_digits(film.width * pitch.x, 4) + " x " +
-                                    with_digits(film.height * pitch.y, 4) + " mm " +
-                                    (margin > 0 || below > 0 ? "with its marks " : "") +
-                                    "does not fit on paper of " + paper + ", which leaves " +
-                                    with_digits(std::max(0, across.room()) * pitch.x, 4) + " x " +
-                                    with_digits(std::max(0, down.room()) * pitch.y, 4) +
-                                    " mm; larger or turned paper would do, or --tile");
+    if (!fits(space, film) && !request.tiles) {
+        const bool has_marks = marks_margin(request) > 0 || !request.strip.empty();
+        throw std::invalid_argument(
+            "a picture of " + with_digits(film.width * pitch.x, 4) + " x " +
+            with_digits(film.height * pitch.y, 4) + " mm " + (has_marks ? "with its marks " : "") +
+            "does not fit on paper of " + paper + ", which leaves " +
+            with_digits(std::max(0, space.across.room()) * pitch.x, 4) + " x " +
+            with_digits(std::max(0, space.down.room()) * pitch.y, 4) +
+            " mm; larger or turned paper would do, or --tile");
+    }
     const auto tileable = [](const Extent& extent, int pixels, int overlap) {
         return extent.room() >= pixels || extent.room() > 2 * overlap;
     };
-    if (!tileable(across, film.width, overlap_x) || !tileable(down, film.height, overlap_y))
+    if (!tileable(space.across, film.width, overlap_x) ||
+        !tileable(space.down, film.height, overlap_y))
         throw std::invalid_argument("tiles that overlap by " + with_digits(request.overlap, 4) +
                                     " mm do not fit on paper of " + paper);
-    const Tiling columns = tiled(film.width, across.room(), overlap_x),
-                 rows = tiled(film.height, down.room(), overlap_y);
+}
 
-    // The lens nearest to the middle of the film, pixels from the film's middle.
-    Vec2 lens{0, 0};
-    if (request.centre_on_lens && fits) {
-        const Lattice lattice(m.sheet);
-        Vec2 pole = lattice.pole(lattice.nearest({0, 0}));
-        if (m.sheet.arrangement == Arrangement::lenticular) // the nearest point of its axis
-            pole = dot(pole, lattice.across()) * lattice.across();
-        lens = {pole.x / film.pixel_pitch.x, -pole.y / film.pixel_pitch.y};
-    }
+/// The lens nearest to the middle of the film, in pixels of the film from that middle (y
+/// downwards).
+Vec2 middle_lens(const FrameMetadata& m)
+{
+    const Lattice lattice(m.sheet);
+    Vec2 pole = lattice.pole(lattice.nearest({0, 0}));
+    if (m.sheet.arrangement == Arrangement::lenticular) // the nearest point of its axis
+        pole = dot(pole, lattice.across()) * lattice.across();
+    return {pole.x / m.film.pixel_pitch.x, -pole.y / m.film.pixel_pitch.y};
+}
+
+/// Where a part of the picture, `size` pixels long, begins on the page so that the pixel `lens`
+/// from its middle comes to the page's middle, or as near to it as the marks allow.
+int place_of(const Extent& extent, int size, double lens)
+{
+    const int begin = int(std::lround(0.5 * (extent.page - size) - lens));
+    return std::clamp(begin, extent.before, extent.page - extent.after - size);
+}
+
+/// What is left of the page's part after `trim` mm are cut off the picture's own edges.
+PixelRectangle trimmed_part(const Page& page, const Film& film, double trim)
+{
+    const int cut_x = in_pixels(trim, page.pixel_pitch.x),
+              cut_y = in_pixels(trim, page.pixel_pitch.y);
+    const int left = page.part.x == 0 ? cut_x : 0,
+              right = page.part.x + page.part.width == film.width ? cut_x : 0;
+    const int top = page.part.y == 0 ? cut_y : 0,
+              bottom = page.part.y + page.part.height == film.height ? cut_y : 0;
+    return {page.x + left, page.y + top, page.part.width - left - right,
+            page.part.height - top - bottom};
+}
+
+/// The strip's text on a page, which says which of several pages it is.
+std::string strip_of(const Page& page, const std::string& text)
+{
+    const int pages = page.columns * page.rows, number = page.row * page.columns + page.column + 1;
+    return pages == 1 ? text
+                      : text + ", page " + std::to_string(number) + " of " + std::to_string(pages);
+}
+
+} // namespace
+
+std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest& request)
+{
+    const Film& film = m.film;
+    const Space space = space_of(m, pitch, request);
+    const double overlap = request.tiles ? request.overlap : 0;
+    const int overlap_x = in_pixels(overlap, pitch.x), overlap_y = in_pixels(overlap, pitch.y);
+    check_room(space, film, pitch, request, overlap_x, overlap_y);
+    const Tiling columns = tiled(film.width, space.across.room(), overlap_x),
+                 rows = tiled(film.height, space.down.room(), overlap_y);
+    const Vec2 lens = request.centre_on_lens && fits(space, film) ? middle_lens(m) : Vec2{0, 0};
     std::vector<Page> pages;
     for (std::size_t j = 0; j < rows.first.size(); ++j)
         for (std::size_t i = 0; i < columns.first.size(); ++i) {
             Page page;
-            page.width = across.page;
-            page.height = down.page;
+            page.width = space.across.page;
+            page.height = space.down.page;
             page.pixel_pitch = pitch;
             page.part = {columns.first[i], rows.first[j], columns.size, rows.size};
-            const auto place = [](const Extent& extent, int size, double off) {
-                const int middle = int(std::lround(0.5 * (extent.page - size) - off));
-                return std::clamp(middle, extent.before, extent.page - extent.after - size);
-            };
-            page.x = place(across, columns.size, lens.x);
-            page.y = place(down, rows.size, lens.y);
+            page.x = place_of(space.across, columns.size, lens.x);
+            page.y = place_of(space.down, rows.size, lens.y);
             page.mirrored = request.mirrored;
             page.column = int(i);
             page.row = int(j);
             page.columns = int(columns.first.size());
             page.rows = int(rows.first.size());
-            // Only the picture's own edges are trimmed.
-            const int cut_x = in_pixels(request.trim, pitch.x),
-                      cut_y = in_pixels(request.trim, pitch.y);
-            const int left = page.part.x == 0 ? cut_x : 0,
-                      right = page.part.x + page.part.width == film.width ? cut_x : 0;
-            const int top = page.part.y == 0 ? cut_y : 0,
-                      bottom = page.part.y + page.part.height == film.height ? cut_y : 0;
-            page.trimmed = {page.x + left, page.y + top, page.part.width - left - right,
-                            page.part.height - top - bottom};
+            page.trimmed = trimmed_part(page, film, request.trim);
             if (page.trimmed.width < 1 || page.trimmed.height < 1)
                 throw std::invalid_argument("nothing is left of the picture when " +
                                             with_digits(request.trim, 4) +
                                             " mm are cut off all around");
             if (!request.strip.empty())
-                place_strip(page, margin,
-                            request.strip +
-                                (page.columns * page.rows == 1
-                                     ? ""
-                                     : ", page " + std::to_string(pages.size() + 1) + " of " +
-                                           std::to_string(page.columns * page.rows)));
+                place_strip(page, marks_margin(request), strip_of(page, request.strip));
             page.lines = page_marks(page, m, request);
             pages.push_back(page);
         }
@@ -176,7 +218,7 @@ std::optional<PageGeometry> geometry_of(const Page& page, const FrameMetadata& f
         return std::nullopt;
     PageGeometry g{frame, {}};
     const Film& film = frame.film;
-    // From the page's middle to that of the frame, in pixels (y downwards), then in mm of the film.
+    // The frame's middle from the page's: in pixels (y downwards), then in mm of the film.
     const double x = page.x - page.part.x + 0.5 * film.width - 0.5 * page.width,
                  y = page.y - page.part.y + 0.5 * film.height - 0.5 * page.height;
     g.shift = {x * film.pixel_pitch.x, -y * film.pixel_pitch.y};

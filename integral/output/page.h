@@ -11,17 +11,18 @@
 
 namespace integral {
 
-/// What a user asks for. mm.
+/// What a user asks for. Lengths in mm.
 struct PageRequest {
-    std::optional<Paper> paper; ///< as it is fed: width and height are not exchanged. Nothing: as
-                                ///< large as picture and marks
-    bool centre_on_lens = true; ///< a lens's pole (lenticular: axis) at the page's middle, else the
-                                ///< picture's middle
-    double trim = 0; ///< of the picture's edge, all around, that is cut off afterwards (bleed); >=
-                     ///< 0
+    /// The paper as it is fed: its width and height are not exchanged. Without it the page becomes
+    /// as large as the picture and its marks.
+    std::optional<Paper> paper;
+    /// Whether the pole of a lens (the axis of a lenticular one) comes to the page's middle; else
+    /// the picture's middle does.
+    bool centre_on_lens = true;
+    double trim = 0; ///< width of the edge that is cut off all around after printing (bleed), >= 0
     bool crop_marks = false, registration_marks = false, axis_marks = false;
-    bool tiles = false;    ///< on several pages, where one is too small
-    double overlap = 10;   ///< of neighbouring tiles; >= 0
+    bool tiles = false;    ///< several pages, where one is too small
+    double overlap = 10;   ///< shared by neighbouring tiles, >= 0
     bool mirrored = false; ///< for printing on the back of the lens sheet
     std::string strip;     ///< a line of text below the picture; empty: none
 };
@@ -40,30 +41,33 @@ struct PixelRectangle {
 struct Page {
     int width = 0, height = 0; ///< printer pixels
     Vec2 pixel_pitch;          ///< of the printer, as it counts: mm
-    PixelRectangle part;       ///< of the picture
-    int x = 0, y = 0;          ///< where its top left pixel comes
-    PixelRectangle trimmed;    ///< what is left after cutting
-    bool mirrored = false;     ///< the whole page is turned left to right, the picture included
+    PixelRectangle part;       ///< the part of the picture that is on the page
+    int x = 0, y = 0;          ///< where the part's top left pixel lies on the page
+    PixelRectangle trimmed;    ///< what is left of the page after cutting
+    bool mirrored = false;     ///< whether the whole page is mirrored left to right
     std::vector<PageLine> lines;
-    std::string strip;                              ///< its text
-    Vec2 strip_place;                               ///< where its baseline begins, mm
-    double strip_size = 0;                          ///< of its letters' em, mm
-    int column = 0, row = 0, columns = 1, rows = 1; ///< of tiles
+    std::string strip;                              ///< the strip's text
+    Vec2 strip_place;                               ///< where the strip's baseline begins, mm
+    double strip_size = 0;                          ///< the em of its letters, mm
+    int column = 0, row = 0, columns = 1, rows = 1; ///< the tile's place, and the tiles' number
 };
 
-/// `printer_pitch`: mm a pixel by the printer's own count. The film's real pixel pitch may differ
-/// from it by the paper's feed. Throws std::invalid_argument, a sentence for the user, where the
+/// Lays the frame out on one page, or on as many tiles as it takes, row by row. `printer_pitch` is
+/// the size of a pixel by the printer's own count, mm; the film's may differ from it by the
+/// printer's error of feed. Throws std::invalid_argument, with a sentence for the user, where the
 /// paper is too small for what is asked.
 std::vector<Page> lay_out(const FrameMetadata& metadata, Vec2 printer_pitch,
                           const PageRequest& request);
 
-/// The geometry of a page as a frame of its own, for replaying it: its film is the page. The eye
-/// that saw the frame from a place sees the page from `shift` mm beside it, which is where the
-/// frame's middle is on the page. Nothing: the page is mirrored.
+/// The geometry of a page as a frame of its own, whose film is the page, so that it can be
+/// replayed.
 struct PageGeometry {
     FrameMetadata metadata;
-    Vec2 shift;
+    Vec2 shift; ///< from the page's middle to the frame's, mm: an eye that has to see the page as
+                ///< it saw the frame moves by as much
 };
+
+/// Empty if the page is mirrored.
 std::optional<PageGeometry> geometry_of(const Page& page, const FrameMetadata& frame);
 
 } // namespace integral

@@ -8,11 +8,12 @@
 namespace integral {
 namespace {
 
-constexpr double clear_of_picture = 1.5, margin = 8; // mm
+constexpr double clear_of_picture = 1.5; // mm between the picture and its marks
+constexpr double margin = 8;             // mm from the picture to the marks' far ends
 constexpr double crop_mark = 5.5, axis_mark = 2, long_axis_mark = 3.5,
                  registration_radius = 1.5; // mm
-constexpr double apart = 1;                 // mm, of a registration mark and the middle axis's
-constexpr int marked_lens = 5;              // every so many
+constexpr double apart = 1;    // mm between a registration mark and the middle axis's mark
+constexpr int marked_lens = 5; // every fifth lens has a mark
 
 /// The picture on the page, mm from the page's top left corner.
 struct Box {
@@ -56,9 +57,10 @@ void add_registration_mark(std::vector<PageLine>& lines, Vec2 centre)
 
 constexpr int most_marks = 10000; // on either side of the middle
 
-/// Marks along one pair of the picture's edges. `axis`: a point of the sheet on the middle lens's
-/// axis, `step` from each marked axis to the next and `along` the direction in which the axes run,
-/// all in mm of the sheet (y upwards). `on_page` maps such points.
+/// Adds marks along two opposite edges of the picture: the upper and the lower one if `upright`,
+/// else the left and the right one. `axis` is a point on the middle lens's axis, `step` leads from
+/// each marked axis to the next, `along` is the direction in which the axes run: all in mm of the
+/// sheet (y upwards). `on_page` maps points of the sheet to the page.
 template <class OnPage>
 void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis, Vec2 step,
                     Vec2 along, bool upright, OnPage on_page)
@@ -77,8 +79,8 @@ void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis,
                 const Vec2 p = on_page(axis + double(k) * step),
                            q = on_page(axis + double(k) * step + along);
                 const Vec2 way = q - p;
-                const auto at = [&](double level) { // the axis's point at that height (or place
-                                                    // across) of the page
+                // The axis's point at a height of the page (or, if not upright, at a place across).
+                const auto at = [&](double level) {
                     return upright ? Vec2{p.x + way.x * (level - p.y) / way.y, level}
                                    : Vec2{level, p.y + way.y * (level - p.x) / way.x};
                 };
@@ -87,8 +89,8 @@ void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis,
                 const double place = upright ? from.x : from.y;
                 if (place < (upright ? picture.left : picture.top) - 1e-9 ||
                     place > (upright ? picture.right : picture.bottom) + 1e-9) {
-                    // Of a slanted axis the first marks may lie beyond either edge; farther out in
-                    // this direction there are none.
+                    // The first marks of slanted axes may lie beyond either end of the edge. Once
+                    // one lies beyond the end that this direction leads to, all others do, too.
                     const double next = upright
                                             ? on_page(axis + double(k + direction) * step).x - p.x
                                             : on_page(axis + double(k + direction) * step).y - p.y;
@@ -133,7 +135,7 @@ std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m,
     if (request.axis_marks) {
         const Lattice lattice(m.sheet);
         const Film& film = m.film;
-        // Film mm -> pixels of the frame -> pixels of the page -> mm as the printer counts.
+        // From film mm to the frame's pixels, the page's pixels, and mm by the printer's count.
         const auto on_page = [&](Vec2 point) {
             const Vec2 pixel = pixel_from_film(film, point);
             return Vec2{(pixel.x - page.part.x + page.x) * pitch.x,
@@ -145,8 +147,8 @@ std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m,
         add_axis_marks(lines, picture, pole, (marked_lens * p) * lattice.across(), lattice.along(),
                        upright, on_page);
         if (m.sheet.arrangement != Arrangement::lenticular) {
-            // Of hexagonal lenses the rows alternate: those whose poles stand in columns are two
-            // rows apart.
+            // Neighbouring rows of hexagonal lenses are shifted. Rows whose poles stand in columns
+            // are two rows apart.
             const double rows = m.sheet.arrangement == Arrangement::hexagonal ? 2 * marked_lens
                                                                               : marked_lens;
             add_axis_marks(lines, picture, pole, (rows * lattice.row_spacing()) * lattice.along(),

@@ -19,17 +19,18 @@ struct Release {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
 
-/// Whether what is drawn from `top` to `bottom`, in pixels of the page, may touch the rows.
+/// Whether a shape that reaches from `top` to `bottom`, in pixels of the page, may have ink in the
+/// `rows` rows from `first` on.
 bool touches(double top, double bottom, int first, int rows)
 {
-    constexpr double margin = 2; // of lines' width and ends
+    constexpr double margin = 2; // pixels that a line's width and ends add
     return bottom >= first - margin && top <= first + rows + margin;
 }
 
 void draw_lines(cairo_t* c, const Page& page, int first, int rows)
 {
-    constexpr double rounding = 1e-6; // of places that are whole pixels, in mm and back
-    // Through the middles of pixels, which lines along rows and columns then fill.
+    constexpr double rounding = 1e-6; // error of whole pixels after conversion to mm and back
+    // Lines run through the middles of pixels: those along rows and columns fill whole pixels.
     const auto x = [&](Vec2 p) { return std::floor(p.x / page.pixel_pitch.x + rounding) + 0.5; };
     const auto y = [&](Vec2 p) { return std::floor(p.y / page.pixel_pitch.y + rounding) + 0.5; };
     for (const PageLine& line : page.lines) {
@@ -44,7 +45,7 @@ void draw_lines(cairo_t* c, const Page& page, int first, int rows)
 
 void draw_strip(cairo_t* c, const Page& page, int first, int rows)
 {
-    constexpr double most_ems = 3; // that a letter reaches above or below its line
+    constexpr double most_ems = 3; // how far a letter may reach above or below its line
     const double base = page.strip_place.y / page.pixel_pitch.y;
     const double room_for_letters = most_ems * page.strip_size / page.pixel_pitch.y;
     if (page.strip.empty() ||
@@ -59,7 +60,7 @@ void draw_strip(cairo_t* c, const Page& page, int first, int rows)
     cairo_matrix_init_scale(&size, page.strip_size / page.pixel_pitch.x,
                             page.strip_size / page.pixel_pitch.y);
     cairo_set_font_matrix(c, &size);
-    // A font of broad letters, or capitals, would run over the paper's edge.
+    // Capitals, or a font with broad letters, would run over the paper's edge: make them narrower.
     cairo_text_extents_t extents;
     cairo_text_extents(c, page.strip.c_str(), &extents);
     const double room = page.width - page.strip_place.x / page.pixel_pitch.x;
@@ -72,9 +73,9 @@ void draw_strip(cairo_t* c, const Page& page, int first, int rows)
     cairo_show_text(c, page.strip.c_str());
 }
 
-/// Marks and strip in some rows of a page: of each pixel, row by row, whether it is black. Not
-/// mirrored. Empty where there is no ink at all. cairo draws pieces of the page, as it knows no
-/// picture of more than 32767 pixels a side.
+/// Whether each pixel of some rows of a page is black with marks or strip, row by row and not
+/// mirrored; empty where the page has neither. The page is drawn in pieces, because cairo allows at
+/// most 32767 pixels a side.
 std::vector<bool> ink_of(const Page& page, int first, int rows)
 {
     if (page.lines.empty() && page.strip.empty())
@@ -113,7 +114,7 @@ std::size_t pixel_bytes(const Image& form)
     return std::size_t(form.channels) * (sample_bits(form) / 8);
 }
 
-/// Copies a row of the page's part of a picture, turned where the page is.
+/// Copies the page's part out of a row of the picture, mirrored if the page is.
 void copy_part(const Page& page, const unsigned char* row, std::size_t pixel, unsigned char* to)
 {
     row += pixel * page.part.x;
@@ -126,8 +127,8 @@ void copy_part(const Page& page, const unsigned char* row, std::size_t pixel, un
         std::memcpy(to + pixel * x, row + pixel * (width - 1 - x), pixel);
 }
 
-/// Rows of a page, from row `first` on. `part`: those rows of the picture that come to them, the
-/// first of which is the page's row `part_first`.
+/// Draws the rows of `band`, which is the page from row `first` on. `part` holds the picture's rows
+/// that lie there; its first row is the page's row `part_first`.
 void draw_rows(const Page& page, int first, const Image& part, int part_first, Image& band)
 {
     const std::size_t pixel = pixel_bytes(band);
@@ -155,7 +156,7 @@ PictureRows rows_in(const Image& picture)
 void draw_pages(const std::vector<Page>& pages, const Image& form, const PictureRows& picture,
                 const TakeRows& take)
 {
-    const Page& like = pages.at(0); // of the others, only places across differ
+    const Page& like = pages.at(0); // the others differ only in their place across
     const int most = rows_of_a_band(
         form_of(sample_bits(form), like.width, like.height, form.channels, form.encoding));
     Image band;

@@ -15,26 +15,26 @@ namespace integral {
 /// Rows [first, first + count) of a picture, in its whole width.
 using PictureRows = std::function<Image(int first, int count)>;
 
-/// The same of a picture in memory, which has to outlive it.
+/// The rows of a picture in memory, which has to outlive the function.
 PictureRows rows_in(const Image& picture);
 
 /// Takes the next rows of page number `page`, from the top.
 using TakeRows = std::function<void(std::size_t page, const Image& rows)>;
 
-/// Draws pages that stand side by side (one row of tiles, or one page alone), some rows of all of
-/// them at a time: white paper, the picture's own pixels, marks and strip in black, one pixel wide
-/// and not smoothed (drawn by cairo). Marks do not touch the picture. `form` is the picture's: 8 or
-/// 16 bits, three channels. `picture` is asked for each row once, from the top. Throws
-/// std::runtime_error where cairo cannot draw, and what the two functions throw.
+/// Draws one page, or a row of tiles, some rows of all of them at a time: white paper, the
+/// picture's own pixels, and marks and strip in black, one pixel wide and not smoothed. Marks do
+/// not touch the picture. `form` is the picture's: 8 or 16 bits, three channels. `picture` is asked
+/// for each row once, from the top. Throws std::runtime_error where cairo cannot draw, and what
+/// `picture` and `take` throw.
 void draw_pages(const std::vector<Page>& pages, const Image& form, const PictureRows& picture,
                 const TakeRows& take);
 
-/// A page of a picture as one image. Throws as draw_pages does, and where it needs more memory than
-/// is free.
+/// Draws a page into one image. Throws as draw_pages does, and where the image needs more memory
+/// than is free.
 Image rasterized(const Page& page, const Image& form, const PictureRows& picture);
 
-/// Takes the page's part of a picture, some rows at a time, from the top; turned left to right
-/// where the page is.
+/// Passes the page's part of the picture to `take`, some rows at a time, from the top; mirrored if
+/// the page is. Throws what `picture` and `take` throw.
 void draw_part(const Page& page, const Image& form, const PictureRows& picture,
                const std::function<void(const Image& rows)>& take);
 

@@ -8,16 +8,17 @@
 
 namespace integral {
 
-/// Upright: width <= height; mm.
+/// A sheet, mm. Those by name are upright: width <= height.
 struct Paper {
     double width = 0, height = 0;
 };
 
-/// The sizes of dye-sublimation and photo papers (inches, as 4x6), A0 to A6, letter, legal, tabloid
-/// and postcard (100 x 148 mm), in any case.
+/// The paper of a name, in small or capital letters: sizes of dye-sublimation and photo papers in
+/// inches (4x6), A0 to A6, letter, legal, tabloid, and postcard (100 x 148 mm). Empty for other
+/// names.
 std::optional<Paper> paper_named(const std::string& name);
 
-/// Their names, as in "3.5x5, 4x6 and A4".
+/// All names, for messages: "3.5x5, 4x6 and A4".
 std::string paper_names();
 
 } // namespace integral

@@ -13,21 +13,22 @@
 namespace integral {
 namespace {
 
-// The page, mm.
+// Lengths on the page, mm.
 constexpr double margin = 5, line_height = 3, block_gap = 4, tick = 1.5, tick_width = 0.2;
 constexpr double label = 21, number_width = 6, label_gap = 1;
-constexpr double bar_share = 0.88;   // of the space of a bar
-constexpr double least_bar = 1.8;    // its labels can just be read
-constexpr double least_periods = 8;  // along a bar
-constexpr double least_pixels = 2;   // a period
-constexpr double least_distance = 2; // bars' lengths: nearer, the lenses at a bar's ends show it by
-                                     // more than 1% another t/n
+constexpr double bar_share = 0.88;  // the part of its space that a bar fills; the rest is a gap
+constexpr double least_bar = 1.8;   // a bar's width in mm at which its labels can just be read
+constexpr double least_periods = 8; // in a bar's length
+constexpr double least_pixels = 2;  // in a period
+// The shortest viewing distance, in lengths of a bar. From nearer, t/n as measured by the lenses at
+// a bar's ends would be wrong by more than 1%.
+constexpr double least_distance = 2;
 constexpr DeviceFont words{2.2, false}, title{2.6, true};
 
-/// A direction's bars: a rectangle in mm from the page's left and top edges.
+/// The bars of one direction. They fill a rectangle, in mm from the page's left and top edges.
 struct Block {
     Vec2 wave;
-    double period_share; ///< of a pitch
+    double period_share; ///< the lines' period as a part of the pitch
     bool upright;
     double left = 0, top = 0, width = 0, height = 0;
 };
@@ -51,8 +52,8 @@ std::vector<Block> directions_of(const LensSheet& sheet)
         return {block(0, 1)};
     if (sheet.arrangement == Arrangement::square)
         return {block(0, 1), block(pi / 2, 1)};
-    // Along the rows neighbouring rows' lenses are half a pitch apart: lines of half a pitch are
-    // alike to all of them.
+    // The lenses of neighbouring rows are shifted by half a pitch along the rows. Lines half a
+    // pitch apart look the same under all of them.
     return {block(0, 0.5), block(pi / 2, std::sqrt(0.75))};
 }
 
@@ -67,7 +68,7 @@ std::string name_of_sheet(const LensSheet& sheet)
            (sheet.slant != 0 ? ", slant " + with_digits(sheet.slant, 6) + " degrees" : "");
 }
 
-/// What the middle bar of a panel's card is: it shows the calibrated pitch.
+/// The number of the middle bar, which on a panel's card has the calibrated pitch.
 int middle_bar(const PitchChart& chart) { return (chart.scale.bars + 1) / 2; }
 
 std::string title_of(const PitchChart& chart)
@@ -79,7 +80,8 @@ std::string title_of(const PitchChart& chart)
            " x " + dpi(chart.film.pixel_pitch.y) + " dpi";
 }
 
-/// What viewing distance does to the reading, for distances from `nearest` on.
+/// Which bar is even from each viewing distance, and how much the lenses' own pitch is less; for
+/// distances of at least `nearest` mm.
 std::string bias_line(const PitchChart& chart, double nearest)
 {
     std::string even, less;
@@ -103,7 +105,7 @@ std::string bias_line(const PitchChart& chart, double nearest)
            ". Even under the nominal sheet: " + even + "; " + end;
 }
 
-/// Throws where a page, or a panel, has no room; `what` it is for.
+/// Throws std::invalid_argument where the page, or the panel, has less room than `what` needs. mm.
 void demand_room(const PitchChart& chart, double have, double need, const char* side,
                  const std::string& what)
 {
@@ -152,7 +154,7 @@ Layout layout_of(const PitchChart& chart)
     return layout;
 }
 
-/// The bars of one block, numbered from `number` on.
+/// Adds the bars of one block, numbered from `number` on.
 void add_bars(const PitchChart& chart, const Block& block, int number, std::vector<ChartBar>& bars)
 {
     const Film& film = chart.film;
@@ -207,14 +209,15 @@ std::vector<ChartBar> bars_of(const PitchChart& chart, const Layout& layout)
     return bars;
 }
 
-/// The first integral of the lines' light less its mean, and the second: of a wave 1/2 within a
-/// quarter period of 0, else -1/2.
+/// The integral from 0 to u of the lines' light less its mean: of a wave of period 1 that is 1/2
+/// within a quarter of a period of every whole number, and -1/2 elsewhere.
 double first_integral(double u)
 {
     u -= std::floor(u + 0.25);
     return u <= 0.25 ? u / 2 : (0.5 - u) / 2;
 }
 
+/// The integral of first_integral.
 double second_integral(double u)
 {
     u -= std::floor(u + 0.25);
@@ -237,7 +240,7 @@ void draw_lines(const PitchChart& chart, const ChartBar& bar, Image& image)
         }
 }
 
-/// A label at each end of a bar.
+/// Writes a label at each end of a bar: its number, and its pitch in mm and lpi.
 void write_labels(const Film& film, const ChartBar& bar, Image& image)
 {
     const double left = bar.left * film.pixel_pitch.x, top = bar.top * film.pixel_pitch.y;
@@ -245,7 +248,7 @@ void write_labels(const Film& film, const ChartBar& bar, Image& image)
     const double thick = bar.upright ? width : height, length = bar.upright ? height : width;
     const std::string pitch = with_decimals(bar.pitch, 4) + " mm",
                       lenses = with_decimals(mm_per_inch / bar.pitch, 3) + " lpi";
-    // One line where the bar is thin, else two.
+    // Both figures in one line, or each in a line of its own, whichever allows larger letters.
     const std::string both = pitch + "  " + lenses;
     const double in_one = std::min(0.8 * thick, (label - number_width - 2 * label_gap) /
                                                     text_width(both, {1, false})),
@@ -255,8 +258,8 @@ void write_labels(const Film& film, const ChartBar& bar, Image& image)
         std::min({3.2, 0.8 * thick, (number_width - 0.5) / text_width(name, {1, true})}), true};
     const DeviceFont figures{std::min(2.0, std::max(in_one, in_two)), false};
     for (const double begin : {-label, length + label_gap}) {
-        // Along the bar from its beginning (the left, or the lower end), and across it from the
-        // left or upper side.
+        // `along` is measured from the bar's left or, of an upright bar, lower end; `across` from
+        // its upper or left side.
         const auto put = [&](const std::string& text, double along, double across,
                              DeviceFont font) {
             const Vec2 at = bar.upright ? Vec2{left + across, top + height - along}
@@ -273,7 +276,7 @@ void write_labels(const Film& film, const ChartBar& bar, Image& image)
     }
 }
 
-/// A black rectangle, mm from the left and top edges.
+/// Draws a black rectangle, given in mm from the left and top edges.
 void fill(Image& image, Vec2 pitch, double left, double top, double width, double height)
 {
     const auto at = [](double mm, double pixel, int most) {
@@ -285,7 +288,7 @@ void fill(Image& image, Vec2 pitch, double left, double top, double width, doubl
             store_pixel(image, x, y, {0, 0, 0, 1});
 }
 
-/// Where every bar of a block is at the same phase: a tick at either end.
+/// Draws a tick at either end of the line on which all bars of a block have the same phase.
 void draw_ticks(Image& image, Vec2 pitch, const Block& block)
 {
     const double x = block.left + block.width / 2 - tick_width / 2,
@@ -315,7 +318,7 @@ double line_coverage(double phase, double a, double b)
     if (a < b)
         std::swap(a, b);
     double mean;
-    if (b < 1e-7) // the second difference would lose its digits
+    if (b < 1e-7) // the second difference of nearly equal numbers would lose all digits
         mean = (first_integral(phase + a) - first_integral(phase - a)) / (2 * a);
     else
         mean = (second_integral(phase + a + b) - second_integral(phase + a - b) -

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A chart that tells a lens sheet's pitch: bars of lines, each of a pitch of its own, that are laid
-// under the sheet.
+// A chart by which a lens sheet's pitch is measured: bars of lines, each bar with another pitch,
+// that are laid under the sheet.
 //
-// An eye at distance D sees a bar even whose pitch is that at which the lenses show it the film:
-// the visual pitch p (1 + t/(nD)), not the lenses' own p. So a bar's pitch is called its film pitch
-// here; pitch_wizard.h goes on from it.
+// To an eye at distance D, one bar looks even through the lenses: the bar whose pitch is the visual
+// pitch p (1 + t/(nD)), at which the lenses image the film, and not their own pitch p. Here a bar's
+// pitch is therefore called its film pitch; pitch_wizard.h computes p from it.
 #ifndef INTEGRAL_OUTPUT_PITCH_CHART_H
 #define INTEGRAL_OUTPUT_PITCH_CHART_H
 
@@ -14,49 +14,52 @@
 namespace integral {
 
 struct PitchChart {
-    LensSheet sheet; ///< as it is thought to be; its offset counts for nothing
-    Film film;       ///< of the whole page
+    LensSheet sheet; ///< the nominal sheet; its offset is not used
+    Film film;       ///< the whole page
     PitchScale scale;
-    std::vector<double> distances = {250, 400, 600, 1000, 2000}; ///< mm: the page says which bar is
-                                                                 ///< even from those that are at
-                                                                 ///< least twice a bar's length
-    std::string note;  ///< a last line, such as the command that takes the readings
-    std::string panel; ///< of a card that a panel shows under its own lenses: the panel's name;
-                       ///< else empty, and the page is for paper
+    /// Viewing distances, mm, for each of which the page says which bar is even; those of less than
+    /// twice a bar's length are left out.
+    std::vector<double> distances = {250, 400, 600, 1000, 2000};
+    std::string note; ///< the page's last line, such as the command that takes the readings
+    /// The name of the panel, if the chart is a card that a panel shows under its own lenses; empty
+    /// for a page of paper.
+    std::string panel;
 };
 
-/// One bar: a rectangle of the page in pixels, of lines as light as dark. Its lines are
-/// perpendicular to `wave`, a unit vector of the sheet frame (y upwards), and `period` apart; in
-/// its first half (the upper; of an upright bar the left) a light line's middle passes through
-/// `origin`, mm in the sheet frame, in the second half through origin + wave period/4.
+/// One bar: a rectangle of the page, in pixels, with light and dark lines of equal width. The lines
+/// are perpendicular to `wave`, a unit vector of the sheet frame (y upwards), and light lines are
+/// `period` apart. In the bar's first half (the upper half; of an upright bar the left one) the
+/// middle of a light line passes through `origin`, mm in the sheet frame; in the second half it
+/// passes through origin + wave period/4.
 struct ChartBar {
-    int number; ///< as printed; from 1. The bars of a 2-D sheet's second direction follow those of
-                ///< the first.
-    double pitch;  ///< mm: lenses of this visual pitch show it even
-    double period; ///< mm: the pitch, but of hexagonal lenses p/2 along the rows and p sqrt(3)/2,
-                   ///< the rows' distance, across them
+    /// As printed, from 1. The bars of a 2-D sheet's second direction follow those of the first.
+    int number;
+    double pitch; ///< mm: lenses of this visual pitch show the bar even
+    /// mm: the pitch; for hexagonal lenses p/2 along the rows, and across them p sqrt(3)/2, the
+    /// distance of the rows.
+    double period;
     Vec2 wave, origin;
-    bool upright; ///< the bar's longer side is vertical, as its lines are rather horizontal
+    bool upright; ///< whether the bar's longer side is vertical: its lines are nearly horizontal
     int left, top, width, height;
 };
 
-/// Where the bars are: one direction's for lenticular sheets, two for the others. Throws
-/// std::invalid_argument, naming what would help, where a page is too small for its bars or pixels
-/// are too coarse for the lines (less than 2 a period).
+/// The bars with their places: of one direction for lenticular sheets, of two for the others.
+/// Throws std::invalid_argument, saying what would help, where the page is too small for the bars,
+/// or where a period has less than 2 pixels.
 std::vector<ChartBar> chart_bars(const PitchChart& chart);
 
 /// What the page says at its head: how it is looked at, and on paper how it is printed and laid
 /// under the lenses.
 std::string chart_advice(const PitchChart& chart);
 
-/// The page, 8 bits a channel, sRGB, film.width x film.height: each pixel of a bar holds how much
-/// of its area light lines cover, exactly, in linear light, so that no pitch is rounded to pixels.
-/// Throws as chart_bars does.
+/// The page, 8 bits a channel, sRGB, film.width x film.height pixels. The linear light of a bar's
+/// pixel is exactly the part of its area that light lines cover, so that no pitch is rounded to
+/// pixels. Throws as chart_bars does.
 Image pitch_chart(const PitchChart& chart);
 
-/// How much of a pixel light lines cover: of a pixel at `phase` (periods from the middle of a light
-/// line) that, seen along the lines, is two boxes of half widths `a` and `b` periods (>= 0, one >
-/// 0) convolved.
+/// The part of a pixel's area that light lines cover. `phase`: from the middle of a light line to
+/// the pixel's middle, periods. Projected along the lines, the pixel's area is the convolution of
+/// two boxes; `a` and `b` are their half widths in periods, >= 0, one of them > 0.
 double line_coverage(double phase, double a, double b);
 
 } // namespace integral

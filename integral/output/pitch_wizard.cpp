@@ -10,7 +10,7 @@ namespace integral {
 namespace {
 
 constexpr double least_ior = 1, greatest_ior = 4;
-constexpr double same_distance = 1e-6; // of a distance
+constexpr double same_distance = 1e-6; // relative difference up to which distances are the same
 
 std::string text_of(double value)
 {
@@ -26,13 +26,14 @@ struct Point {
     Measured q;
 };
 
-/// The line's value at x = 0 and slope, each with how much every point moves it.
+/// A line fitted to points: its value at x = 0 and its slope, each the sum of the points' q by
+/// these weights.
 struct Line {
     double at_zero = 0, slope = 0;
     std::vector<double> zero_weights, slope_weights;
 };
 
-/// Least squares, weighted by the errors; the points' x are not all the same.
+/// Fits by least squares, weighted by the errors. The points' x must not all be equal.
 Line fit(const std::vector<Point>& points)
 {
     double w = 0, wx = 0;
@@ -56,7 +57,8 @@ Line fit(const std::vector<Point>& points)
     return line;
 }
 
-/// A reading may be twice its own error from the line: a mean of right readings can leave that.
+/// Throws std::invalid_argument where a reading is farther from the line than twice its own error,
+/// which right readings can be from their mean.
 void check_agreement(const std::vector<Point>& points, double at_zero, double slope,
                      const PitchScale& scale, const char* help)
 {

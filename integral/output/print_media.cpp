@@ -21,8 +21,8 @@ bool same_size(SizeMm a, SizeMm b)
            std::abs(a.height - b.height) <= tolerance_mm;
 }
 
-/// Of two media of a size: the one with more to print on where that was not compared, then the one
-/// with the shorter name.
+/// Whether to prefer one of two media of the same size: the one with the larger printable area,
+/// unless that is what was compared; then the one with the shorter name.
 bool better(const PrintMedium& a, const PrintMedium& b, bool by_nominal)
 {
     const double more = a.printable.width * a.printable.height -
@@ -32,7 +32,7 @@ bool better(const PrintMedium& a, const PrintMedium& b, bool by_nominal)
     return a.name.size() < b.name.size();
 }
 
-/// The samples of a page, which has to be 8-bit RGB.
+/// A page's samples. The page has to be 8-bit RGB.
 const std::vector<std::uint8_t>& bytes_of(const Image& page)
 {
     return std::get<std::vector<std::uint8_t>>(page.samples);
@@ -50,14 +50,14 @@ SizeMm nominal_size(const PrintMedium& medium)
     if (std::sscanf(medium.name.c_str(), "w%lfh%lf", &width, &height) == 2 && width > 0 &&
         height > 0)
         return {width * mm_per_point, height * mm_per_point};
-    // The label's first figures, which may have words before them: "Postcard 100x148mm".
+    // The label's first figures; there may be words before them, as in "Postcard 100x148mm".
     const std::size_t digit = medium.label.find_first_of("0123456789");
     int end = 0;
     if (digit != std::string::npos &&
         std::sscanf(medium.label.c_str() + digit, "%lf x %lf%n", &width, &height, &end) == 2) {
         const bool in_mm = medium.label.compare(digit + std::size_t(end), 2, "mm") == 0;
         const double unit = in_mm ? 1 : mm_per_inch;
-        // A label such as "100x148" without its unit would be metres: take the driver's word then.
+        // A label such as "100x148", read as inches, would be metres wide: do not use it.
         if (width > 0 && height > 0 && (in_mm || (width <= 100 && height <= 100)))
             return {width * unit, height * unit};
     }
@@ -118,8 +118,8 @@ std::optional<Image> centred_page(const Image& page, int width, int height)
     const std::vector<std::uint8_t>& from = bytes_of(page);
     std::vector<std::uint8_t>& to = bytes_of(area);
     std::fill(to.begin(), to.end(), std::uint8_t(255));
-    // Where the page's corner lies on the area; floored, so that an area smaller by a pixel loses
-    // it at the right.
+    // The page's corner on the area, rounded down: of a page wider by one pixel, the last column is
+    // cut off.
     const int left = int(std::floor((width - page.width) / 2.0)),
               top = int(std::floor((height - page.height) / 2.0));
     const auto white = [&](int y, int begin, int end) {

@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <unistd.h>
 
-// libcups has called the PPD functions deprecated since 1.6, and has nothing else that tells media
-// of one size apart.
+// libcups has marked the PPD functions deprecated since 1.6, but has no others that tell media of
+// the same size apart.
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 
 namespace integral {
@@ -28,7 +28,7 @@ bool has_choice(ppd_file_t* ppd, const char* option, const char* choice)
     return found && ppdFindChoice(found, choice);
 }
 
-/// "300dpi", "300x600dpi".
+/// Reads a resolution's name: "300dpi" or "300x600dpi".
 bool read_resolution(const char* name, Vec2& dpi)
 {
     if (std::sscanf(name, "%lfx%lf", &dpi.x, &dpi.y) == 2)
@@ -102,7 +102,7 @@ std::string PrintQueue::resolution(Vec2 dpi, std::string& list) const
     }
     if (option && option->num_choices)
         return found;
-    // A printer of one resolution may have no such option.
+    // A printer with a single resolution may not have this option.
     const ppd_attr_t* only = ppdFindAttr(file_->ppd, "DefaultResolution", nullptr);
     Vec2 offered;
     if (!only || !only->value || !read_resolution(only->value, offered))
@@ -111,9 +111,9 @@ std::string PrintQueue::resolution(Vec2 dpi, std::string& list) const
     return std::abs(offered.x - dpi.x) <= 0.5 && std::abs(offered.y - dpi.y) <= 0.5 ? list : "";
 }
 
-PrintOptions PrintQueue::plain_options() const
+DriverOptions PrintQueue::plain_options() const
 {
-    PrintOptions options;
+    DriverOptions options;
     for (const auto& [option, choice] :
          {std::pair("ColorModel", "RGB"), std::pair("StpiShrinkOutput", "Crop")}) // Gutenprint's
         if (has_choice(file_->ppd, option, choice))
@@ -121,7 +121,7 @@ PrintOptions PrintQueue::plain_options() const
     return options;
 }
 
-cups_page_header2_t PrintQueue::page_header(const PrintOptions& options)
+cups_page_header2_t PrintQueue::page_header(const DriverOptions& options)
 {
     cups_option_t* list = nullptr;
     int count = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a queue's driver can do, as the PPD says that its CUPS server hands out (driverless queues
-// have one too). IPP's media-col-database would not do: it knows media by their size, and of a
-// dye-sublimation printer's several may have the same sheet and other margins (2x6 and 4x6 of a DNP
-// DS620). For files that are built with libcups only (HAVE_CUPS).
+// What a queue's driver can do, read from the PPD that its CUPS server provides (also for
+// driverless queues). IPP's media-col-database is not enough: it tells media apart by size, and a
+// dye-sublimation printer may have several media with the same sheet and different margins (2x6 and
+// 4x6 of a DNP DS620). To be included only where libcups is (HAVE_CUPS).
 #ifndef INTEGRAL_OUTPUT_PRINT_QUEUE_H
 #define INTEGRAL_OUTPUT_PRINT_QUEUE_H
 
@@ -18,12 +18,13 @@
 
 namespace integral {
 
-using PrintOptions = std::vector<std::pair<std::string, std::string>>;
+/// Names and values of a driver's options.
+using DriverOptions = std::vector<std::pair<std::string, std::string>>;
 
 /// An open PPD.
 class PrintQueue {
 public:
-    /// Reads the PPD of a queue of the server; throws std::runtime_error with libcups' reason.
+    /// Reads the PPD of one of the server's queues. Throws std::runtime_error with libcups' reason.
     PrintQueue(http_t* server, const std::string& printer);
     ~PrintQueue();
     PrintQueue(const PrintQueue&) = delete;
@@ -31,17 +32,17 @@ public:
 
     std::vector<PrintMedium> media() const;
 
-    /// The driver's name of a resolution of its list, to 0.5 dpi; empty if it has none such. `list`
-    /// gets the list in words.
+    /// The name by which the driver calls a resolution, to 0.5 dpi; empty if it does not have it.
+    /// `list` becomes all its resolutions in words.
     std::string resolution(Vec2 dpi, std::string& list) const;
 
-    /// The options that a job needs beside the user's: RGB, and no shrinking to the borders, where
-    /// the driver has such a choice.
-    PrintOptions plain_options() const;
+    /// The options that every job needs, of those that the driver has: RGB, and no shrinking of the
+    /// page to fit within borders.
+    DriverOptions plain_options() const;
 
-    /// The page header which the driver expects with these options. Throws std::runtime_error if it
-    /// is not 8-bit RGB.
-    cups_page_header2_t page_header(const PrintOptions& options);
+    /// The header that the driver expects before each page, with these options. Throws
+    /// std::runtime_error if that is not a header of 8-bit RGB.
+    cups_page_header2_t page_header(const DriverOptions& options);
 
 private:
     struct File;

@@ -9,8 +9,7 @@
 #include <stdexcept>
 
 #ifdef HAVE_CUPS
-#include "integral/output/cups_raster.h"
-#include "integral/output/print_queue.h"
+#include "integral/output/spool_document.h"
 
 #include <cups/cups.h>
 
@@ -36,7 +35,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int total_steps = 1000, sent_steps = 500;
 constexpr auto poll_interval = std::chrono::milliseconds(200);
 
-/// Options that place or scale pages.
+/// The options that would place or scale pages.
 const char* const scaling_options[] = {"fit-to-page",     "fitplot",
                                        "landscape",       "media",
                                        "mirror",          "natural-scaling",
@@ -67,7 +66,7 @@ std::string printer_uri(const std::string& printer)
     return uri;
 }
 
-/// A request about a printer, or about one of its jobs; answered in `attributes`.
+/// Asks the server about a printer, or about one of its jobs, for these attributes.
 Message ask(http_t* server, ipp_op_t operation, const std::string& printer, int job,
             const std::vector<const char*>& attributes)
 {
@@ -84,7 +83,7 @@ Message ask(http_t* server, ipp_op_t operation, const std::string& printer, int 
     return Message(cupsDoRequest(server, request, "/"), ippDelete); // frees the request
 }
 
-/// An attribute's values as text; "" if absent.
+/// An attribute's values as text; "" if the answer lacks it.
 std::string text_of(const Message& answer, const char* name)
 {
     ipp_attribute_t* attribute = ippFindAttribute(answer.get(), name, IPP_TAG_ZERO);
@@ -100,7 +99,7 @@ int integer_of(const Message& answer, const char* name)
     return attribute ? ippGetInteger(attribute, 0) : 0;
 }
 
-/// One line of a printer's words: its message and its reasons, without "none".
+/// A printer's message and reasons in one line, without the reason "none".
 std::string reasons_of(const std::string& message, const std::string& reasons)
 {
     std::string words = message;
@@ -112,9 +111,9 @@ std::string reasons_of(const std::string& message, const std::string& reasons)
     return words.empty() ? "no reason given" : words;
 }
 
-/// Whether printer-state-reasons, joined by commas, tell of something that a person has to see to.
-/// Without ending they are errors; warnings and reports (a supply is low) are not, those apart that
-/// printers stop for; nor is what CUPS' own backends say.
+/// Whether one of the printer-state-reasons, joined by commas, needs a person's help. Those without
+/// an ending are errors. Warnings and reports (a supply is low) are not, except for those that
+/// printers stop for; neither is what CUPS' own backends report.
 bool in_trouble(const std::string& reasons)
 {
     const auto begins = [](const std::string& word, const char* with) {
@@ -156,7 +155,8 @@ std::vector<std::string> printers_of(http_t* server)
     return names;
 }
 
-/// The queue's name; throws OutputError where there is none such, or it takes no jobs now.
+/// The name of the wanted queue, or of the default. Throws OutputError where there is no such
+/// queue, or it takes no jobs now.
 std::string ready_printer(http_t* server, const std::string& wanted)
 {
     const std::vector<std::string> names = printers_of(server);
@@ -185,76 +185,11 @@ std::string ready_printer(http_t* server, const std::string& wanted)
     return printer;
 }
 
-std::string figures(const char* format, double a, double b)
-{
-    char text[96];
-    std::snprintf(text, sizeof text, format, a, b);
-    return text;
-}
-
-/// The job's document, and the options that go with it.
-struct Document {
-    std::string bytes;
-    PrintOptions options;
-};
-
-Document document_of(const SpoolJob& job, http_t* server, const std::string& printer)
-{
-    PrintQueue queue(server, printer);
-    const Image& first = job.pages.front();
-    const std::vector<PrintMedium> media = queue.media();
-    const SizeMm page = {first.width / job.dpi.x * 25.4, first.height / job.dpi.y * 25.4};
-    std::string list, unused;
-    const Vec2 across = {job.dpi.y, job.dpi.x}; // of a page that is turned
-    const std::string upright = queue.resolution(job.dpi, list),
-                      turned = queue.resolution(across, unused);
-    if (upright.empty() && turned.empty())
-        throw std::runtime_error("no resolution of " +
-                                 figures("%g x %g dpi", job.dpi.x, job.dpi.y) + "; it has " + list +
-                                 ", and pixels are never resampled: render for one of these");
-    const std::optional<PagePlace> place = place_page(media, page, job.medium);
-    if (!place)
-        throw std::runtime_error("no medium " + (job.medium.empty() ? "" : job.medium + " ") +
-                                 "of " + figures("%.1f x %.1f mm", page.width, page.height) +
-                                 "; it has " + media_in_words(media));
-    const std::string& resolution = place->turned ? turned : upright;
-    if (resolution.empty())
-        throw std::runtime_error("a page of " + figures("%.1f x %.1f mm", page.width, page.height) +
-                                 " lies across " + media[place->medium].label +
-                                 ", which has no resolution of " +
-                                 figures("%g x %g dpi", across.x, across.y) + "; it has " + list +
-                                 ": render it upright");
-
-    Document document;
-    const PrintMedium& medium = media[place->medium];
-    document.options = queue.plain_options();
-    document.options.emplace_back("PageSize", medium.name);
-    document.options.emplace_back("Resolution", resolution);
-    document.options.emplace_back("print-scaling", "none");
-    document.options.insert(document.options.end(), job.options.begin(), job.options.end());
-    const cups_page_header2_t header = queue.page_header(document.options);
-
-    const int width = int(std::lround(medium.printable.width / 25.4 * header.HWResolution[0]));
-    const int height = int(std::lround(medium.printable.height / 25.4 * header.HWResolution[1]));
-    std::vector<Image> sheets;
-    for (const Image& each : job.pages) {
-        std::optional<Image> sheet = centred_page(place->turned ? turned_page(each) : each, width,
-                                                  height);
-        if (!sheet)
-            throw std::runtime_error(
-                "prints " + figures("%g x %g pixels of ", width, height) + medium.label + " (" +
-                medium.name + "), and the page has colour outside them; leave its margins white");
-        sheets.push_back(std::move(*sheet));
-    }
-    document.bytes = cups_raster(sheets, job.copies, header);
-    return document;
-}
-
-/// A job on the server, which is cancelled unless it is done.
+/// A job on the server. Its destructor cancels it unless it is done.
 class SentJob {
 public:
     SentJob(http_t* server, std::string printer, const std::string& title,
-            const PrintOptions& options)
+            const DriverOptions& options)
         : server_(server), printer_(std::move(printer))
     {
         cups_option_t* list = nullptr;
@@ -269,7 +204,7 @@ public:
     }
     ~SentJob()
     {
-        // Anew, as the connection may be in the middle of the document.
+        // Connect again: this connection may be in the middle of sending the document.
         if (!done && httpReconnect2(server_, 5000, nullptr) == 0)
             cupsCancelJob2(server_, printer_.c_str(), number, 0);
     }
@@ -277,14 +212,14 @@ public:
     SentJob& operator=(const SentJob&) = delete;
 
     int number = 0;
-    bool done = false; ///< printed, or given up by the server itself
+    bool done = false; ///< printed, or cancelled or aborted by the server
 
 private:
     http_t* server_;
     std::string printer_;
 };
 
-/// Sends the document; false if `progress` stopped it.
+/// Sends the document. Returns false if `progress` stopped it.
 bool send(http_t* server, const std::string& printer, int number, const std::string& title,
           const std::string& bytes, const Progress& progress)
 {
@@ -306,39 +241,53 @@ bool send(http_t* server, const std::string& printer, int number, const std::str
     return true;
 }
 
-/// Waits for the end of the job; false if `progress` stopped it. Throws std::runtime_error with the
-/// printer's reason.
+/// What the server tells of a job. Throws std::runtime_error where it does not answer.
+Message ask_about_job(http_t* server, const std::string& printer, int number)
+{
+    Message job = ask(server, IPP_OP_GET_JOB_ATTRIBUTES, printer, number,
+                      {"job-state", "job-state-reasons", "job-printer-state-message",
+                       "job-impressions-completed", "job-media-progress"});
+    if (cupsLastError() > IPP_STATUS_OK_CONFLICTING)
+        throw std::runtime_error(std::string("the CUPS server does not tell how the job goes: ") +
+                                 cupsLastErrorString());
+    return job;
+}
+
+/// Whether the job is printed. Throws std::runtime_error where it will not be.
+bool is_printed(const Message& job, SentJob& sent)
+{
+    const int state = integer_of(job, "job-state");
+    const std::string words = reasons_of(text_of(job, "job-printer-state-message"),
+                                         text_of(job, "job-state-reasons"));
+    if (state == IPP_JSTATE_COMPLETED) {
+        sent.done = true;
+        return true;
+    }
+    if (state == IPP_JSTATE_CANCELED || state == IPP_JSTATE_ABORTED) {
+        sent.done = true;
+        const char* end = state == IPP_JSTATE_CANCELED ? " was cancelled (" : " failed (";
+        throw std::runtime_error("job " + std::to_string(sent.number) + end + words + ")");
+    }
+    if (state == IPP_JSTATE_STOPPED || state == IPP_JSTATE_HELD)
+        throw std::runtime_error("job " + std::to_string(sent.number) + " was stopped (" + words +
+                                 "); it is cancelled");
+    return false;
+}
+
+/// Waits for the end of the job. Returns false if `progress` stopped it. Throws std::runtime_error
+/// with the printer's reason.
 bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheets, double patience,
             const Progress& progress)
 {
     int best = 0;
     Clock::time_point last_progress = Clock::now();
     for (;; std::this_thread::sleep_for(poll_interval)) {
-        const Message job = ask(server, IPP_OP_GET_JOB_ATTRIBUTES, printer, sent.number,
-                                {"job-state", "job-state-reasons", "job-printer-state-message",
-                                 "job-impressions-completed", "job-media-progress"});
-        if (cupsLastError() > IPP_STATUS_OK_CONFLICTING)
-            throw std::runtime_error(
-                std::string("the CUPS server does not tell how the job goes: ") +
-                cupsLastErrorString());
-        const int state = integer_of(job, "job-state");
-        const std::string words = reasons_of(text_of(job, "job-printer-state-message"),
-                                             text_of(job, "job-state-reasons"));
-        if (state == IPP_JSTATE_COMPLETED) {
-            sent.done = true;
+        const Message job = ask_about_job(server, printer, sent.number);
+        if (is_printed(job, sent)) {
             if (progress)
                 progress(total_steps, total_steps);
             return true;
         }
-        if (state == IPP_JSTATE_CANCELED || state == IPP_JSTATE_ABORTED) {
-            sent.done = true;
-            const char* end = state == IPP_JSTATE_CANCELED ? " was cancelled (" : " failed (";
-            throw std::runtime_error("job " + std::to_string(sent.number) + end + words + ")");
-        }
-        if (state == IPP_JSTATE_STOPPED || state == IPP_JSTATE_HELD)
-            throw std::runtime_error("job " + std::to_string(sent.number) + " was stopped (" +
-                                     words + "); it is cancelled");
-
         const Message device = ask(
             server, IPP_OP_GET_PRINTER_ATTRIBUTES, printer, 0,
             {"printer-state", "printer-state-message", "printer-state-reasons"});
@@ -387,7 +336,7 @@ std::optional<int> spool(const SpoolJob& job, const Progress& progress)
                 throw OutputError(printer + ": option " + name + "=" + value +
                                   " would place or scale the page anew; leave it out");
     try {
-        const Document document = document_of(job, server.get(), printer);
+        const SpoolDocument document = spool_document(job, server.get(), printer);
         SentJob sent(server.get(), printer, job.title, document.options);
         if (!send(server.get(), printer, sent.number, job.title, document.bytes, progress))
             return std::nullopt;

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pages to a printer of a CUPS server, pixel for pixel, and the job followed until it is printed.
+// Sends pages to a printer of a CUPS server, pixel for pixel, and follows the job until it is
+// printed.
 //
 // The document is a CUPS raster (application/vnd.cups-raster) of the medium's whole printable area,
-// with the page in its middle: what drivers read, so that no filter is left that could scale.
-// Measured with CUPS 2.4.2, cups-filters 1.28.17 and Gutenprint 5.3.4, noise at 300 dpi on a DNP
-// DS620's 4x6 (printable 1240 x 1844 pixels), other documents keep pixels by luck:
+// with the page in its middle. Drivers read this form, so that no filter before them can scale it.
+// Other documents keep their pixels only by luck, as was measured with CUPS 2.4.2, cups-filters
+// 1.28.17 and Gutenprint 5.3.4, for noise at 300 dpi on a DNP DS620's 4x6 (printable 1240 x 1844
+// pixels):
 //   PNG, PPM of 1200 x 1800        made 1229 x 1844; print-scaling=none: 1204 x 1806; ppi=300: kept
 //   PNG of 1240 x 1844             kept; print-scaling=none: 1239 columns, all pixels moved
 //   PDF page, image 1200 x 1800    kept; fit-to-page: all but 0.03 % of the pixels differ
 //   PDF page, image 1240 x 1844    moved down by a row, the last one lost, whatever the options
 // The raster arrived with every pixel, and Gutenprint's yellow, magenta and cyan planes for the
-// DS620 hold the very samples. Its area is the one that CUPS' own filters make for a medium,
-// checked with 9 drivers (Canon, Citizen, DNP, HiTi, Kodak, Mitsubishi, Shinko, Sony) and 42 of
-// their media. A driverless printer gets a PWG raster that CUPS makes of it, with every pixel too.
+// DS620 hold the same samples. The raster's area is the one that CUPS' own filters make for a
+// medium; this was checked with 9 drivers (Canon, Citizen, DNP, HiTi, Kodak, Mitsubishi, Shinko,
+// Sony) and 42 of their media. For a driverless printer, CUPS turns the raster into a PWG raster,
+// which keeps every pixel, too.
 #ifndef INTEGRAL_OUTPUT_SPOOL_H
 #define INTEGRAL_OUTPUT_SPOOL_H
 
@@ -27,39 +30,42 @@
 
 namespace integral {
 
-/// What to print, and where. A page's size on paper is its pixels by the printer's own resolution.
+/// What to print, and where. A page's size on paper follows from its pixels and the resolution.
 struct SpoolJob {
     std::string printer; ///< the queue's name; empty: the server's default
     std::string title = "integral";
-    std::vector<Image> pages; ///< 8-bit RGB, of one size, in the encoding that the printer expects
-                              ///< (sRGB, or by its profile)
-    Vec2 dpi = {300, 300};    ///< the printer's nominal one, to 0.5; a measured feed error is the
-                              ///< film's, not given here
-    std::string medium; ///< the driver's name of it (w288h432); empty: by the page's size, to 0.5
+    /// 8-bit RGB, of one size, in the encoding that the printer expects: sRGB, or its profile's.
+    std::vector<Image> pages;
+    /// The printer's nominal resolution, to 0.5 dpi. A measured error of its feed is not part of
+    /// it.
+    Vec2 dpi = {300, 300};
+    std::string medium; ///< the driver's name (w288h432); empty: found by the page's size, to 0.5
                         ///< mm
-    int copies = 1;     ///< at least 1; sent as that many pages, which every driver prints
-    std::vector<std::pair<std::string, std::string>> options; ///< further ones of the driver,
-                                                              ///< StpLaminate=Matte; none that
-                                                              ///< scales
-    double patience = 60; ///< seconds without progress that a printer in trouble (no paper,
-                          ///< offline) is given
+    int copies = 1;     ///< at least 1; each copy is sent as pages of its own, which every driver
+                        ///< prints
+    /// Further options of the driver, such as StpLaminate=Matte; options that scale are refused.
+    std::vector<std::pair<std::string, std::string>> options;
+    /// Seconds that a printer in trouble (no paper, offline) may go without progress.
+    double patience = 60;
 };
 
 /// Whether this build has libcups.
 bool can_spool();
 
-/// The server's printers, its default first. The server is CUPS_SERVER's (libcups' own rule), else
-/// the machine's. Throws OutputError.
+/// The names of the server's printers, its default first. libcups takes the server from
+/// CUPS_SERVER, else this machine's. Throws OutputError.
 std::vector<std::string> printers();
 
-/// Sends the pages and waits until they are printed: the job's number on the server. `progress` is
-/// called some times a second, of a total of 1000: half when sent, then by sheets; if it returns
-/// false the job is cancelled and the result is nothing. Throws OutputError, "PRINTER: what is
-/// wrong; what would help": no server, no such printer (with those there are), no such medium or
-/// resolution (with the printer's), an option that would scale, a printer that is stopped, rejects
-/// jobs, fails or stays in trouble (in its own words; the job is cancelled then, so that it does
-/// not print later by surprise). Throws std::invalid_argument where pages or copies are not as
-/// above.
+/// Sends the pages and waits until they are printed. Returns the job's number on the server.
+/// `progress` is called several times a second with a total of 1000, of which sending is one half
+/// and printing, sheet by sheet, the other. If it returns false, the job is cancelled and the
+/// result is empty.
+///
+/// Throws OutputError, "PRINTER: what is wrong; what would help", where there is no server or no
+/// such printer, medium or resolution (and names those there are); where an option would scale; and
+/// where the printer is stopped, rejects jobs, fails or stays in trouble. The job is then
+/// cancelled, so that it does not print later by surprise. Throws std::invalid_argument where
+/// pages, copies or resolution are not as SpoolJob says.
 std::optional<int> spool(const SpoolJob& job, const Progress& progress = {});
 
 } // namespace integral
