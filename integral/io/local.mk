@@ -19,6 +19,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/markup.h \
   integral/io/memory.cpp \
   integral/io/memory.h \
+  integral/io/pdf_file.cpp \
+  integral/io/pdf_file.h \
   integral/io/plot.cpp \
   integral/io/plot.h \
   integral/io/plot_axis.cpp \
