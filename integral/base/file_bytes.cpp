@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <chrono>
-#include <climits>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -58,23 +54,10 @@ template <class Write> int write_all(const std::string& bytes, Write write)
     return 0;
 }
 
-/// The file that a path means, through any symbolic links: what is to be replaced.
-std::string target_of(const std::string& path)
-{
-    char resolved[PATH_MAX];
-    return realpath(path.c_str(), resolved) ? resolved : path;
-}
-
 std::string folder_of(const std::string& path)
 {
     const auto slash = path.rfind('/');
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-}
-
-bool is_special(const std::string& path)
-{
-    struct stat status;
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
 /// Permissions of the new file: the old file's, or those a new file gets.
@@ -86,33 +69,6 @@ mode_t mode_for(const std::string& target)
     const mode_t mask = umask(0);
     umask(mask);
     return 0666 & ~mask;
-}
-
-constexpr char unfinished_prefix[] = ".integral-";
-
-/// How the names end of the files that a process of this machine and PID namespace is making.
-std::string mark_of(long process)
-{
-    std::string host = host_name();
-    std::replace(host.begin(), host.end(), '/', '-');
-    return "." + host + "." + process_namespace() + "." + std::to_string(process);
-}
-
-/// What a symbolic link says; empty if there is none.
-std::string link_at(const char* path)
-{
-    char text[PATH_MAX];
-    const ssize_t length = readlink(path, text, sizeof text);
-    return std::string(text, std::size_t(std::max<ssize_t>(0, length)));
-}
-
-/// Whether a file was not written to for so long that nobody does any more, on whatever machine.
-bool is_forgotten(const std::filesystem::directory_entry& file)
-{
-    std::error_code error;
-    const auto written = file.last_write_time(error);
-    return !error &&
-           std::filesystem::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 void write_straight(const std::string& path, const std::string& bytes)
@@ -197,20 +153,19 @@ OutputFile::OutputFile(const std::string& path) : path_(path)
 {
     if (path == "-" || is_special(path))
         return;
-    target_ = target_of(path);
+    const std::string target = target_of(path);
     const std::string random = "XXXXXX", name = unfinished_name(random);
-    beside_ = folder_of(target_) + "/" + name;
-    file_ = mkostemps(&beside_[0], int(name.size() - name.find(random) - random.size()), O_CLOEXEC);
+    std::string beside = folder_of(target) + "/" + name;
+    file_ = mkostemps(&beside[0], int(name.size() - name.find(random) - random.size()), O_CLOEXEC);
     if (file_ < 0)
         fail_to_write(path, errno);
+    unfinished_.emplace(beside, target);
 }
 
 OutputFile::~OutputFile()
 {
-    if (file_ < 0)
-        return;
-    close(file_);
-    unlink(beside_.c_str());
+    if (file_ >= 0)
+        close(file_);
 }
 
 void OutputFile::fail(int error)
@@ -236,7 +191,7 @@ void OutputFile::flush()
 
 void OutputFile::write(std::uint64_t at, const void* bytes, std::size_t count)
 {
-    if (file_ < 0)
+    if (!unfinished_)
         return kept_.write(at, bytes, count);
     if (error_)
         fail(error_);
@@ -258,77 +213,35 @@ void OutputFile::write(std::uint64_t at, const void* bytes, std::size_t count)
 
 std::size_t OutputFile::read(std::uint64_t at, void* bytes, std::size_t count)
 {
-    if (file_ < 0)
+    if (!unfinished_)
         return kept_.read(at, bytes, count);
     flush();
     const ssize_t n = pread(file_, bytes, count, off_t(at));
     return n > 0 ? std::size_t(n) : 0;
 }
 
-std::uint64_t OutputFile::size() const { return file_ < 0 ? kept_.size() : size_; }
+std::uint64_t OutputFile::size() const { return !unfinished_ ? kept_.size() : size_; }
 
 void OutputFile::finish()
 {
-    if (file_ < 0)
+    if (!unfinished_)
         return write_straight(path_, kept_.bytes);
     if (error_)
         fail(error_);
     flush();
-    int error = fchmod(file_, mode_for(target_)) != 0 || fsync(file_) != 0 ? errno : 0;
+    const std::string target = unfinished_->target();
+    int error = fchmod(file_, mode_for(target)) != 0 || fsync(file_) != 0 ? errno : 0;
     if (close(file_) != 0 && !error)
         error = errno;
     file_ = -1;
-    if (!error && rename(beside_.c_str(), target_.c_str()) != 0)
-        error = errno;
-    if (error) {
-        unlink(beside_.c_str());
+    if (!error)
+        error = unfinished_->finish();
+    if (error)
         fail(error);
-    }
     // The name is only safe once its folder is on disk; where that cannot be had, go without.
-    const Descriptor folder(open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY));
+    const Descriptor folder(open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY));
     if (folder.get() >= 0 && fsync(folder.get()) != 0)
         errno = 0;
-}
-
-std::string host_name()
-{
-    char name[256] = "";
-    gethostname(name, sizeof name - 1);
-    return name;
-}
-
-std::string process_namespace()
-{
-    if (link_at("/proc/self") != std::to_string(getpid()))
-        return "";
-    const std::string text = link_at("/proc/self/ns/pid"); // pid:[4026531836]
-    const auto first = text.find_first_of("0123456789"), last = text.find_last_of("0123456789");
-    return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
-}
-
-std::string unfinished_name(const std::string& name)
-{
-    return unfinished_prefix + name + mark_of(getpid());
-}
-
-void sweep_unfinished(const std::string& folder)
-{
-    const bool can_ask = !process_namespace().empty();
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string(),
-                          number = name.substr(name.rfind('.') + 1);
-        if (name.rfind(unfinished_prefix, 0) != 0 || number.empty() || number.size() > 9 ||
-            number.find_first_not_of("0123456789") != std::string::npos)
-            continue;
-        const long process = std::atol(number.c_str());
-        const std::string mark = mark_of(process);
-        const bool ours = can_ask && name.size() > mark.size() &&
-                          name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
-        const bool ended = process > 0 && kill(pid_t(process), 0) != 0 && errno == ESRCH;
-        if (ours ? ended : is_forgotten(entry))
-            unlink(entry.path().c_str());
-    }
 }
 
 void check_writable(const std::string& path)

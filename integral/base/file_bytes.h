@@ -4,8 +4,10 @@
 #define INTEGRAL_BASE_FILE_BYTES_H
 
 #include "integral/base/message_text.h"
+#include "integral/base/unfinished_file.h"
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -81,30 +83,14 @@ private:
     void flush();
     [[noreturn]] void fail(int error);
 
-    std::string path_, target_, beside_; ///< as given, what it means, the unfinished file's name
-    int file_ = -1;                      ///< below 0: kept in memory
-    int error_ = 0;                      ///< of the first write that failed
+    std::string path_;                         ///< as given
+    std::optional<UnfinishedFile> unfinished_; ///< none: kept in memory
+    int file_ = -1;                            ///< its descriptor
+    int error_ = 0;                            ///< of the first write that failed
     ByteString kept_;
     std::string buffer_; ///< not yet written
     std::uint64_t buffer_at_ = 0, size_ = 0;
 };
-
-/// This machine's name.
-std::string host_name();
-
-/// The number of the PID namespace in which this process runs. Containers of one host name have
-/// different ones, and a process number means another process in each. Empty where /proc is missing
-/// or shows another namespace's processes: then no process can be looked up.
-std::string process_namespace();
-
-/// The name under which this process may make a file of a folder before that gets its own:
-/// ".integral-NAME.HOST.NAMESPACE.PROCESS". write_file uses such names.
-std::string unfinished_name(const std::string& name);
-
-/// Deletes the files of such names in a folder whose makers were killed: those of this machine and
-/// PID namespace at once; others, whose makers cannot be asked, once they are a day old, also those
-/// that earlier versions named without a namespace.
-void sweep_unfinished(const std::string& folder);
 
 /// Throws OutputError if write_file(path, ...) must fail: its folder is missing or read-only.
 /// For use before long work.

@@ -16,4 +16,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/number_text.cpp \
   integral/base/number_text.h \
   integral/base/parallel.cpp \
-  integral/base/parallel.h
+  integral/base/parallel.h \
+  integral/base/unfinished_file.cpp \
+  integral/base/unfinished_file.h

@@ -2,17 +2,8 @@
 #include "integral/output/page_pdf.h"
 
 #include "integral/base/number_text.h"
+#include "integral/io/pdf_file.h"
 
-#define POINTERHOLDER_TRANSITION 4 // the pointers of QPDF 11
-#include <qpdf/Pipeline.hh>
-#include <qpdf/QPDF.hh>
-#include <qpdf/QPDFObjectHandle.hh>
-#include <qpdf/QPDFPageDocumentHelper.hh>
-#include <qpdf/QPDFWriter.hh>
-
-#include <cstdio>
-#include <exception>
-#include <new>
 #include <vector>
 
 namespace integral {
@@ -55,48 +46,6 @@ std::vector<unsigned char> samples_of(const Image& image)
         image.samples);
     return bytes;
 }
-
-/// A sink as a C stream, which QPDF writes to.
-class SinkStream {
-public:
-    explicit SinkStream(ByteSink& sink) : sink_(sink)
-    {
-        cookie_io_functions_t functions{};
-        functions.write = on_write;
-        file_ = fopencookie(this, "w", functions);
-        if (!file_)
-            throw std::bad_alloc();
-    }
-    ~SinkStream() { std::fclose(file_); }
-    SinkStream(const SinkStream&) = delete;
-    SinkStream& operator=(const SinkStream&) = delete;
-
-    std::FILE* file() { return file_; }
-
-    /// Throws what the sink threw, if it did.
-    void check() const
-    {
-        if (failure_)
-            std::rethrow_exception(failure_);
-    }
-
-private:
-    static ssize_t on_write(void* self, const char* bytes, std::size_t count)
-    {
-        auto& stream = *static_cast<SinkStream*>(self);
-        try { // no exception may pass through the C library
-            stream.sink_.write(stream.sink_.size(), bytes, count);
-        } catch (...) {
-            stream.failure_ = std::current_exception();
-            return 0;
-        }
-        return ssize_t(count);
-    }
-
-    ByteSink& sink_;
-    std::FILE* file_ = nullptr;
-    std::exception_ptr failure_;
-};
 
 /// UTF-8 as a PDF string in WinAnsiEncoding, which has Latin letters; every other letter becomes a
 /// question mark.
@@ -148,88 +97,59 @@ std::string content_of(const Page& page)
     return text;
 }
 
+/// The page's part of the picture; returns its object's number.
+int add_picture(PdfFile& pdf, const Page& page, const Image& form, const PictureRows& picture,
+                int colour_space)
+{
+    const std::string entries = "/Type /XObject /Subtype /Image /Width " +
+                                std::to_string(page.part.width) + " /Height " +
+                                std::to_string(page.part.height) + " /BitsPerComponent " +
+                                std::to_string(sample_bits(form)) + " /ColorSpace " +
+                                reference(colour_space) + " /Interpolate false";
+    return pdf.add_stream(entries, [&](const PdfFile::TakeBytes& take) {
+        draw_part(page, form, picture, [&](const Image& rows) {
+            const std::vector<unsigned char> bytes = samples_of(rows);
+            take(bytes.data(), bytes.size());
+        });
+    });
+}
+
+/// The page itself; returns its object's number.
+int add_page(PdfFile& pdf, const Page& page, int parent, int picture, int font)
+{
+    const int content = pdf.add_stream("", content_of(page));
+    const Points points{page};
+    const std::string paper = points.box({0, 0, page.width, page.height});
+    return pdf.add("<< /Type /Page /Parent " + reference(parent) + " /MediaBox " + paper +
+                   " /CropBox " + paper + " /BleedBox " +
+                   points.box({page.x, page.y, page.part.width, page.part.height}) + " /TrimBox " +
+                   points.box(page.trimmed) + " /Resources << /XObject << /Picture " +
+                   reference(picture) + " >> /Font << /Plain " + reference(font) +
+                   " >> >> /Contents " + reference(content) + " >>");
+}
+
 } // namespace
 
 void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
                const PictureRows& picture, const std::string& profile, const std::string& title)
 {
-    QPDF pdf;
-    pdf.emptyPDF();
-    auto icc = QPDFObjectHandle::newStream(&pdf, profile);
-    icc.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(3));
-    icc.getDict().replaceKey("/Alternate", QPDFObjectHandle::newName("/DeviceRGB"));
-    auto space = QPDFObjectHandle::newArray();
-    space.appendItem(QPDFObjectHandle::newName("/ICCBased"));
-    space.appendItem(pdf.makeIndirectObject(icc));
-    const auto font = pdf.makeIndirectObject(QPDFObjectHandle::parse(
-        "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>"));
-
-    std::exception_ptr failure; // of reading the picture
-    QPDFPageDocumentHelper document(pdf);
+    PdfFile pdf(sink);
+    const int colours = pdf.add_stream("/N 3 /Alternate /DeviceRGB", profile);
+    const int colour_space = pdf.add("[ /ICCBased " + reference(colours) + " ]");
+    const int font = pdf.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica "
+                             "/Encoding /WinAnsiEncoding >>");
+    const int all_pages = pdf.reserve();
+    std::string kids;
     for (const Page& page : pages) {
-        auto image = QPDFObjectHandle::newStream(&pdf);
-        const auto provide = [&, of = &page](Pipeline* pipeline) { // called when the page is
-                                                                   // written
-            try {
-                draw_part(*of, form, picture, [&](const Image& rows) {
-                    std::vector<unsigned char> bytes = samples_of(rows);
-                    pipeline->write(bytes.data(), bytes.size());
-                });
-            } catch (...) { // QPDF would make an error of its own of it
-                failure = std::current_exception();
-                throw;
-            }
-            pipeline->finish();
-        };
-        image.replaceStreamData(provide, QPDFObjectHandle::newNull(), QPDFObjectHandle::newNull());
-        auto about = image.getDict();
-        about.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
-        about.replaceKey("/Subtype", QPDFObjectHandle::newName("/Image"));
-        about.replaceKey("/Width", QPDFObjectHandle::newInteger(page.part.width));
-        about.replaceKey("/Height", QPDFObjectHandle::newInteger(page.part.height));
-        about.replaceKey("/BitsPerComponent", QPDFObjectHandle::newInteger(sample_bits(form)));
-        about.replaceKey("/ColorSpace", space);
-        about.replaceKey("/Interpolate", QPDFObjectHandle::newBool(false));
-
-        auto resources = QPDFObjectHandle::parse("<< /XObject << >> /Font << >> >>");
-        resources.getKey("/XObject").replaceKey("/Picture", pdf.makeIndirectObject(image));
-        resources.getKey("/Font").replaceKey("/Plain", font);
-        const Points points{page};
-        auto sheet = QPDFObjectHandle::parse("<< /Type /Page >>");
-        sheet.replaceKey("/MediaBox",
-                         QPDFObjectHandle::parse(points.box({0, 0, page.width, page.height})));
-        sheet.replaceKey("/CropBox", sheet.getKey("/MediaBox"));
-        sheet.replaceKey("/BleedBox", QPDFObjectHandle::parse(points.box(
-                                          {page.x, page.y, page.part.width, page.part.height})));
-        sheet.replaceKey("/TrimBox", QPDFObjectHandle::parse(points.box(page.trimmed)));
-        sheet.replaceKey("/Resources", resources);
-        sheet.replaceKey("/Contents", pdf.makeIndirectObject(
-                                          QPDFObjectHandle::newStream(&pdf, content_of(page))));
-        document.addPage(QPDFPageObjectHelper(pdf.makeIndirectObject(sheet)), false);
+        const int part = add_picture(pdf, page, form, picture, colour_space);
+        kids += reference(add_page(pdf, page, all_pages, part, font)) + " ";
     }
-    pdf.getRoot().replaceKey("/ViewerPreferences",
-                             QPDFObjectHandle::parse("<< /PrintScaling /None >>"));
-    auto about = QPDFObjectHandle::parse("<< >>");
-    about.replaceKey("/Title", QPDFObjectHandle::newUnicodeString(title));
-    about.replaceKey("/Producer", QPDFObjectHandle::newString("povray-integral"));
-    pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(about));
-
-    SinkStream stream(sink);
-    try {
-        QPDFWriter writer(pdf);
-        writer.setOutputFile("the PDF", stream.file(), false);
-        writer.setMinimumPDFVersion("1.6");
-        writer.setCompressStreams(true);
-        writer.setDeterministicID(true);
-        writer.write();
-    } catch (...) {
-        if (failure)
-            std::rethrow_exception(failure);
-        stream.check();
-        throw;
-    }
-    std::fflush(stream.file());
-    stream.check();
+    pdf.write(all_pages, "<< /Type /Pages /Kids [ " + kids + "] /Count " +
+                             std::to_string(pages.size()) + " >>");
+    const int catalog = pdf.add("<< /Type /Catalog /Pages " + reference(all_pages) +
+                                " /ViewerPreferences << /PrintScaling /None >> >>");
+    const int about = pdf.add("<< /Title " + pdf_text(title) + " /Producer (povray-integral) >>");
+    pdf.finish(catalog, about);
 }
 
 } // namespace integral

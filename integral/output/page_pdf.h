@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pages as a PDF, by QPDF.
+// Pages as a PDF.
 #ifndef INTEGRAL_OUTPUT_PAGE_PDF_H
 #define INTEGRAL_OUTPUT_PAGE_PDF_H
 
@@ -16,9 +16,8 @@ namespace integral {
 /// packed without loss and not to be smoothed, at whole printer pixels from the page's top left
 /// corner (to a thousandth of one); marks and strip are lines and text. MediaBox: the paper, in
 /// whole printer pixels; BleedBox: the picture; TrimBox: what is left after cutting. Viewers are
-/// asked not to scale. The same bytes for the same pages. QPDF keeps one page's packed image in
-/// memory at a time, twice. Throws std::exception with the reason, and what `picture` and `sink`
-/// throw.
+/// asked not to scale. The same bytes for the same pages. Some rows of the picture are in memory at
+/// a time. Throws what `picture` and `sink` throw.
 void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
                const PictureRows& picture, const std::string& profile, const std::string& title);
 

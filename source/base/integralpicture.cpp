@@ -9,6 +9,7 @@
 #include "base/image/integralmetadata.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
+#include "integral/base/unfinished_file.h"
 
 #include <cmath>
 #include <cstdio>
@@ -27,15 +28,13 @@
 namespace pov_base
 {
 
-static std::string Beside(const std::string& file) { return file + ".tmp"; }
-
 bool May_Write_Integral_Picture(const std::string& file)
 {
-    std::FILE *stream = std::fopen(Beside(file).c_str(), "wb");
+    const integral::UnfinishedFile unfinished(file);
+    std::FILE *stream = std::fopen(unfinished.name().c_str(), "wb");
     if (stream == NULL)
         return false;
     std::fclose(stream);
-    std::remove(Beside(file).c_str());
     return true;
 }
 
@@ -54,25 +53,23 @@ bool Write_Integral_Picture(const std::string& file, int width, int height,
     options.encodingGamma = SRGBGammaCurve::Get();
     options.workingGamma = NeutralGammaCurve::Get();
     options.dither = GetNoOpDitherHandler();
-    bool good = false;
+    integral::UnfinishedFile unfinished(file);
     try
     {
-        const std::unique_ptr<OStream> stream(
-            NewOStream(ASCIItoUCS2String(Beside(file).c_str()).c_str(),
+        std::unique_ptr<OStream> stream(
+            NewOStream(ASCIItoUCS2String(unfinished.name().c_str()).c_str(),
                        exr ? POV_File_Image_EXR : POV_File_Image_PNG, false));
-        if (stream)
-        {
-            Image::Write(exr ? Image::EXR : Image::PNG, stream.get(), image.get(), options);
-            good = bool(*stream);
-        }
+        if (!stream)
+            return false;
+        Image::Write(exr ? Image::EXR : Image::PNG, stream.get(), image.get(), options);
+        if (!*stream)
+            return false;
     }
     catch (pov_base::Exception&)
     {
+        return false;
     }
-    good = good && std::rename(Beside(file).c_str(), file.c_str()) == 0;
-    if (!good)
-        std::remove(Beside(file).c_str());
-    return good;
+    return unfinished.finish() == 0;
 }
 
 bool Write_Integral_Depth(const std::string& file, int width, int height,
@@ -88,7 +85,7 @@ bool Write_Integral_Depth(const std::string& file, int width, int height,
         if (std::isnan(depths[index]))
             z[index] = 0;
     }
-    bool good = false;
+    integral::UnfinishedFile unfinished(file);
     try
     {
         Imf::Header header(width, height);
@@ -101,18 +98,15 @@ bool Write_Integral_Depth(const std::string& file, int width, int height,
             "Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(z.data()), step, step * width));
         buffer.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(alpha.data()), step,
                                       step * width));
-        Imf::OutputFile output(Beside(file).c_str(), header);
+        Imf::OutputFile output(unfinished.name().c_str(), header);
         output.setFrameBuffer(buffer);
         output.writePixels(height);
-        good = true;
     }
     catch (const std::exception&)
     {
+        return false;
     }
-    good = good && std::rename(Beside(file).c_str(), file.c_str()) == 0;
-    if (!good)
-        std::remove(Beside(file).c_str());
-    return good;
+    return unfinished.finish() == 0;
 #endif
 }
 

@@ -5,13 +5,12 @@
 #include "frontend/integraloutput.h"
 #include "base/fileinputoutput.h"
 #include "base/image/integralmetadata.h"
+#include "integral/base/unfinished_file.h"
 
 #include <cerrno>
-#include <climits>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <sys/stat.h>
+#include <optional>
 #include <unistd.h>
 
 // this must be the last file included
@@ -38,19 +37,10 @@ public:
     }
 };
 
-/// Whether there is something of that name that cannot be replaced by a file.
+/// Whether a name is standard output or something else that no file can replace.
 bool Is_Special(const std::string& name)
 {
-    struct stat status;
-    return name == "stdout" || name == "stderr" ||
-           (stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
-}
-
-/// The file that a name, which may be a symbolic link, stands for.
-std::string Target_Of(const std::string& name)
-{
-    char resolved[PATH_MAX];
-    return realpath(name.c_str(), resolved) != NULL ? resolved : name;
+    return name == "stdout" || name == "stderr" || integral::is_special(name);
 }
 
 std::string Reason(int number)
@@ -82,21 +72,21 @@ void Write_Whole_Picture(const UCS2String& file, unsigned int file_type,
 {
     const std::string name = UCS2toASCIIString(file);
     const bool special = Is_Special(name);
-    const std::string target = special ? name : Target_Of(name);
-    const std::string unfinished = special ? name : target + ".tmp";
+    std::optional<integral::UnfinishedFile> unfinished;
+    if (!special)
+        unfinished.emplace(name);
     errno = 0;
     try
     {
-        Write_Straight(unfinished, file_type, format, image, options, !special);
+        Write_Straight(special ? name : unfinished->name(), file_type, format, image, options,
+                       !special);
         Write_Integral_Companion(file, format, options);
-        if (!special && std::rename(unfinished.c_str(), target.c_str()) != 0)
+        if (unfinished && unfinished->finish() != 0)
             throw POV_EXCEPTION_CODE(kCannotOpenFileErr);
     }
     catch (const pov_base::Exception& problem)
     {
         const int reason = errno;
-        if (!special)
-            std::remove(unfinished.c_str());
         const std::string why = reason != 0 ? Reason(reason) : std::string(": ") + problem.what();
         throw POV_EXCEPTION(kFileDataErr, "Cannot write the picture " + name + why);
     }

@@ -7,9 +7,9 @@
 #include "base/povmsgid.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
+#include "integral/base/file_bytes.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #ifndef LIBPNG_MISSING
@@ -97,21 +97,16 @@ void Write_Integral_Companion(const UCS2String& file, int file_type,
     if (picture == "-" || picture == "stdout" || picture == "stderr")
         return;
     const bool linear = file_type == Image::HDR;
-    const std::string name = picture + ".json", beside = name + ".tmp";
+    const std::string name = picture + ".json";
     const std::string document = IntegralFrame::Document(
         Encoding_Of(options.encodingGamma,
                     linear ? integral::Encoding::Kind::linear : integral::Encoding::Kind::srgb));
-    std::FILE *stream = std::fopen(beside.c_str(), "w");
-    bool good = stream != NULL;
-    if (good)
+    try
     {
-        good = std::fwrite(document.data(), 1, document.size(), stream) == document.size();
-        good = (std::fclose(stream) == 0) && good;
-        good = good && std::rename(beside.c_str(), name.c_str()) == 0;
+        integral::write_file(name, document);
     }
-    if (!good)
+    catch (const integral::OutputError&)
     {
-        std::remove(beside.c_str());
         throw POV_EXCEPTION(kFileDataErr, "Cannot write the frame's geometry to " + name);
     }
 }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/base/unfinished_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <climits>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace integral {
+namespace {
+
+constexpr char unfinished_prefix[] = ".integral-";
+
+/// How the names end of the files that a process of this machine and PID namespace is making.
+std::string mark_of(long process)
+{
+    std::string host = host_name();
+    std::replace(host.begin(), host.end(), '/', '-');
+    return "." + host + "." + process_namespace() + "." + std::to_string(process);
+}
+
+/// What a symbolic link says; empty if there is none.
+std::string link_at(const char* path)
+{
+    char text[PATH_MAX];
+    const ssize_t length = readlink(path, text, sizeof text);
+    return std::string(text, std::size_t(std::max<ssize_t>(0, length)));
+}
+
+/// Whether a file was not written to for so long that nobody does any more, on whatever machine.
+bool is_forgotten(const std::filesystem::directory_entry& file)
+{
+    std::error_code error;
+    const auto written = file.last_write_time(error);
+    return !error &&
+           std::filesystem::file_time_type::clock::now() - written > std::chrono::hours(24);
+}
+
+} // namespace
+
+std::string target_of(const std::string& path)
+{
+    char resolved[PATH_MAX];
+    return realpath(path.c_str(), resolved) ? resolved : path;
+}
+
+bool is_special(const std::string& path)
+{
+    struct stat status;
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+UnfinishedFile::UnfinishedFile(const std::string& name, const std::string& target)
+    : name_(name), target_(target)
+{
+}
+
+UnfinishedFile::UnfinishedFile(const std::string& path)
+    : UnfinishedFile(target_of(path) + ".tmp", target_of(path))
+{
+}
+
+UnfinishedFile::~UnfinishedFile()
+{
+    if (!finished_)
+        unlink(name_.c_str());
+}
+
+int UnfinishedFile::finish()
+{
+    if (std::rename(name_.c_str(), target_.c_str()) != 0)
+        return errno;
+    finished_ = true;
+    return 0;
+}
+
+std::string host_name()
+{
+    char name[256] = "";
+    gethostname(name, sizeof name - 1);
+    return name;
+}
+
+std::string process_namespace()
+{
+    if (link_at("/proc/self") != std::to_string(getpid()))
+        return "";
+    const std::string text = link_at("/proc/self/ns/pid"); // pid:[4026531836]
+    const auto first = text.find_first_of("0123456789"), last = text.find_last_of("0123456789");
+    return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
+}
+
+std::string unfinished_name(const std::string& name)
+{
+    return unfinished_prefix + name + mark_of(getpid());
+}
+
+void sweep_unfinished(const std::string& folder)
+{
+    const bool can_ask = !process_namespace().empty();
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string(),
+                          number = name.substr(name.rfind('.') + 1);
+        if (name.rfind(unfinished_prefix, 0) != 0 || number.empty() || number.size() > 9 ||
+            number.find_first_not_of("0123456789") != std::string::npos)
+            continue;
+        const long process = std::atol(number.c_str());
+        const std::string mark = mark_of(process);
+        const bool ours = can_ask && name.size() > mark.size() &&
+                          name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
+        const bool ended = process > 0 && kill(pid_t(process), 0) != 0 && errno == ESRCH;
+        if (ours ? ended : is_forgotten(entry))
+            unlink(entry.path().c_str());
+    }
+}
+
+} // namespace integral
