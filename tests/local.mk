@@ -63,6 +63,7 @@ unit_sources = \
   tests/unit/lightfield_image.cpp \
   tests/unit/lightfield_lens_profile.cpp \
   tests/unit/lightfield_metadata.cpp \
+  tests/unit/lightfield_pixel_beam.cpp \
   tests/unit/lightfield_pixel_sampler.cpp \
   tests/unit/lightfield_refinement.cpp \
   tests/unit/lightfield_sample_points.cpp \
@@ -107,6 +108,7 @@ unit_sources = \
   tests/unit/optics_subpixels.cpp \
   tests/unit/optics_symmetries.cpp \
   tests/unit/output_print_media.cpp \
+  tests/unit/picture_files.h \
   tests/unit/pixel_origins.h
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
@@ -114,6 +116,8 @@ EXTRA_PROGRAMS += build/tests/oracle build/tests/frames build/tests/depths
 build_tests_oracle_SOURCES = \
   tests/render/helpers/oracle.h \
   tests/render/helpers/oracle_camera.cpp \
+  tests/render/helpers/oracle_lenses.cpp \
+  tests/render/helpers/oracle_lenses.h \
   tests/render/helpers/oracle_main.cpp \
   tests/render/helpers/oracle_optics.cpp
 build_tests_frames_SOURCES = \
