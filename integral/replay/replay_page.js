@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The replay's page: where the eye is, and the drawing of what it sees. Lengths in mm, in the sheet frame.
+// The replay's page: where the eye is, and the drawing of what it sees. Lengths in mm, in the sheet
+// frame.
 "use strict";
 (() => {
 const element = (id) => document.getElementById(id);
@@ -13,7 +14,8 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const farthest = 1e9; // of an eye
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 
-// Where the eye is: as the page was written, then as the address's fragment says, then as it is moved.
+// Where the eye is: as the page was written, then as the address's fragment says, then as it is
+// moved.
 let state; // eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; of the fragment alone: samples, bare, tile
 
 function numbers(text, count) {
@@ -50,7 +52,8 @@ function focus_before_eye() {
   state.focus = Math.max(state.focus, -0.99 * state.eye[2]);
 }
 
-// As the command: more samples where pupil or blur scatters them, unless the writer of the page said otherwise.
+// As the command: more samples where pupil or blur scatters them, unless the writer of the page
+// said otherwise.
 function samples() {
   const scattered = (view) => view.pupil > 0 || view.blur > 0;
   return state.samples || (scattered(state) === scattered(start) ? start.samples : scattered(state) ? 8 : 3);
@@ -360,7 +363,8 @@ function reset() {
   changed();
 }
 
-// The eye stays in space, the device turns. Device frame: x right, y up, z towards the eye: beta turns about x, gamma about y.
+// The eye stays in space, the device turns. Device frame: x right, y up, z towards the eye: beta
+// turns about x, gamma about y.
 async function tilt() {
   const ask = DeviceOrientationEvent.requestPermission;
   if (ask && await ask.call(DeviceOrientationEvent) !== "granted")
