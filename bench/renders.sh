@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# For the scripts of this folder: three scenes (trivial, 1500 glass balls with interiors, upstream's
-# chess2), two sheets, and what rendering them costs. To be sourced. At look_at each scene's
-# perspective picture is as wide as the film, whatever the frame's size: both cameras see the same
-# mix of objects.
+# Functions for the scripts of this folder, to be sourced: three scenes (trivial, 1500 glass balls
+# with interiors, upstream's chess2), two sheets, and the cost of rendering them. At look_at each
+# scene's perspective picture is as wide as the film, for any frame size, so that both cameras see
+# the same mix of objects.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 povray=${POVRAY:-$top/build/bin/povray-integral}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Frames as files: round trips, and what becomes of files that make no sense.
+// Tests frames as files: round trips, and the refusal of invalid files.
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 #include "tests/unit/picture_files.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pictures row by row: the same as whole; metadata without pixels; files that appear whole or not
-// at all.
+// Tests reading and writing pictures row by row: the same result as for whole pictures, metadata
+// without pixels, and files that appear only when they are complete.
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 #include "integral/io/memory.h"
