@@ -119,7 +119,8 @@ vec4 seen(ivec2 view, vec2 inside, vec2 from, vec2 aside)
 {
     vec4 column = texelFetch(columns, ivec2(view.x, 0), 0), row = texelFetch(rows, ivec2(view.y, 0), 0);
     vec4 column_place = texelFetch(columns, ivec2(view.x, 1), 0), row_place = texelFetch(rows, ivec2(view.y, 1), 0);
-    // A pupil sees the point in focus through another point of the sheet.
+    // From another point of the pupil, the point in focus is seen through another point of the
+    // sheet.
     vec2 moved = vec2(inside.x, -inside.y) * view_pixel + sideways * (from - eye);
     vec2 film_step = moved;
     if (!raw) {
