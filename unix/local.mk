@@ -54,12 +54,15 @@ uninstall-local:
 # clean keeps the downloaded tarball; distclean deletes it.
 clean-local:
 	@edits=`$(povray_environment) $(abs_top_srcdir)/unix/edits`; test -z "$$edits" || \
-	    { echo "build/povray has edits that are not in the queue:" $$edits"; run make refresh first, or delete them" >&2; exit 1; }
-	rm -rf build/povray build/povray.* build/pristine build/pristine.* build/share build/tests build/sanitized build/fuzz build/bin
+	    { echo "build/povray has edits that are not in the queue:" \
+	      $$edits"; run make refresh first, or delete them" >&2; exit 1; }
+	rm -rf build/povray build/povray.* build/pristine build/pristine.* build/share build/tests \
+	    build/sanitized build/fuzz build/bin
 
 distclean-local:
 	@edits=`$(povray_environment) $(abs_top_srcdir)/unix/edits`; test -z "$$edits" || \
-	    { echo "build/povray has edits that are not in the queue:" $$edits"; run make refresh first, or delete them" >&2; exit 1; }
+	    { echo "build/povray has edits that are not in the queue:" \
+	      $$edits"; run make refresh first, or delete them" >&2; exit 1; }
 	rm -rf build
 
 EXTRA_DIST += unix/upstream.pin unix/series.upstream unix/series.camera unix/queue.sh \

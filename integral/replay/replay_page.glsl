@@ -32,17 +32,18 @@ uniform int view_height;
 
 uniform vec2 eye;
 uniform float eye_distance;
-uniform float pupil_radius, spot_radius; // spot: on the film, that a point of a lens gathers light from
-uniform float sideways; // so much of the way from the pupil's centre, a line to the point in focus moves on the sheet
+uniform float pupil_radius, spot_radius; // spot: where a point of a lens gathers light on the film
+uniform float sideways; // a line from a point of the pupil to the point in focus crosses the sheet at
+                        // this fraction of the point's offset from the pupil's centre
 uniform int samples;    // across and down
-uniform bool raw;       // the film itself, without lenses
+uniform bool raw;       // show the film without lenses
 
 out vec4 shown;
 
-const float tie = 1e-6; // pitches: nearer than single precision tells; exact ties are what it is for
+const float tie = 1e-6; // pitches; smaller differences are within single precision's rounding
 
-// Of two poles, whether the first is to be taken at equal distance; `difference` is the first less
-// the second. From the sheet's centre, along `across` and `along`, in pitches.
+// The rule for two poles at equal distance: returns whether to take the first. `difference` is the
+// first less the second. All from the sheet's centre, along `across` and `along`, in pitches.
 bool preferred(vec2 first, vec2 second, vec2 difference)
 {
     float nearer = dot(difference, first + second) / (length(first) + length(second));

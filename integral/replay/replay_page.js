@@ -15,7 +15,9 @@ const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 
 // The view: initially as in the page's data, replaced by the values in the address's fragment, and
 // changed by the user.
-let state; // eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; of the fragment alone: samples, bare, tile
+// Fields: eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; from
+// the fragment only: samples, bare, tile.
+let state;
 
 function numbers(text, count) {
   const values = (text ?? "").split(/[,x]/).map((v) => v.trim() === "" ? NaN : Number(v));

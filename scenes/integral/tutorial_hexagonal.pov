@@ -5,8 +5,8 @@
 //   povray-integral +Itutorial_hexagonal.pov +W1200 +H900 +Otutorial_hexagonal.png
 //   integral replay tutorial_hexagonal.png --eye -40,40,350 -o view.png
 //
-// The lenses are in rows along x, and every other row is shifted by half a pitch, as in a honeycomb. The cell of a lens is
-// a hexagon with two vertical sides, which a round lens fills better than a square.
+// The lenses are in rows along x, and every other row is shifted by half a pitch, as in a honeycomb. The cell of a lens
+// is a hexagon with two vertical sides, which a round lens fills better than a square.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
