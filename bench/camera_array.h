@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// An array of perspective cameras before a scene, and the frame that their light makes: what the
-// best possible render of a sheet and film would be, found without the integral camera.
+// Computes the best possible frame of a sheet and film without the integral camera, from an array
+// of perspective cameras.
 #ifndef INTEGRAL_BENCH_CAMERA_ARRAY_H
 #define INTEGRAL_BENCH_CAMERA_ARRAY_H
 
@@ -10,7 +10,7 @@
 
 namespace integral::bench {
 
-/// Cameras at eye_grid's places about the aperture's centre, their windows laid on the sheet.
+/// Cameras at the positions of eye_grid about the aperture's centre, with the sheet as image plane.
 struct CameraArray {
     int columns, rows;
     double width, height;              ///< mm
@@ -18,17 +18,17 @@ struct CameraArray {
     std::vector<EyePosition> eyes() const;
 };
 
-/// Their pictures in the order of eyes(), as animations of several renderers at once (a renderer
-/// mostly waits between pictures). `see` is called from one thread with each picture and its
-/// number.
+/// Renders their pictures as animations, with several renderers at the same time because a renderer
+/// is mostly idle between pictures. `see` is called with each picture and its number in eyes(),
+/// never by two threads at once.
 void render(const Renderer& renderer, const std::string& scene,
             const std::vector<std::string>& options, const CameraArray& array,
             const std::function<void(const Image&, int)>& see);
 
-/// Light gathered on a film: each pixel is the mean (linear) of what fell on it. A picture's pixel
-/// is a ray that crosses the sheet there; the lens that it meets sends it to its place on the film
-/// (SheetOptics::film_point_seen). So with eyes all over the aperture and rays all over the lenses
-/// each pixel is the mean over its area and its lens's cell.
+/// Collects light on a film; each pixel is the mean of its light (linear). A picture's pixel is a
+/// ray through a point of the sheet, and the lens there images it at a film point
+/// (SheetOptics::film_point_seen). With eyes all over the aperture and rays all over the lenses,
+/// each pixel becomes the mean over its area and its lens's cell.
 class GatheredFrame {
 public:
     explicit GatheredFrame(const Frame& like); ///< a frame of that geometry, which has metadata

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The parts of bench/error_against_time: the ladder of settings, the renderer as a subprocess, what
-// is measured, and the report of it.
+// The parts of bench/error_against_time: the list of settings, the renderer as a subprocess, the
+// measurements, and the report.
 #ifndef BENCH_ERROR_AGAINST_TIME_H
 #define BENCH_ERROR_AGAINST_TIME_H
 
@@ -52,8 +52,7 @@ enum class Extent {
 /// The first is the plainest: one ray a pixel, mapping auto. The others' run times are multiples of
 /// its.
 std::vector<Setting> ladder(Extent extent);
-/// The 4-D frame that errors are measured against, sampled from another seed than the ladder's
-/// frames.
+/// The setting of the reference frame for errors, which uses another seed than the other settings.
 Setting reference_setting(Extent extent);
 
 // ---- the renderer (error_against_time_renderer.cpp) ----
@@ -128,8 +127,9 @@ struct Panel {
 Panel measure(const Renderer& renderer, const std::string& scene, const Sheet& sheet, Extent extent,
               const std::function<void(const std::string&)>& say);
 
-/// Of several settings, those that no other beats: of which none is at most as dear and at most as
-/// wrong. Costs within 5% and errors within 1% count as equal, and of equals the first stays.
+/// The Pareto front of several settings: those for which no other setting has both at most the same
+/// cost and at most the same error. Costs within 5% and errors within 1% count as equal; of equal
+/// settings the first is on the front.
 std::vector<bool> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
 
 /// A way to sample: the families of settings of which a user would take the best.
@@ -142,8 +142,8 @@ const Sampler& by_pixels();   ///< POV-Ray's own anti-aliasing
 /// settings of mapping auto count.
 std::optional<double> seconds_at(const Panel& panel, const Sampler& sampler, double error);
 
-/// How often the program's interval holds own_error, over the settings of the reference's own lens
-/// model.
+/// How often the program's interval contains own_error, among the settings with the reference's
+/// lens model.
 struct Honesty {
     int held = 0, intervals = 0;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How fast the image of a panel of 3840 x 2160 pixels is interlaced: of a quilt of 8 x 6 views in
-// 4096 x 4096 pixels, 8 bits, by a display's published mapping and through the optics of slanted
-// lenses, beside copying such an image in memory. On all cores; the least of nine alternating runs.
+// Measures how fast an image for a panel of 3840 x 2160 pixels is interlaced from a quilt of 8 x 6
+// views in 4096 x 4096 pixels, 8 bits, by a display's published mapping and by the optics of
+// slanted lenses, compared with copying such an image in memory. On all cores; least of nine
+// alternating runs.
 #include "integral/output/interlace.h"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ struct Task {
     double seconds = std::numeric_limits<double>::infinity(), processor = seconds;
 };
 
-/// Seconds that all threads of this program have worked: what counts on a machine that is busy with
-/// other things, too.
+/// Processor seconds of all threads of this program, which do not depend on other work on the
+/// machine.
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the commands of `integral` take for a large frame: seconds, by the clock and of all
-// processors, and memory at its peak, beside a plain decoding of the same file and the picture's
-// raw size.
+// Measures elapsed seconds, processor seconds and peak memory of `integral` commands for a large
+// frame, and compares them with decoding the same file and with the picture's raw size.
 //
 //   large_frames [--size 12000x8400] [--integral PROGRAM] [--folder FOLDER] [--poster MM]
 #include "bench/program.h"
@@ -31,7 +30,7 @@ double seconds_since(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Of work on one thread: what counts on a machine that is busy with other things, too.
+/// Processor seconds of this program, which do not depend on other work on the machine.
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 double seconds_of(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }

@@ -13,7 +13,8 @@ EXTRA_PROGRAMS += build/bench/interlace_speed
 build_bench_interlace_speed_SOURCES = bench/interlace_speed.cpp
 build_bench_interlace_speed_LDADD = $(LIBINTEGRAL_LIBS)
 
-# What commands take for a frame of 12000 x 8400 pixels, seconds and memory: minutes, and gigabytes of disk. Its test takes a small one.
+# What commands take for a frame of 12000 x 8400 pixels, seconds and memory: minutes, and gigabytes
+# of disk. Its test takes a small one.
 check_PROGRAMS += build/bench/large_frames
 build_bench_large_frames_SOURCES = bench/large_frames.cpp bench/program.h
 build_bench_large_frames_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
@@ -22,7 +23,8 @@ build_bench_large_frames_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIB
 large-frames: all build/bench/large_frames
 	build/bench/large_frames
 
-# What of a quilt is read, and what a panel's image costs natively and of views (doc/panels.md): minutes.
+# What of a quilt is read, and what a panel's image costs natively and of views (doc/panels.md):
+# minutes.
 EXTRA_PROGRAMS += build/bench/quilt_use
 build_bench_quilt_use_SOURCES = bench/quilt_use.cpp
 build_bench_quilt_use_LDADD = $(LIBINTEGRAL_LIBS)
@@ -43,7 +45,8 @@ bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench
 	$(srcdir)/bench/strip_cost
 	$(srcdir)/bench/batch_throughput
 
-# Minutes of rendering: error against run time (doc/error-against-time.md). Its test runs a small part of it.
+# Minutes of rendering: error against run time (doc/error-against-time.md). Its test runs a small
+# part of it.
 EXTRA_PROGRAMS += build/bench/error_against_time
 build_bench_error_against_time_SOURCES = \
   bench/error_against_time.cpp \
@@ -74,7 +77,8 @@ build_bench_table_4_1_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 table-4-1: all build/bench/table_4_1
 	build/bench/table_4_1 build/bench/table-4-1 $(srcdir)/bench/scenes
 
-# What 25 eyes see of a frame, its own sampling's limit beside it: minutes of rendering (doc/eyes.md). Its test runs a small part.
+# What 25 eyes see of a frame, its own sampling's limit beside it: minutes of rendering
+# (doc/eyes.md). Its test runs a small part.
 EXTRA_PROGRAMS += build/bench/eyes
 build_bench_eyes_SOURCES = \
   bench/camera_array.cpp \

@@ -86,7 +86,7 @@ Pass integral_rays(const IntegralCamera& camera)
     return pass;
 }
 
-/// The same, as many side by side as can be.
+/// The same, with several pixels mapped at once where possible (PixelRuns).
 Pass rays_in_runs(const IntegralCamera& camera)
 {
     const PixelRuns runs(camera);
@@ -116,8 +116,8 @@ Pass rays_in_runs(const IntegralCamera& camera)
     return pass;
 }
 
-/// The mapping as it is defined, without a thought of which lenses can matter: every lens of the
-/// sheet is asked. Of some of the sheet's points only, as it is slow.
+/// The mapping by its definition: tries every lens of the sheet. Only for some of the sheet's
+/// points, because it is slow.
 Pass every_lens(const IntegralCamera& camera, long& unlike_accurate)
 {
     constexpr int step = 173;
@@ -150,7 +150,7 @@ Pass every_lens(const IntegralCamera& camera, long& unlike_accurate)
                                (best && best->lens != accurate->lens);
         }
     pass.seconds += cpu_seconds();
-    pass.seconds *= points / asked; // as if of all
+    pass.seconds *= points / asked; // extrapolated to all points
     return pass;
 }
 

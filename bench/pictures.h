@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the measurements do to pictures.
+// Picture operations for the measurements: reduction, differences, and labelled tables of pictures.
 #ifndef INTEGRAL_BENCH_PICTURES_H
 #define INTEGRAL_BENCH_PICTURES_H
 
@@ -13,7 +13,7 @@ namespace integral::bench {
 /// Means over squares of `block` x `block` pixels, in linear light.
 Image shrunk(const Image& image, int block);
 
-/// Differences of colours, added up pixel by pixel.
+/// Accumulates squared differences of colours, pixel by pixel.
 class ColorDifferences {
 public:
     void add(const Color& a, const Color& b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the measurements have alike as programs.
+// Command line and exit status of the measurement programs.
 #ifndef INTEGRAL_BENCH_PROGRAM_H
 #define INTEGRAL_BENCH_PROGRAM_H
 
@@ -18,13 +18,13 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Where this program stands: BUILD/bench.
+/// The folder of this program: BUILD/bench.
 inline std::filesystem::path own_folder()
 {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path();
 }
 
-/// Of options alone. Throws UsageError.
+/// Parses a command line that consists of options only. Throws UsageError.
 inline boost::program_options::variables_map parsed(
     int count, char** words, const boost::program_options::options_description& all)
 {
@@ -42,8 +42,8 @@ inline boost::program_options::variables_map parsed(
     return arguments;
 }
 
-/// The exit status of `work`: its own, or 2 for bad usage, 4 for what cannot be written, 1 for any
-/// other failure.
+/// Calls work() and returns its exit status, or 2 after a UsageError, 4 after an OutputError, 1
+/// after any other exception.
 inline int status_of(const char* name, const std::function<int()>& work)
 {
     const auto say = [&](const std::exception& error, int status) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which share of a quilt's pixels a panel never shows, for the displays that are known by name and
-// the quilts that their maker recommends for each: pixels of which no channel is read, and single
-// samples, by the way views and pixels are blended.
+// Measures the fraction of a quilt's pixels, and of its single samples, that interlacing does not
+// use, for each known display with the quilts that its maker recommends, and for each kind of
+// interpolation between views and pixels.
 #include "integral/output/interlace.h"
 #include "integral/output/interlace_rows.h"
 #include "integral/output/panel.h"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# For the scripts of this folder: three scenes (trivial, 1500 glass balls with interiors, upstream's chess2), two sheets, and
-# what rendering them costs. To be sourced. At look_at each scene's perspective picture is as wide as the film, whatever the frame's
-# size: both cameras see the same mix of objects.
+# Functions for the scripts of this folder, to be sourced: three scenes (trivial, 1500 glass balls
+# with interiors, upstream's chess2), two sheets, and the cost of rendering them. At look_at each
+# scene's perspective picture is as wide as the film, for any frame size, so that both cameras see
+# the same mix of objects.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 povray=${POVRAY:-$top/build/bin/povray-integral}
@@ -31,12 +32,14 @@ plane { -z, -40 pigment { checker rgb 0.9 rgb 0.4 scale 5 } }
 #end
 SCENE
 chess=$top/build/share/povray-integral-3.7/scenes/advanced/chess2.pov
-sed -e '/blur_samples/d' -e 's/direction <0, 0, 2>/direction z*vlength(<59, 21, -56>)*300\/25.4\/image_height/' "$chess" > "$work/chess2.pov"
+sed -e '/blur_samples/d' \
+    -e 's/direction <0, 0, 2>/direction z*vlength(<59, 21, -56>)*300\/25.4\/image_height/' \
+    "$chess" > "$work/chess2.pov"
 
 sheets=("lenticular pitch 1.27 thickness 3.08 ior 1.6;" "square pitch 1.124 thickness 3.23 ior 1.675;")
 
-# run SCENE CAMERA [WRAPPER...]: renders at the options in $size; what was said is in $work/log. CAMERA is "SHEET;OTHER WORDS", or
-# nothing: the scene's own.
+# run SCENE CAMERA [WRAPPER...]: renders at the options in $size; what was said is in $work/log.
+# CAMERA is "SHEET;OTHER WORDS", or nothing: the scene's own.
 run() {
     local scene=$1 camera=$2; shift 2
     "$@" "$povray" +I"$scene" +L"$top/build/share/povray-integral-3.7/scenes/advanced" +O"$work/out.png" -D -V +WT1 \

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The thesis's table 4-1 as pictures and figures: a blue sphere 50 mm behind two sheets, rendered
-// with and without anti-aliasing and at three resolutions of film, and what an eye sees of each
-// frame: at the aperture's centre, where the profile is judged, and near its right edge, where it
-// sees the borders of the lenses' pictures.
+// Makes pictures and figures for the thesis's table 4-1. It renders a blue sphere 50 mm behind two
+// sheets, with and without anti-aliasing and at three resolutions of film, and replays each frame
+// from the aperture's centre, where the sphere's profile is measured, and from near its right edge,
+// where an eye sees the borders of the micro-images.
 //
 // table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md; SCENES: bench/scenes, by
 // default this build's source's

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What an eye sees of a frame, and the scene's own perspective picture from there.
+// Views of a frame from an eye, and the scene's perspective pictures from the same eye.
 #ifndef INTEGRAL_BENCH_VIEWS_H
 #define INTEGRAL_BENCH_VIEWS_H
 
@@ -45,7 +45,7 @@ std::vector<EyePosition> eyes_of(const Frame& frame, int across);
 /// A picture without its margin.
 Frame inner_part(const Image& image, const ViewForm& form);
 
-/// What is seen of a frame from there.
+/// The replayed view of a frame from that eye.
 Frame view_of(const Frame& frame, const EyePosition& eye, const ViewForm& form);
 
 /// The scene's perspective picture, from the eye if one is given, as coarse as a view and without
@@ -54,7 +54,7 @@ Frame perspective_of(const Renderer& renderer, const std::string& scene, const s
                      const std::optional<EyePosition>& eye, std::vector<std::string> options,
                      int times, const ViewForm& form);
 
-/// How far a replayed view is from another picture of what that eye should see.
+/// The similarity of a replayed view to another picture of what that eye should see.
 struct ViewFigures {
     double psnr = 0, ssim = 0; ///< dB; -1 to 1
 };

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# The tests: tests/unit is one Boost.Test program; the other layers are scripts that tests/run finds by itself.
+# The tests: tests/unit is one Boost.Test program; the other layers are scripts that tests/run finds
+# by itself.
 
 EXTRA_PROGRAMS += build/tests/unit
 build_tests_unit_SOURCES = $(unit_sources)
@@ -38,8 +39,8 @@ EXTRA_PROGRAMS += build/tests/scan
 build_tests_scan_SOURCES = tests/cli/helpers/scan.cpp
 build_tests_scan_LDADD = -lpng
 
-# The same tests with the sanitized library, which goes first: its functions count where a header's are in both. The tests are not
-# compiled twice; their 100 digits would take minutes.
+# The same tests with the sanitized library, which goes first: its functions count where a header's
+# are in both. The tests are not compiled twice; their 100 digits would take minutes.
 EXTRA_PROGRAMS += build/sanitized/unit
 build_sanitized_unit_SOURCES =
 build_sanitized_unit_LINK = $(CXXLD) $(AM_CXXFLAGS) $(SANITIZE) -Wl,--whole-archive build/sanitized/libintegral.a -Wl,--no-whole-archive -o $@
@@ -63,6 +64,7 @@ unit_sources = \
   tests/unit/lightfield_image.cpp \
   tests/unit/lightfield_lens_profile.cpp \
   tests/unit/lightfield_metadata.cpp \
+  tests/unit/lightfield_pixel_beam.cpp \
   tests/unit/lightfield_pixel_sampler.cpp \
   tests/unit/lightfield_refinement.cpp \
   tests/unit/lightfield_sample_points.cpp \
@@ -107,13 +109,17 @@ unit_sources = \
   tests/unit/optics_subpixels.cpp \
   tests/unit/optics_symmetries.cpp \
   tests/unit/output_print_media.cpp \
+  tests/unit/picture_files.h \
   tests/unit/pixel_origins.h
 
-# What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and a comparer of PNGs.
+# What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and
+# a comparer of PNGs.
 EXTRA_PROGRAMS += build/tests/oracle build/tests/frames build/tests/depths
 build_tests_oracle_SOURCES = \
   tests/render/helpers/oracle.h \
   tests/render/helpers/oracle_camera.cpp \
+  tests/render/helpers/oracle_lenses.cpp \
+  tests/render/helpers/oracle_lenses.h \
   tests/render/helpers/oracle_main.cpp \
   tests/render/helpers/oracle_optics.cpp
 build_tests_frames_SOURCES = \
@@ -161,8 +167,8 @@ programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitiz
 chosen_layers = $(or $(LAYERS),unit render replay cli sanitized)
 test_programs = $(sort $(foreach layer,$(chosen_layers),$(programs_of_$(layer))))
 
-# The unmodified POV-Ray that the tests compare with (tests/unmodified): compiled here only where the
-# distribution has none of this version.
+# The unmodified POV-Ray that the tests compare with (tests/unmodified): compiled here only where
+# the distribution has none of this version.
 .PHONY: unmodified test-programs quick-programs check-quick check-long
 unmodified: povray-integral
 	@$(test_environment) $(abs_top_srcdir)/tests/unmodified --path > /dev/null 2>&1 || $(MAKE) pristine
@@ -182,7 +188,8 @@ check-quick: quick-programs
 check-long: all $(test_programs) pristine
 	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
 
-# The table of doc/numerics.md, as measured: LONG=1 make numerics, twenty minutes, when the optics change.
+# The table of doc/numerics.md, as measured: LONG=1 make numerics, twenty minutes, when the optics
+# change.
 .PHONY: numerics
 numerics: build/tests/unit
 	NUMERICS_TABLE=build/tests/numerics.md build/tests/unit --run_test=optics_rays,optics_beam
@@ -190,8 +197,8 @@ numerics: build/tests/unit
 
 EXTRA_DIST += tests
 
-# What it runs under check-long: everything again, compiled by clang for libFuzzer. GNU make's rules,
-# for clang's own flags.
+# What it runs under check-long: everything again, compiled by clang for libFuzzer. GNU make's
+# rules, for clang's own flags.
 FUZZ_CXX = clang++
 FUZZ_CXXFLAGS = -std=c++17 -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow \
   -fno-sanitize-recover=undefined,float-cast-overflow

@@ -7,7 +7,8 @@
 #   is "it counts" "$got" "$wanted"              passes if both are the same
 #   finish                                       prints the plan; the last line of every script
 #
-# TOP, BUILD, POVRAY, PRISTINE, INTEGRAL are set as tests/run sets them, so that a script runs alone too.
+# TOP, BUILD, POVRAY, PRISTINE, INTEGRAL are set as tests/run sets them, so that a script runs alone
+# too.
 
 TOP=${TOP:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)}
 BUILD=${BUILD:-$TOP/build}

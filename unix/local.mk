@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# POV-Ray itself: the pinned source assembled with our files and patches under build/povray and compiled there by
-# upstream's own make. unix/*'s scripts do the work and skip what has not changed.
+# Builds POV-Ray: assembles the pinned source with our files and patches in build/povray, and
+# compiles it there with upstream's make. The scripts in unix/ do this and skip what has not
+# changed.
 
 povray_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' \
   CXX='$(CXX)' sysconfdir='$(POVRAY_SYSCONFDIR)' datadir='$(POVRAY_DATADIR)'
@@ -19,7 +20,7 @@ povray-integral: build/lib/libintegral.a
 	      mv build/bin/.povray-integral.new build/bin/povray-integral && echo built build/bin/povray-integral; }
 	@$(povray_environment) $(abs_top_srcdir)/unix/stage-share
 
-# Upstream without a patch, compiled with the same flags: what check-long and the benches compare with.
+# Unpatched upstream, compiled with the same flags, for comparison in check-long and bench.
 pristine: povray-integral
 	+@$(povray_environment) $(abs_top_srcdir)/unix/build-povray pristine
 
@@ -30,7 +31,7 @@ refresh:
 check-patches: povray-integral
 	@$(povray_environment) $(abs_top_srcdir)/unix/check-patches
 
-# Beside a stock povray: names of our own only.
+# All installed names are our own, so that an installed povray is not touched.
 shareddir = $(datadir)/povray-integral-3.7
 legaldir = $(datadir)/doc/povray-integral
 dist_man_MANS = unix/povray-integral.1
@@ -50,16 +51,20 @@ uninstall-local:
 	rm -f '$(DESTDIR)$(bindir)/povray-integral'
 	rm -rf '$(DESTDIR)$(shareddir)' '$(DESTDIR)$(legaldir)'
 
-# What was downloaded stays for the next build; distclean drops it.
+# clean keeps the downloaded tarball; distclean deletes it.
 clean-local:
 	@edits=`$(povray_environment) $(abs_top_srcdir)/unix/edits`; test -z "$$edits" || \
-	    { echo "build/povray has edits that are not in the queue:" $$edits"; run make refresh first, or delete them" >&2; exit 1; }
-	rm -rf build/povray build/povray.* build/pristine build/pristine.* build/share build/tests build/sanitized build/fuzz build/bin
+	    { echo "build/povray has edits that are not in the queue:" \
+	      $$edits"; run make refresh first, or delete them" >&2; exit 1; }
+	rm -rf build/povray build/povray.* build/pristine build/pristine.* build/share build/tests \
+	    build/sanitized build/fuzz build/bin
 
 distclean-local:
 	@edits=`$(povray_environment) $(abs_top_srcdir)/unix/edits`; test -z "$$edits" || \
-	    { echo "build/povray has edits that are not in the queue:" $$edits"; run make refresh first, or delete them" >&2; exit 1; }
+	    { echo "build/povray has edits that are not in the queue:" \
+	      $$edits"; run make refresh first, or delete them" >&2; exit 1; }
 	rm -rf build
 
-EXTRA_DIST += unix/upstream.pin unix/series.upstream unix/series.camera unix/queue.sh unix/fetch-upstream unix/apt-source unix/assemble unix/edits \
-  unix/refresh unix/check-patches unix/lint-patches unix/build-povray unix/stage-share unix/packages unix/packages-test source vfe
+EXTRA_DIST += unix/upstream.pin unix/series.upstream unix/series.camera unix/queue.sh \
+  unix/fetch-upstream unix/apt-source unix/assemble unix/edits unix/refresh unix/check-patches \
+  unix/lint-patches unix/build-povray unix/stage-share unix/packages unix/packages-test source vfe

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The thesis's text "abc" (figures 4-1 and 4-7), Depth mm behind the sheet (negative: in front), under lenticular lenses.
+// The thesis's text "abc" (figures 4-1 and 4-7), Depth mm behind the sheet (negative: in front),
+// under lenticular lenses.
 #version 3.7;
 #include "integral.inc"
 #ifndef (Depth) #declare Depth = -20; #end

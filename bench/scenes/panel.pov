@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A panel's window, Width x Height mm at z = 0, seen from Distance mm: by an eye at EyeX, which looks past its own axis.
+// A panel's window, Width x Height mm at z = 0, seen from Distance mm: by an eye at EyeX, which
+// looks past its own axis.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 #ifndef (EyeX) #declare EyeX = 0; #end

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The thesis's table 4-1: a solid blue sphere, its centre 50 mm behind the sheet, before a plain wall of light.
+// The thesis's table 4-1: a solid blue sphere, its centre 50 mm behind the sheet, before a plain
+// wall of light.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "viewpoint.inc"
-// "Depth -50mm" (section 4.3.2) is read as behind the sheet: that chapter counts depth towards the viewer (equation 4-7 has the
-// object view_dist - obj_dist from him, and 4.3.7's patterns of 0 to 35 mm are "all forward of the lens sheet"), and 4.2 finds
-// edges reduced to a jagged staircase on what is behind the screen, hardly on what is before it.
+// "Depth -50mm" (section 4.3.2) is read as behind the sheet: that chapter counts depth towards the
+// viewer (equation 4-7 has the object view_dist - obj_dist from him, and 4.3.7's patterns of 0 to
+// 35 mm are "all forward of the lens sheet"), and 4.2 finds edges reduced to a jagged staircase on
+// what is behind the screen, hardly on what is before it.
 light_source { <-200, 300, -400> rgb 1 }
 background { rgb 0.85 }
 // Its size is not told: seen from the eye, its picture is about 0.57 of the film's width across.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Stone, wood and layered textures with highlights, in the light of two area lights: dear to shade, smooth shadows.
+// Stone, wood and layered textures with highlights, in the light of two area lights: dear to shade,
+// smooth shadows.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 #include "viewpoint.inc"

@@ -38,8 +38,8 @@ private:
     int fd_;
 };
 
-/// Writes one piece after another by `write`, which is given the bytes that are left and how many
-/// they are, and returns as write(2) does. Returns 0 or errno.
+/// Writes all `bytes` by repeated calls of write(data, count), which returns what write(2) returns.
+/// Returns 0 or errno.
 template <class Write> int write_all(const std::string& bytes, Write write)
 {
     std::size_t done = 0;
@@ -60,7 +60,7 @@ std::string folder_of(const std::string& path)
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// Permissions of the new file: the old file's, or those a new file gets.
+/// Permissions for the new file: those of the old file if there is one, else the umask's default.
 mode_t mode_for(const std::string& target)
 {
     struct stat status;
@@ -238,7 +238,7 @@ void OutputFile::finish()
         error = unfinished_->finish();
     if (error)
         fail(error);
-    // The name is only safe once its folder is on disk; where that cannot be had, go without.
+    // The rename is durable once the folder is synced; a folder that cannot be synced is no error.
     const Descriptor folder(open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY));
     if (folder.get() >= 0 && fsync(folder.get()) != 0)
         errno = 0;

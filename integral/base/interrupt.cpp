@@ -16,7 +16,7 @@ void catch_interrupts()
 {
     struct sigaction action = {};
     action.sa_handler = on_signal;
-    action.sa_flags = SA_RESETHAND; // a second one does what it always does
+    action.sa_flags = SA_RESETHAND; // a second signal has its default effect
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before;
         if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)

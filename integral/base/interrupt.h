@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Stopping in good order when the user asks for it.
+// Lets long work stop cleanly on SIGINT, SIGTERM or SIGHUP.
 #ifndef INTEGRAL_BASE_INTERRUPT_H
 #define INTEGRAL_BASE_INTERRUPT_H
 
@@ -7,18 +7,19 @@
 
 namespace integral {
 
-/// The user stopped the work.
+/// Thrown by stop_if_interrupted() after such a signal.
 struct Interrupted : std::runtime_error {
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP only set a flag; a second one ends the program.
+/// Makes the first SIGINT, SIGTERM or SIGHUP set a flag instead of ending the program; a second
+/// signal of the same kind ends it. Signals that are ignored stay ignored.
 void catch_interrupts();
 
 /// Whether the flag is set.
 bool interrupted();
 
-/// Throws Interrupted if the flag is set: for use between the steps of long work.
+/// Throws Interrupted if the flag is set. Call it between the steps of long work.
 void stop_if_interrupted();
 
 } // namespace integral

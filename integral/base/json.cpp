@@ -11,8 +11,8 @@
 namespace integral {
 namespace {
 
-/// Hands a text out one character at a time and counts its lines: the parser's last token ends at
-/// the last character handed out that was no space.
+/// A stream buffer that gives the parser one character at a time and counts lines. line() is the
+/// line of the last character read that was not white space: the end of the parser's last token.
 class LineCounter : public std::streambuf {
 public:
     explicit LineCounter(const std::string& text) : text_(text) {}
@@ -41,8 +41,8 @@ private:
     int line_ = 1, token_line_ = 1;
 };
 
-/// Makes the document of what the parser finds, and notes the line of each value. The library's own
-/// maker looks each field up among all that the object has already, and knows no limits.
+/// Builds the document from the parser's events and records the line of each value. The library's
+/// own builder takes quadratic time for large objects and has no limits.
 class Builder : public nlohmann::json_sax<Json> {
 public:
     explicit Builder(const LineCounter& counter) : counter_(counter) {}
@@ -89,7 +89,8 @@ public:
     }
 
     Json root;
-    std::vector<int> lines; ///< of all values, each before those within it
+    std::vector<int> lines; ///< one for each value, in document order (a parent before its
+                            ///< children)
 
 private:
     struct Open {
@@ -139,7 +140,7 @@ private:
     std::vector<Open> open_;
 };
 
-/// Hands the document and its values' lines to `take`.
+/// Parses `text` and calls take(document, lines of its values).
 template <class Take> void read(const std::string& text, Take take)
 {
     if (text.size() > most_json_megabytes << 20)
@@ -152,7 +153,8 @@ template <class Take> void read(const std::string& text, Take take)
     take(std::move(builder.root), builder.lines);
 }
 
-/// Notes the lines of a value and of those within it; returns what follows the last of them.
+/// Records the line of a value and of all values inside it. `line` points to the value's entry in
+/// Builder::lines; returns a pointer to the entry after the last one used.
 const int* note(const Json& value, const int* line, std::unordered_map<const Json*, int>& lines)
 {
     lines.emplace(&value, *line++);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The one reader of JSON documents. It takes time and memory in proportion to a document's bytes,
-// and refuses what exceeds the limits below.
+// Reads JSON documents. Time and memory are proportional to a document's size; documents that
+// exceed the limits below are refused.
 #ifndef INTEGRAL_BASE_JSON_H
 #define INTEGRAL_BASE_JSON_H
 
@@ -15,14 +15,14 @@ namespace integral {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t deepest_json = 64; ///< objects and lists within one another
+constexpr std::size_t deepest_json = 64; ///< nesting of objects and lists
 constexpr std::size_t most_json_megabytes = 16;
-constexpr std::size_t most_json_values = 1000000; ///< objects and lists count, too
-constexpr std::size_t most_json_fields = 100000;  ///< of one object
-constexpr std::size_t longest_json_name = 4096;   ///< bytes of a field's name, which may be a path
+constexpr std::size_t most_json_values = 1000000; ///< including objects and lists
+constexpr std::size_t most_json_fields = 100000;  ///< in one object
+constexpr std::size_t longest_json_name = 4096;   ///< bytes in a field's name, which may be a path
 
-/// Says that a text is no JSON, exceeds a limit or has a field twice in one object. The message is
-/// "line LINE: REASON".
+/// Thrown where a text is not JSON, exceeds a limit or has a field twice in one object. The message
+/// is "line LINE: REASON".
 struct JsonError : std::invalid_argument {
     JsonError(int where, const std::string& why)
         : std::invalid_argument("line " + std::to_string(where) + ": " + why),
@@ -37,7 +37,7 @@ struct JsonError : std::invalid_argument {
 /// Reads a whole document. Throws JsonError.
 Json parse_json(const std::string& text);
 
-/// A document that knows on which line each of its values begins.
+/// A parsed document together with the line number of each value, for error messages.
 class LinedJson {
 public:
     /// Reads a whole document. Throws JsonError.
@@ -46,7 +46,7 @@ public:
     LinedJson& operator=(const LinedJson&) = delete;
 
     const Json& root() const { return root_; }
-    /// The line, from 1, of root() or of a value within it.
+    /// The line number, from 1, of root() or of a value inside it.
     int line_of(const Json& value) const { return lines_.at(&value); }
 
 private:

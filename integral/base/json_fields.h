@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The fields of JSON documents, read with messages that name them. For the files that read and
-// write JSON alone.
+// Reads fields of JSON documents, with error messages that name the field. To be included only by
+// files that read or write JSON.
 //
-// All of these throw std::invalid_argument, "FIELD what is wrong with it", where FIELD is the path
-// from the document.
+// Every function here throws std::invalid_argument with the message "FIELD what is wrong with it",
+// where FIELD is the field's path from the document's root.
 #ifndef INTEGRAL_BASE_JSON_FIELDS_H
 #define INTEGRAL_BASE_JSON_FIELDS_H
 
@@ -16,11 +16,13 @@
 
 namespace integral {
 
-constexpr double largest_figure = 1e100; // of what is only handed on; no few of them overflow
+/// Limit for numbers that are stored but not computed with; products of a few such numbers do not
+/// overflow a double.
+constexpr double largest_figure = 1e100;
 
 [[noreturn]] void refuse(const std::string& field, const std::string& what);
 
-/// An object of a document, with the path by which messages name it.
+/// An object inside a document, and its path from the root, for messages.
 struct JsonObject {
     const Json& json;
     std::string path;
@@ -35,7 +37,7 @@ struct JsonObject {
 
 JsonObject object_at(const JsonObject& parent, const char* field);
 
-/// Refuses fields of other names than these.
+/// Throws if the object has a field that is not in `legal`.
 void refuse_others(const JsonObject& object, std::initializer_list<const char*> legal);
 
 /// A number in [least, greatest].
@@ -59,8 +61,8 @@ Whole whole_at(const JsonObject& object, const char* field, Whole least, Whole g
     return static_cast<Whole>(number_at(object, field, double(least), double(greatest)));
 }
 
-/// A document's text: one line per object of its own, short enough for a chunk and plain enough to
-/// read.
+/// The text of a document, one line for each top-level field: compact enough for a PNG chunk, and
+/// still readable.
 std::string text_of(const Json& document);
 
 } // namespace integral

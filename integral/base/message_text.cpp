@@ -28,7 +28,7 @@ std::string excerpt(const std::string& text, std::size_t most)
     if (text.size() <= most)
         return text;
     std::size_t end = most;
-    while (end > 0 && end + 4 > most && (text[end] & 0xc0) == 0x80) // within a character
+    while (end > 0 && end + 4 > most && (text[end] & 0xc0) == 0x80) // inside a UTF-8 character
         --end;
     return text.substr(0, end) + "...";
 }
@@ -41,8 +41,8 @@ std::string reason_of(const std::exception& error)
 
 void say(const std::string& command, const std::string& text)
 {
-    const char* const line_start = isatty(STDERR_FILENO) ? "\r\033[K" : ""; // a progress bar may
-                                                                            // stand in the line
+    // On a terminal, first erase a progress bar that may be on the line.
+    const char* const line_start = isatty(STDERR_FILENO) ? "\r\033[K" : "";
     std::fprintf(stderr, "%sintegral %s: %s\n", line_start, command.c_str(),
                  one_line(text).c_str());
 }

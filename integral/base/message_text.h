@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The words of messages: what files and libraries say becomes one short line of a terminal.
+// Makes messages safe and short for a terminal, and prints them.
 #ifndef INTEGRAL_BASE_MESSAGE_TEXT_H
 #define INTEGRAL_BASE_MESSAGE_TEXT_H
 
@@ -9,20 +9,20 @@
 
 namespace integral {
 
-/// A message as one line of a terminal: each control character, which a name or a file's text may
-/// have, becomes a question mark (of those that UTF-8 writes in two bytes, U+0080 to U+009F, each
-/// byte). Of a message of more than 2000 bytes only those are left, then "...".
+/// A message as one terminal line: each byte of a control character becomes a question mark (also
+/// the two-byte UTF-8 ones, U+0080 to U+009F), and a message longer than 2000 bytes is cut there
+/// and ends in "...".
 std::string one_line(const std::string& text);
 
-/// What a message quotes of a file: at most the first `most` bytes of a text, then "...".
-/// Characters of UTF-8 stay whole.
+/// A text to be quoted in a message: cut after at most `most` bytes, then "...". No UTF-8 character
+/// is split.
 std::string excerpt(const std::string& text, std::size_t most = 80);
 
-/// Why something failed: what the error says, or that there is too little memory.
+/// Why something failed: the exception's what(), or for std::bad_alloc a sentence about memory.
 std::string reason_of(const std::exception& error);
 
-/// Says one line on standard error, "integral COMMAND: TEXT". Names and other programs' words in
-/// the text cannot steer the terminal: each control character becomes a question mark.
+/// Prints one line on standard error, "integral COMMAND: TEXT". The text goes through one_line(),
+/// so that file names and other programs' output cannot send control sequences to the terminal.
 void say(const std::string& command, const std::string& text);
 
 } // namespace integral

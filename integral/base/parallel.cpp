@@ -52,7 +52,7 @@ bool for_each_row(int rows, int threads, const std::function<void(int row)>& wor
         try {
             team.emplace_back(run);
         } catch (const std::system_error&) {
-            break; // the machine gives no more threads: those there are do the work
+            break; // no more threads available: continue with those that were started
         }
     }
     run();

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char unfinished_prefix[] = ".integral-";
 
-/// How the names end of the files that a process of this machine and PID namespace is making.
+/// The end of the names of temporary files of a process of this machine and PID namespace.
 std::string mark_of(long process)
 {
     std::string host = host_name();
@@ -25,7 +25,7 @@ std::string mark_of(long process)
     return "." + host + "." + process_namespace() + "." + std::to_string(process);
 }
 
-/// What a symbolic link says; empty if there is none.
+/// The text of a symbolic link; empty if there is none.
 std::string link_at(const char* path)
 {
     char text[PATH_MAX];
@@ -33,7 +33,7 @@ std::string link_at(const char* path)
     return std::string(text, std::size_t(std::max<ssize_t>(0, length)));
 }
 
-/// Whether a file was not written to for so long that nobody does any more, on whatever machine.
+/// Whether a file was last written so long ago (24 hours) that no process can still be writing it.
 bool is_forgotten(const std::filesystem::directory_entry& file)
 {
     std::error_code error;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Files that are written beside the ones that they replace, and renamed when they are whole.
+// Temporary files that are written in the folder of the file they replace, and renamed to it when
+// they are complete.
 #ifndef INTEGRAL_BASE_UNFINISHED_FILE_H
 #define INTEGRAL_BASE_UNFINISHED_FILE_H
 
@@ -7,21 +8,21 @@
 
 namespace integral {
 
-/// The file that a path means, through any symbolic links: what is to be replaced.
+/// The file that a path refers to after all symbolic links are resolved: the one to replace.
 std::string target_of(const std::string& path);
 
-/// Whether a path is a device, a pipe or a socket: something that no file can replace. A folder is
-/// none.
+/// Whether a path is a device, a pipe or a socket, which must not be replaced by a file. False for
+/// a folder.
 bool is_special(const std::string& path);
 
-/// A file under the name that it has until it is whole. Whoever makes one writes it by any means;
-/// finish() gives it its own name. Without that, the destructor deletes it, so that a file that was
-/// there before stays.
+/// Owner of a temporary file, which the caller creates and writes by any means. finish() renames it
+/// to its target. If finish() is not called, the destructor deletes it, and an older file of the
+/// target's name stays.
 class UnfinishedFile {
 public:
-    /// Makes no file yet. `name` and `target` have to be in one folder.
+    /// Creates no file. `name` and `target` must be in the same folder.
     UnfinishedFile(const std::string& name, const std::string& target);
-    /// The same beside the file that a path means: its name with ".tmp" behind it.
+    /// The same with target_of(path) as the target and with ".tmp" appended as the name.
     explicit UnfinishedFile(const std::string& path);
     ~UnfinishedFile();
     UnfinishedFile(const UnfinishedFile&) = delete;
@@ -30,7 +31,8 @@ public:
     const std::string& name() const { return name_; }
     const std::string& target() const { return target_; }
 
-    /// Renames it. Returns 0, or errno where that failed; the file is deleted then.
+    /// Renames the file to its target. Returns 0, or errno if that failed; the destructor then
+    /// deletes the file.
     int finish();
 
 private:
@@ -41,18 +43,18 @@ private:
 /// This machine's name.
 std::string host_name();
 
-/// The number of the PID namespace in which this process runs. Containers of one host name have
-/// different ones, and a process number means another process in each. Empty where /proc is missing
-/// or shows another namespace's processes: then no process can be looked up.
+/// The number of the PID namespace in which this process runs. Two containers may share a host
+/// name, but the same process number means a different process in each namespace. Empty where /proc
+/// is missing or belongs to another namespace, so that no process can be looked up.
 std::string process_namespace();
 
-/// The name under which this process may make a file of a folder before that gets its own:
-/// ".integral-NAME.HOST.NAMESPACE.PROCESS". write_file uses such names.
+/// The name of a temporary file of this process: ".integral-NAME.HOST.NAMESPACE.PROCESS".
+/// write_file uses such names.
 std::string unfinished_name(const std::string& name);
 
-/// Deletes the files of such names in a folder whose makers were killed: those of this machine and
-/// PID namespace at once; others, whose makers cannot be asked, once they are a day old, also those
-/// that earlier versions named without a namespace.
+/// Deletes the temporary files that killed processes left in a folder. Files of this machine and
+/// PID namespace are deleted if their process has ended; others, whose process cannot be looked up
+/// (including those that earlier versions named without a namespace), if they are a day old.
 void sweep_unfinished(const std::string& folder);
 
 } // namespace integral

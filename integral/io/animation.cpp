@@ -41,11 +41,11 @@ void Animation::add(const Image& picture)
 
     const bool lossless = quality_ >= 100;
     if (lossless)
-        WebPConfigLosslessPreset(&config, 3); // of 0 to 9: more takes seconds a picture for a few
-                                              // per cent
+        WebPConfigLosslessPreset(&config, 3); // 0 to 9; higher costs seconds per picture and saves
+                                              // a few per cent
     else
         config.quality = float(quality_);
-    config.exact = lossless; // colours of transparent pixels as well
+    config.exact = lossless; // keep the colours of transparent pixels
     config.thread_level = 1;
     source.use_argb = lossless;
     source.width = width_;
@@ -67,7 +67,7 @@ std::string Animation::bytes(int milliseconds, bool there_and_back) const
     if (pictures_.empty())
         throw std::runtime_error("there are no pictures");
     const std::unique_ptr<WebPMux, Release<WebPMux, WebPMuxDelete>> mux(WebPMuxNew());
-    const WebPMuxAnimParams params = {0xff000000, 0}; // black behind; for ever
+    const WebPMuxAnimParams params = {0xff000000, 0}; // black background; repeat without end
     bool good = mux && WebPMuxSetAnimationParams(mux.get(), &params) == WEBP_MUX_OK;
     const auto push = [&](const std::string& picture) {
         WebPMuxFrameInfo info = {};

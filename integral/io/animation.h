@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pictures that are shown one after another, as an animated WebP.
+// Makes an animated WebP from pictures.
 #ifndef INTEGRAL_IO_ANIMATION_H
 #define INTEGRAL_IO_ANIMATION_H
 
@@ -13,21 +13,22 @@ namespace integral {
 /// Whether this build has libwebp.
 bool can_animate();
 
-/// Pictures of one size, at most `largest_side` pixels either way. Each is kept encoded: 8 bits,
-/// sRGB, not premultiplied.
+/// An animation of pictures of the same size, at most `largest_side` pixels wide and high. Each is
+/// encoded when it is added: 8 bits, sRGB, not premultiplied.
 class Animation {
 public:
     static constexpr int largest_side = 16383;
 
-    /// `quality` 0 to 100; 100 keeps every 8-bit value.
+    /// `quality`: 0 to 100; 100 is lossless for 8-bit values.
     explicit Animation(int quality) : quality_(quality) {}
 
-    /// Throws std::runtime_error with the reason.
+    /// Appends a picture. Throws std::runtime_error with the reason if its size differs from the
+    /// others', is too large, or libwebp fails.
     void add(const Image& picture);
 
-    /// The file: each picture shown for `milliseconds` > 0, for ever. there_and_back: from the last
-    /// one back to the first, the two ends once each. Throws as add does, or where there are no
-    /// pictures.
+    /// The file's bytes. Each picture is shown for `milliseconds` > 0, and the animation repeats
+    /// without end. `there_and_back`: after the last picture the others follow in reverse order,
+    /// each end shown once. Throws std::runtime_error if libwebp fails or there are no pictures.
     std::string bytes(int milliseconds, bool there_and_back) const;
 
 private:

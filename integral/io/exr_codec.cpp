@@ -28,7 +28,8 @@ constexpr char attribute[] = "integral";
 constexpr double greatest_ratio = 2000; // ZIP reaches 1032, PIZ about 500
 constexpr int largest_side = 1000000;
 
-using Offset = decltype(std::declval<Imf::IStream&>().tellg()); // its name changed with OpenEXR 3
+using Offset = decltype(std::declval<Imf::IStream&>().tellg()); // the type's name differs between
+                                                                // OpenEXR 2 and 3
 
 class ExrSource : public Imf::IStream {
 public:
@@ -65,7 +66,7 @@ private:
     std::uint64_t position_ = 0;
 };
 
-/// Names of the file's channels that give R, G, B (a grey Y three times) and alpha.
+/// Names of the file's channels for R, G, B (Y three times for a grey picture) and alpha.
 std::vector<const char*> channel_names(const Imf::ChannelList& channels)
 {
     std::vector<const char*> names;
@@ -85,7 +86,8 @@ std::vector<const char*> channel_names(const Imf::ChannelList& channels)
     return names;
 }
 
-/// The slice of one interleaved channel of rows that stand at `window` in the file.
+/// The OpenEXR slice of one interleaved channel of `image`, whose rows are those of `window` in the
+/// file.
 Imf::Slice slice(const Image& image, int channel, const Imath::Box2i& window)
 {
     const auto& samples = std::get<std::vector<float>>(image.samples);
@@ -97,8 +99,8 @@ Imf::Slice slice(const Image& image, int channel, const Imath::Box2i& window)
 int width_of(const Imath::Box2i& window) { return window.max.x - window.min.x + 1; }
 int height_of(const Imath::Box2i& window) { return window.max.y - window.min.y + 1; }
 
-/// As many rows as OpenEXR keeps of a picture of `height` rows: those of the picture, and of its
-/// first row of tiles.
+/// The number of rows that OpenEXR may hold in memory for a picture of `height` rows: all of the
+/// picture's, or a whole row of tiles if that is more.
 double rows_kept(const Imf::Header& header, int height)
 {
     return header.hasTileDescription()
@@ -112,7 +114,7 @@ std::string document_of(const Imf::Header& header)
     return text ? text->value() : "";
 }
 
-/// The file, whose header has been looked at.
+/// Returns `input` after check_exr_header.
 const InputFile& checked(const InputFile& input)
 {
     check_exr_header(input);
@@ -129,7 +131,7 @@ struct ExrFile {
     std::optional<Imf::InputFile> file;
 };
 
-/// What `work` returns; its errors as the header says.
+/// Returns what `work` returns; rethrows its exceptions as codecs.h promises.
 template <class Work> auto guarded(Work work)
 {
     try {
@@ -146,7 +148,7 @@ template <class Work> auto guarded(Work work)
     }
 }
 
-/// What stands before the pixels, of a file's first bytes.
+/// Reads the header from the first bytes of a file.
 PictureHeader decode_start(const InputFile& input)
 {
     constexpr int magic_and_version = 8;
@@ -202,7 +204,7 @@ private:
         next_ += band.height;
         if (std::strcmp(names_[0], "Y") != 0)
             return;
-        // Three slices of one name: only the last was filled.
+        // A grey picture has three slices for one channel, of which OpenEXR fills only the last.
         auto& samples = std::get<std::vector<float>>(band.samples);
         for (std::size_t i = 0; i < samples.size(); i += std::size_t(band.channels))
             samples[i] = samples[i + 1] = samples[i + 2];
@@ -291,7 +293,7 @@ bool is_whole_exr(const std::string& path)
         Imf::InputFile file(path.c_str(), 0);
         const Imath::Box2i window = file.header().dataWindow();
         std::vector<float> row(std::size_t(width_of(window)));
-        Imf::FrameBuffer target; // every row goes to the same place
+        Imf::FrameBuffer target; // every row overwrites the one before
         target.insert("R",
                       Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x),
                                  sizeof(float), 0));

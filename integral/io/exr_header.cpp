@@ -9,7 +9,7 @@
 namespace integral {
 namespace {
 
-/// Bytes of the types that are always as long.
+/// Lengths in bytes of the attribute types of fixed length.
 constexpr struct {
     const char* type;
     std::size_t size;
@@ -103,7 +103,7 @@ bool is_whole(const std::string& type, Reader value)
     return true;
 }
 
-/// OpenEXR makes room for a tile, whatever the picture's size.
+/// Limits the size of a tile: OpenEXR allocates a whole tile even for a small picture.
 void check_tiles(Reader description)
 {
     constexpr std::uint64_t most_pixels = 1 << 24;
@@ -121,7 +121,8 @@ void check_exr_header(const InputFile& file)
     header.skip(magic_and_version);
     char version[2];
     file.read(4, version, sizeof version);
-    const bool has_parts = version[1] & 0x10; // an empty header then follows the last one
+    const bool has_parts = version[1] &
+                           0x10; // multi-part: an empty header ends the list of headers
     for (;;) {
         int attributes = 0;
         for (std::string name = header.text(); !name.empty(); name = header.text(), ++attributes) {

@@ -55,7 +55,7 @@ Image scaled_down(const Image& picture, int longest, Scaling scaling)
               height = std::max(1, int(std::lround(picture.height * scale)));
     Image small = make_image<std::uint8_t>(width, height, 3, Encoding{});
     const LinearReader light(picture);
-    // Pixel x of the result has the columns from edge(x) up to edge(x + 1).
+    // Pixel x of the result is made from the columns edge(x) up to edge(x + 1) - 1.
     const auto edge = [](int x, int whole, int parts) {
         return int(std::int64_t(x) * whole / parts);
     };
@@ -105,7 +105,7 @@ std::string link_to(const std::string& path)
     constexpr char digits[] = "0123456789ABCDEF";
     std::string link = path.empty() || path[0] == '/' || path[0] == '.'
                            ? ""
-                           : "./"; // no file is taken for a scheme
+                           : "./"; // a file name with a colon is not read as a URL scheme
     for (const char c : path) {
         const auto byte = static_cast<unsigned char>(c);
         if (byte < 0x80 &&

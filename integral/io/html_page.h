@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pages of tables and small pictures: one HTML file each, without scripts and without anything from
-// elsewhere. Text goes into them through markup_text (integral/io/markup.h).
+// Makes HTML report pages of tables and small pictures. Each page is one file without scripts and
+// without links to other hosts. Escape plain text with markup_text (integral/io/markup.h).
 #ifndef INTEGRAL_IO_HTML_PAGE_H
 #define INTEGRAL_IO_HTML_PAGE_H
 
@@ -10,31 +10,30 @@
 
 namespace integral {
 
-/// What becomes of the pixels that fall into one: their mean, in linear light, or of each channel
-/// the greatest value, which lets no single pixel of a difference picture get lost.
+/// How several pixels are reduced to one: their mean in linear light, or the greatest value of each
+/// channel, which keeps single pixels of a difference picture visible.
 enum class Scaling { average, greatest };
 
-/// A picture over black at 8 bits and sRGB, three channels, its longer side `longest` pixels at
-/// most (>= 1): smaller pictures keep their size; of larger ones each pixel goes into one of the
-/// result.
+/// The picture over black, as 8-bit sRGB with three channels, reduced so that its longer side has
+/// at most `longest` >= 1 pixels. Smaller pictures keep their size.
 Image scaled_down(const Image& picture, int longest, Scaling scaling = Scaling::average);
 
-/// A picture of 8 bits as the value of an <img>'s src: a PNG in a data URI.
+/// An 8-bit picture as a data URI of a PNG, for the src of an <img>.
 std::string picture_uri(const Image& picture);
 
-/// <img> of a picture scaled down, with its width and height and a text (plain) that says what it
-/// shows.
+/// An <img> element of the picture scaled down, with width, height and `text` (plain text) as its
+/// alternative text.
 std::string picture_element(const Image& picture, int longest, const std::string& text,
                             Scaling scaling = Scaling::average);
 
-/// A path relative to the page as the value of an <a>'s href: its bytes percent-encoded but for the
-/// plain ones.
+/// A path relative to the page, percent-encoded for the href of an <a>.
 std::string link_to(const std::string& path);
 
-/// A whole page. `title` is plain text; `style` is CSS after the page's own; `body` is HTML. The
-/// page's own CSS lays out text in light and dark as the reader prefers (--ground, --panel, --line,
-/// --text, --quiet, --good, --bad, --mark) and tables; a table of class "cards" becomes cards on
-/// narrow windows: each <td data-label="..."> on a line of its own, after its label.
+/// A whole page. `title` is plain text, `body` is HTML, and `style` is CSS that follows the page's
+/// own. The page's own CSS formats text and tables and defines the colours --ground, --panel,
+/// --line, --text, --quiet, --good, --bad and --mark for the reader's light or dark preference. In
+/// narrow windows the rows of a table of class "cards" are shown as cards, with each <td
+/// data-label="..."> on its own line after its label.
 std::string html_page(const std::string& title, const std::string& style, const std::string& body);
 
 } // namespace integral

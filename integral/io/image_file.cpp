@@ -15,7 +15,7 @@ namespace {
     throw InputError(display_name(path, "standard input") + ": " + what);
 }
 
-/// What `read` returns, of a file whose errors it throws.
+/// Returns what `read` returns; rethrows its exceptions as InputError with the file's name.
 template <class Read> auto guarded(const std::string& path, Read read)
 {
     try {
@@ -27,7 +27,7 @@ template <class Read> auto guarded(const std::string& path, Read read)
     }
 }
 
-/// A picture's file, of which what stands beside the pixels has been read.
+/// An open picture file whose metadata has been read.
 struct OpenPicture {
     explicit OpenPicture(const std::string& path)
         : path(path), file(path), rows(guarded(path, [&] { return read_any(file); }))
@@ -53,7 +53,8 @@ FrameMetadata parse(const std::string& path, const std::string& document, const 
     }
 }
 
-/// The document that stands beside a picture whose format holds none; empty if none does.
+/// The JSON document in the same folder as a picture that carries none itself; empty if there is no
+/// such file.
 std::string document_beside(const std::string& path)
 {
     const auto slash = path.rfind('/'), dot = path.rfind('.');
@@ -68,7 +69,7 @@ std::string document_beside(const std::string& path)
 
 constexpr char give_sheet[] = "; give --sheet FILE.json";
 
-/// The geometry for a picture, as read_frame's comment has it.
+/// The geometry of a picture, by the rules of read_frame.
 std::optional<FrameMetadata> geometry_for(const std::string& path, const std::string& sheet_file,
                                           const std::string& document)
 {
@@ -82,7 +83,7 @@ std::optional<FrameMetadata> geometry_for(const std::string& path, const std::st
     return std::nullopt;
 }
 
-/// The form in which a format holds a picture.
+/// The form in which a format stores a picture of the given form.
 Image form_in(ImageFormat format, const Image& form, bool has_metadata)
 {
     const Encoding linear{Encoding::Kind::linear, 1}, srgb;
@@ -100,7 +101,7 @@ Image form_in(ImageFormat format, const Image& form, bool has_metadata)
             encoding = is_linear ? srgb : encoding;
         }
         premultiplied = false;
-    } else if (!has_metadata) { // a TIFF without a document is taken for linear floats or sRGB
+    } else if (!has_metadata) { // a TIFF without a document is read as linear floats or as sRGB
         encoding = bits == 32 ? linear : srgb;
     }
     Image result = form_of(bits, form.width, form.height, form.channels, encoding);
@@ -108,7 +109,7 @@ Image form_in(ImageFormat format, const Image& form, bool has_metadata)
     return result;
 }
 
-/// Whether samples of the one form are samples of the other.
+/// Whether two forms store samples alike, so that none need be converted.
 bool same_samples(const Image& a, const Image& b)
 {
     return sample_bits(a) == sample_bits(b) && same_encoding(a.encoding, b.encoding) &&
@@ -139,7 +140,7 @@ struct FrameReader::Source {
         const auto metadata = geometry_for(path, sheet_file, picture.head().document);
         if (!metadata)
             return;
-        if (sheet_file.empty()) // a document for other frames says nothing of this one's encoding
+        if (sheet_file.empty()) // a separate sheet file does not tell this picture's encoding
             frame.image.encoding = metadata->encoding;
         holds_views = metadata->quilt.has_value();
         if (holds_views)
@@ -156,7 +157,7 @@ struct FrameReader::Source {
 
     OpenPicture picture;
     Frame frame;
-    bool holds_views = false; ///< their geometry is then not the frame's
+    bool holds_views = false; ///< then the picture has no geometry of its own
 };
 
 FrameReader::FrameReader(const std::string& path, const std::string& sheet_file)
@@ -280,7 +281,7 @@ DepthFrame read_depths(const std::string& path)
 }
 
 struct PictureWriter::Target {
-    /// `head` is in the file's own form, `given` the form of the bands.
+    /// `head` has the form of the file, `given` the form of the bands that write() gets.
     Target(const std::string& path, const DecodedImage& head, const Image& given)
         : path(path), file(path), head(head)
     {
@@ -292,7 +293,7 @@ struct PictureWriter::Target {
         guarded([&] { rows = write(file, head); });
     }
 
-    /// Does `work`, whose errors become OutputErrors.
+    /// Calls work() and rethrows its exceptions as OutputError.
     template <class Work> void guarded(Work work)
     {
         try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Frames and pictures as files: PNG (8 or 16 bit), OpenEXR and TIFF, with their metadata.
+// Reads and writes frames and pictures, with their metadata, as PNG (8 or 16 bit), OpenEXR or TIFF.
 #ifndef INTEGRAL_IO_IMAGE_FILE_H
 #define INTEGRAL_IO_IMAGE_FILE_H
 
@@ -15,41 +15,39 @@ namespace integral {
 
 enum class ImageFormat { png, exr, tiff };
 
-/// Format by a file name's extension (png, exr, tif, tiff; any case); "-" is PNG.
-/// Throws OutputError naming the legal ones.
+/// The format for a file name's extension (png, exr, tif or tiff, in any case); PNG for "-". Throws
+/// OutputError, with the legal extensions, for any other.
 ImageFormat format_for(const std::string& path);
 
-/// Reads a picture, its format told by its first bytes; "-" is standard input. Geometry:
-/// `sheet_file` if it is not empty (a JSON document in a file), else the picture's own, else the
-/// document beside it (FRAME.json or FRAME.EXTENSION.json for FRAME.EXTENSION), else none.
-/// Views of a frame have no geometry of their own.
-/// The encoding is the document's, else what the format says of it, else sRGB.
-/// Throws InputError.
+/// Reads a picture; "-" is standard input. The first bytes tell the format. The geometry comes from
+/// the first of these that exists: `sheet_file` (a JSON file; "" for none), the picture's own
+/// document, the document in the same folder (FRAME.json or FRAME.EXTENSION.json for
+/// FRAME.EXTENSION). A picture that holds views of a frame gets no geometry. The encoding is the
+/// document's, else the one that the format specifies, else sRGB. Throws InputError.
 Frame read_frame(const std::string& path, const std::string& sheet_file = "");
 
-/// A frame that is read row by row, from the top.
+/// Reads a frame row by row, from the top.
 class FrameReader {
 public:
-    /// Opens a picture as read_frame does, and reads what its file says of it, but no pixel. Throws
-    /// InputError.
+    /// Opens a picture as read_frame does and reads its metadata, but no pixel. Throws InputError.
     explicit FrameReader(const std::string& path, const std::string& sheet_file = "");
     ~FrameReader();
 
-    /// Its geometry, and the form of its image, which has no samples.
+    /// The geometry, and the image's size and form without samples.
     const Frame& frame() const;
 
-    /// Throws InputError where it has no geometry.
+    /// Throws InputError if the frame has no geometry.
     void require_metadata() const;
 
-    /// Reads the next rows, as many as `band` has, which is of the frame's form and width. Throws
+    /// Reads the next band.height rows into `band`, which has the frame's form and width. Throws
     /// InputError.
     void read(Image& band);
 
-    /// The frame with all its pixels, of which none has been read. Throws InputError, too where it
-    /// needs more memory than is free.
+    /// Reads the whole frame; no row may have been read before. Throws InputError if it cannot be
+    /// read or needs more memory than is free.
     Frame whole();
 
-    /// Begins again at the top.
+    /// Starts again at the top row.
     void restart();
 
 private:
@@ -57,58 +55,60 @@ private:
     std::unique_ptr<Source> source_;
 };
 
-/// Views of a frame, and the geometry of that frame, where the picture says it.
+/// A picture of views of a frame, and that frame's geometry if the picture carries it.
 struct Views {
     Image image;
-    std::optional<FrameMetadata> metadata; ///< with its quilt record
+    std::optional<FrameMetadata> metadata; ///< with the quilt record
 };
 
-/// Reads a quilt or one view of it. Throws InputError; for a geometry that cannot be used only if
-/// it is needed.
+/// Reads a quilt or a single view of one. Throws InputError if the picture cannot be read, or if
+/// `needs_geometry` and its geometry is not valid.
 Views read_views(const std::string& path, bool needs_geometry);
 
-/// Width and height of a picture, of which no pixel is read. Throws InputError.
+/// Width and height of a picture, without reading its pixels. Throws InputError.
 std::pair<int, int> picture_size(const std::string& path);
 
-/// A scan: a picture, and its pixels' width and height (mm) where the file says its resolution.
+/// A scanned picture, and the width and height of a pixel (mm) if the file has a resolution.
 struct Scan {
     Image image;
     std::optional<Vec2> pixel_pitch;
 };
 
-/// Reads a picture as a scan; a geometry that it may carry is none of a scan's. Throws InputError.
+/// Reads a picture as a scan and ignores any geometry in it. Throws InputError.
 Scan read_scan(const std::string& path);
 
-/// As read_frame, of a picture that must have geometry.
+/// The same as read_frame, but throws InputError if there is no geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
 
-/// Reads a geometry document: a JSON file, or a picture's own (of views: their frame's). Throws
-/// InputError.
+/// Reads a geometry document from a JSON file, a frame, or a picture of views (their frame's
+/// geometry). Throws InputError.
 FrameMetadata read_metadata(const std::string& path);
 
-/// Reads a depth frame, which has its geometry in it. Throws InputError.
+/// Reads a depth frame with the geometry that it carries. Throws InputError.
 DepthFrame read_depths(const std::string& path);
 
-/// A picture that is written row by row, from the top, and appears whole or not at all.
+/// Writes a picture row by row, from the top. The file appears at its path only when it is
+/// complete.
 class PictureWriter {
 public:
-    /// A frame, views of one or a picture as write_frame writes them. `form`: its size and form
-    /// (samples are not looked at). Throws OutputError.
+    /// A writer of the file that write_frame writes. Only size and form of `form` are used, not its
+    /// samples. Throws OutputError.
     static PictureWriter of_frame(const std::string& path, const Image& form,
                                   const std::optional<FrameMetadata>& metadata);
 
-    /// A page as write_page writes it.
+    /// A writer of the file that write_page writes.
     static PictureWriter of_page(const std::string& path, const Image& form, Vec2 pixel_pitch,
                                  const std::string& profile,
                                  const std::optional<FrameMetadata>& geometry);
 
     PictureWriter(PictureWriter&&) noexcept;
-    ~PictureWriter(); ///< leaves what was at the path, unless finish() was called
+    ~PictureWriter(); ///< keeps an old file at the path unless finish() was called
 
-    /// Writes the next rows: all of `band`. Throws OutputError.
+    /// Writes all rows of `band` as the next rows. Throws OutputError.
     void write(const Image& band);
 
-    /// Gives the file its name, once all rows are written. Throws OutputError.
+    /// Completes the file and renames it to its path. All rows must have been written. Throws
+    /// OutputError.
     void finish();
 
 private:
@@ -117,15 +117,15 @@ private:
     std::unique_ptr<Target> target_;
 };
 
-/// Writes a frame, views of one or a picture, its format by its name, with the document and the
-/// physical resolution if it has metadata. Converts to what the format holds: EXR linear light,
-/// premultiplied; PNG 16 bits and sRGB for floats. Throws OutputError; what was at `path` is then
-/// unharmed.
+/// Writes a frame, a picture of views or any other picture in the format of its file name. If it
+/// has metadata, the file gets the document and the physical resolution. Samples are converted to
+/// what the format stores: EXR linear light, premultiplied; PNG 16 bits and sRGB if they are
+/// floats. Throws OutputError; an old file at `path` is then unchanged.
 void write_frame(const std::string& path, const Frame& frame);
 
-/// Writes a page for a printer, PNG or TIFF, as it is (8 or 16 bits, three channels): its own
-/// resolution, its colours' ICC profile, and the geometry that it has as a frame, if any. Throws as
-/// write_frame.
+/// Writes a page for a printer as PNG or TIFF without converting its samples (8 or 16 bits, three
+/// channels), with its resolution from `pixel_pitch` (mm), the ICC profile of its colours, and its
+/// geometry as a frame, if any. Throws as write_frame does.
 void write_page(const std::string& path, const Image& page, Vec2 pixel_pitch,
                 const std::string& profile, const std::optional<FrameMetadata>& geometry);
 

@@ -25,7 +25,7 @@ InputFile::InputFile(const std::string& path)
     if (file_ >= 0)
         close(file_);
     file_ = -1;
-    own_ = read_file(path); // which says why, where it cannot be opened
+    own_ = read_file(path); // throws InputError with the reason if it cannot be opened
     bytes_ = &own_;
     size_ = own_.size();
 }
@@ -51,7 +51,7 @@ void InputFile::read(std::uint64_t at, void* to, std::size_t count) const
             continue;
         if (n < 0)
             throw std::runtime_error(std::strerror(errno));
-        if (n == 0) // another program has made it shorter
+        if (n == 0) // another program has truncated the file
             throw std::runtime_error("the file ends too early");
         done += std::size_t(n);
     }

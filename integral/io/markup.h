@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Text and bytes inside HTML, XML and SVG.
+// Escapes text and encodes bytes for HTML, XML and SVG.
 #ifndef INTEGRAL_IO_MARKUP_H
 #define INTEGRAL_IO_MARKUP_H
 
@@ -7,8 +7,8 @@
 
 namespace integral {
 
-/// A text as HTML and XML show it, between tags or in a quoted attribute: & < > " ', tabs and line
-/// ends become references. Bytes that are not UTF-8 and characters that XML 1.0 does not have
+/// A text escaped for HTML and XML, between tags or in a quoted attribute: & < > " ', tabs and line
+/// ends become character references. Bytes that are not UTF-8 and characters that XML 1.0 forbids
 /// become U+FFFD.
 std::string markup_text(const std::string& text);
 

@@ -14,8 +14,9 @@ namespace {
 
 constexpr double unknown = 1e300;
 
-/// The number behind a word of a file like /proc/meminfo; a file of a number alone has the word "".
-/// `otherwise` where there is none: no such file, no such word, or the word `max` for no limit.
+/// The number after `word` in a file like /proc/meminfo; use the word "" for a file that begins
+/// with the number. Returns `otherwise` if the file or the word is missing, or if "max" (no limit)
+/// stands for the number.
 double figure(const std::string& file, const std::string& word, double otherwise)
 {
     std::ifstream lines(file);
@@ -36,18 +37,18 @@ double free_of_machine()
     return available >= 0 ? available * kilobyte : unknown;
 }
 
-/// What RLIMIT_AS leaves.
+/// Bytes that the process may still allocate under RLIMIT_AS.
 double free_of_process()
 {
     rlimit limit;
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
         return unknown;
-    const double pages = figure("/proc/self/statm", "", 0); // the first number: all that is mapped
+    const double pages = figure("/proc/self/statm", "", 0); // the first number: mapped pages
     return double(limit.rlim_cur) - pages * double(sysconf(_SC_PAGESIZE));
 }
 
-/// What the process's control group and those above it leave (version 2). Cached files count as
-/// free.
+/// Bytes that the process may still allocate under the limits of its control group and the groups
+/// above it (cgroup version 2). File cache counts as free.
 double free_of_group()
 {
     std::ifstream groups("/proc/self/cgroup");

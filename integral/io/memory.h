@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How much memory this process can still get.
+// Tells how much memory this process can still allocate.
 #ifndef INTEGRAL_IO_MEMORY_H
 #define INTEGRAL_IO_MEMORY_H
 
 namespace integral {
 
-/// Bytes of memory that are free for this process: what the machine has free (with what it would
-/// drop from its cache), or less where a limit of the process (ulimit -v) or of its control group
-/// leaves less. 1e300 where nothing of that is known.
+/// Bytes of memory that this process can still allocate: the machine's available memory (including
+/// reclaimable cache), or less if a limit of the process (ulimit -v) or of its control group allows
+/// less. 1e300 if nothing of this is known.
 double free_memory();
 
-/// Throws std::runtime_error, a sentence with both figures, if so much memory is not free.
+/// Throws std::runtime_error with both figures if less memory than `bytes` is free.
 void check_memory(double bytes);
 
 } // namespace integral

@@ -11,7 +11,7 @@
 namespace integral {
 namespace {
 
-/// Packs bytes and hands them on.
+/// Compresses bytes (deflate) and passes the result on.
 class Deflater {
 public:
     explicit Deflater(PdfFile::TakeBytes take) : take_(std::move(take))
@@ -55,7 +55,7 @@ private:
     unsigned char packed_[1 << 16];
 };
 
-/// The letter that begins at `at`, which then stands behind it; U+FFFD where that is no UTF-8.
+/// Returns the character at offset `at` and moves `at` past it; U+FFFD for invalid UTF-8.
 char32_t next_letter(const std::string& text, std::size_t& at)
 {
     constexpr char32_t unknown = 0xfffd;
@@ -88,7 +88,7 @@ std::string formatted(const char* form, unsigned long long value, unsigned long 
 PdfFile::PdfFile(ByteSink& sink)
     : sink_(sink), crc_(crc32(0, nullptr, 0)), adler_(adler32(0, nullptr, 0))
 {
-    put("%PDF-1.6\n%\xbf\xf7\xa2\xfe\n"); // the second line tells programs that it is not text
+    put("%PDF-1.6\n%\xbf\xf7\xa2\xfe\n"); // the second line marks the file as binary
 }
 
 void PdfFile::put(const void* bytes, std::size_t count)

@@ -15,8 +15,8 @@ namespace {
 
 constexpr PlotInk black{0.13, 0.13, 0.13}, grey{0.42, 0.42, 0.42}, axis_ink{0.35, 0.35, 0.35};
 constexpr PlotInk major_grid{0.88, 0.88, 0.88}, minor_grid{0.945, 0.945, 0.945};
-// Okabe and Ito's colours, which the colour-blind can tell apart, without their yellow, too pale
-// for white.
+// Okabe and Ito's colours, which colour-blind readers can distinguish, without their yellow, which
+// is too pale on white.
 constexpr PlotInk inks[] = {{0, 0.447, 0.698},   {0.835, 0.369, 0}, {0, 0.620, 0.451},
                             {0.8, 0.475, 0.655}, {0.902, 0.624, 0}, {0.337, 0.706, 0.914},
                             {0.25, 0.25, 0.25}};
@@ -60,7 +60,7 @@ private:
     }
     double at_x(double x) const { return area_.left + x_.part(x) * (area_.right - area_.left); }
     double at_y(double y) const { return area_.bottom - y_.part(y) * (area_.bottom - area_.top); }
-    /// In pixels, and where a value has no place on a logarithmic axis far below it.
+    /// The y pixel of an error bar's end; below the plot area if a logarithmic axis cannot show it.
     double bar_end(double y) const { return y_.showable(y) ? at_y(y) : area_.bottom + 100; }
     /// The colour of the series at `index`.
     PlotInk ink_of(std::size_t index) const
@@ -73,8 +73,8 @@ private:
     const Plot& plot_;
     PlotCanvas& canvas_;
     PlotScale x_, y_;
-    PlotBox area_;   // of the points
-    double top_ = 0; // below what is written so far
+    PlotBox area_;   // where points are drawn
+    double top_ = 0; // lower edge of the text written so far
 };
 
 bool has_line(PlotSeries::Style style)
@@ -110,7 +110,7 @@ void Drawing::write_heading()
     top_ = margin - 4;
     const auto write = [&](std::string text, double size, bool bold, PlotInk ink) {
         canvas_.set_font(size, bold);
-        while (!text.empty()) { // as many words on a line as there is room for
+        while (!text.empty()) { // put as many words on a line as fit
             std::size_t end = text.size();
             while (canvas_.text_width(text.substr(0, end)) > plot_.width - 2 * margin) {
                 const std::size_t space = text.rfind(' ', end - 1);
@@ -205,7 +205,7 @@ void Drawing::draw_grid()
         for (const PlotTick& tick : scale.ticks) {
             if (tick.label.empty() == major)
                 continue;
-            // on the middle of a pixel, for a sharp line
+            // the middle of a pixel, for a sharp line
             const double at = std::floor(upright ? at_x(tick.value) : at_y(tick.value)) + 0.5;
             const PlotPosition from = upright ? PlotPosition{at, area_.top}
                                               : PlotPosition{area_.left, at};
@@ -299,7 +299,7 @@ void Drawing::draw_marks(const PlotSeries& s, std::size_t index)
             canvas_.mark(at_x(s.x[i]), at_y(s.y[i]), mark_radius, int(index), ink_of(index));
 }
 
-/// Boxes around the marks, and along the lines.
+/// Boxes around marks and pieces of lines, which names should not cover.
 std::vector<PlotBox> Drawing::obstacles() const
 {
     std::vector<PlotBox> boxes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Line and scatter plots of measured and computed figures, as SVG or PNG (drawn by cairo).
+// Draws line and scatter plots as SVG or PNG with cairo.
 #ifndef INTEGRAL_IO_PLOT_H
 #define INTEGRAL_IO_PLOT_H
 
@@ -9,31 +9,32 @@
 
 namespace integral {
 
-/// Points of one kind, joined by a line, marked, or both. A line is broken where points are left
-/// out.
+/// One series of points, drawn as a line, as marks or both. The line has a gap where a point is
+/// left out.
 struct PlotSeries {
     enum class Style {
         line,
         points,
         line_and_points,
         dashed,
-        none
-    };                              ///< none: its bars or band alone
-    std::string label;              ///< in the legend; empty: not there
-    std::vector<double> x, y;       ///< equally many; those not finite are left out
-    std::vector<double> low, high;  ///< error bars in y, as many again, or none
-    std::vector<std::string> names; ///< a short text beside each point, or none
+        none ///< only error bars or band
+    };
+    std::string label;              ///< in the legend; empty: no entry
+    std::vector<double> x, y;       ///< of equal length; points that are not finite are left out
+    std::vector<double> low, high;  ///< ends of error bars in y, one per point; may be empty
+    std::vector<std::string> names; ///< a short text for each point; may be empty
     Style style = Style::line;
-    bool band = false;         ///< low to high as a shaded band instead of bars
-    std::optional<int> colour; ///< in a palette of 7 that ends in grey, >= 0; default: the series'
-                               ///< place
+    bool band = false;         ///< draw low to high as a shaded band instead of bars
+    std::optional<int> colour; ///< index >= 0 in a palette of 7, the last of which is grey;
+                               ///< default: the series' index
 };
 
-/// An axis; a range that is not given holds all points, rounded outwards to its ticks.
+/// An axis. An end of its range that is not given is chosen so that all points fit, and rounded
+/// outwards to a tick.
 struct PlotAxis {
     std::string label;               ///< quantity and unit, as in "distance (mm)"
-    bool logarithmic = false;        ///< points that are not greater than 0 are left out
-    std::optional<double> low, high; ///< points beyond are not drawn
+    bool logarithmic = false;        ///< then points <= 0 are left out
+    std::optional<double> low, high; ///< points outside this range are not drawn
 };
 
 struct Plot {
@@ -41,25 +42,23 @@ struct Plot {
     PlotAxis x, y;
     std::vector<PlotSeries> series;
     int width = 900, height = 600; ///< pixels; 200 to 10000
-    std::string subtitle;          ///< under the title: what the figures hold for
+    std::string subtitle;          ///< under the title: the conditions of the figures
 };
 
 enum class PlotFormat { svg, png };
 
-/// The format that a file's name asks for. Throws std::invalid_argument where it ends in neither
-/// .svg nor .png.
+/// The format for a file name. Throws std::invalid_argument if it ends in neither .svg nor .png.
 PlotFormat plot_format(const std::string& file);
 
-/// The plot as the bytes of a file: the same ones for the same plot, fonts and cairo. The legend
-/// stands above the points and so covers none. Text is UTF-8; in SVG it is drawn as outlines, which
-/// look alike everywhere. The series differ by mark and by colours that the colour-blind can tell
-/// apart. Throws std::invalid_argument where the plot contradicts itself (a range upside down,
-/// lists of unequal length).
+/// The plot as the bytes of a file, which depend only on the plot, the fonts and cairo's version.
+/// The legend is above the plot area. Text is UTF-8; in SVG it is drawn as outlines and looks the
+/// same everywhere. Series have different marks, and colours that colour-blind readers can
+/// distinguish. Throws std::invalid_argument if the plot is inconsistent (low > high, lists of
+/// unequal length).
 std::string plot_bytes(const Plot& plot, PlotFormat format);
 
-/// Writes plot_bytes to FILE.svg or FILE.png, whole or not at all. Throws as plot_format and
-/// plot_bytes do, and OutputError (file_bytes.h), a std::runtime_error, where the file cannot be
-/// written.
+/// Writes plot_bytes to FILE.svg or FILE.png; the file appears only when it is complete. Throws as
+/// plot_format and plot_bytes do, and OutputError (file_bytes.h) if the file cannot be written.
 void write_plot(const Plot& plot, const std::string& file);
 
 } // namespace integral

@@ -9,8 +9,8 @@
 namespace integral {
 namespace {
 
-constexpr double largest_shown = 1e300; // beyond, widths of ranges overflow
-constexpr double rounding = 1e-9;       // of a step: what counts as on the tick
+constexpr double largest_shown = 1e300; // the width of a larger range overflows
+constexpr double rounding = 1e-9;       // part of a step by which a value may miss a tick
 const double mantissas[] = {1, 2, 5};
 
 double step_of(int exponent, int mantissa)
@@ -30,7 +30,7 @@ std::string exponent_text(int exponent)
     return (exponent < 0 ? "\u2212" : "") + std::to_string(std::abs(exponent));
 }
 
-/// The label of a whole number of steps, mantissa * 10^exponent.
+/// The tick at `value`, a whole number of steps of mantissa * 10^exponent.
 PlotTick linear_tick(double value, double largest, int exponent)
 {
     PlotTick tick{value, "", ""};
@@ -39,7 +39,7 @@ PlotTick linear_tick(double value, double largest, int exponent)
     else if (largest < 1e6 && exponent >= -5)
         tick.label = number(value, std::max(0, -exponent));
     else {
-        // 12.5·10^7, all ticks with the power of the largest
+        // As 12.5·10^7, where all ticks use the power of ten of the largest.
         const int power = static_cast<int>(std::floor(std::log10(largest) + 1e-12));
         tick.label = number(value / std::pow(10.0, power), std::max(0, power - exponent)) +
                      "\u00b710";
@@ -48,7 +48,7 @@ PlotTick linear_tick(double value, double largest, int exponent)
     return tick;
 }
 
-/// Widens what holds no more than one value, so that the value stands in the middle.
+/// Widens an empty range so that its only value is in the middle.
 void open_linear(double& low, double& high, bool low_given, bool high_given)
 {
     const double size = std::max(std::fabs(low), std::fabs(high));
@@ -77,7 +77,7 @@ void scale_linear(PlotScale& scale, bool low_given, bool high_given, int most_la
         exponent += mantissa == 0;
     }
     const double step = step_of(exponent, mantissa);
-    const auto tick_value = [&](double index) { // as exact as a decimal number gets
+    const auto tick_value = [&](double index) { // rounds like the decimal number
         return exponent < 0 ? index * mantissas[mantissa] / std::pow(10.0, -exponent)
                             : index * step;
     };
@@ -135,8 +135,8 @@ void scale_logarithmic(PlotScale& scale, bool low_given, bool high_given, int mo
     const int last = static_cast<int>(std::floor(std::log10(scale.high) + rounding));
     const double decades = std::log10(scale.high) - std::log10(scale.low);
     const int every = static_cast<int>(std::ceil(decades / most_labels));
-    const bool halves = 3 * decades <= most_labels; // room for 2 and 5, too
-    const bool all = 22 * decades <= most_labels;   // from 9 to 10 it is a 22nd of a decade
+    const bool halves = 3 * decades <= most_labels; // room to label 2 and 5
+    const bool all = 22 * decades <= most_labels;   // the step from 9 to 10 is 1/22 of a decade
     for (int exponent = first; exponent <= last; ++exponent)
         for (int digit = 1; digit <= 9; ++digit) {
             PlotTick tick = logarithmic_tick(exponent, digit);

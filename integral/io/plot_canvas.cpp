@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #ifdef __SANITIZE_ADDRESS__
-// fontconfig, which finds cairo its fonts, keeps them until the program ends where LeakSanitizer
-// does not look.
+// fontconfig, which cairo uses, holds its fonts until the program ends, which LeakSanitizer reports
+// as a leak.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
@@ -25,7 +25,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned length)
     try {
         static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
         return CAIRO_STATUS_SUCCESS;
-    } catch (const std::exception&) { // must not pass through C
+    } catch (const std::exception&) { // no exception may pass through C code
         return CAIRO_STATUS_NO_MEMORY;
     }
 }
@@ -39,8 +39,8 @@ void demand_success(cairo_status_t status)
                                  cairo_status_to_string(status));
 }
 
-/// Gives an SVG its name, and takes away the number by which cairo counts its surfaces: the same
-/// plot is the same bytes.
+/// Adds the accessible name to an SVG, and removes cairo's surface counter so that the same plot
+/// always gives the same bytes.
 std::string named(std::string svg, const std::string& title)
 {
     if (const auto begin = svg.find(" id=\"surface"); begin != std::string::npos)
@@ -87,7 +87,7 @@ PlotCanvas::PlotCanvas(int width, int height, PlotFormat format) : cairo_(std::m
     demand_success(cairo_surface_status(cairo_->surface));
     cairo_->context = cairo_create(cairo_->surface);
     cairo_t* c = cairo_->context;
-    // Letters as their outlines are, at the same places in both formats.
+    // No hinting, so that text has the same outlines and positions in both formats.
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
@@ -129,7 +129,7 @@ void PlotCanvas::mark(double x, double y, double radius, int kind, PlotInk ink)
     struct Shape {
         int corners;
         double size, turn;
-    }; // turn in parts of a circle, from the right clockwise
+    }; // turn: fraction of a full circle, clockwise from the right
     static const Shape shapes[] = {{0, 1, 0},   {4, 1.25, 0.125}, {3, 1.4, 0.75},
                                    {4, 1.3, 0}, {3, 1.4, 0.25},   {5, 1.2, 0.75}};
     const Shape& shape = shapes[kind % int(std::size(shapes))];
@@ -167,7 +167,8 @@ double PlotCanvas::text_width(const std::string& text)
 
 void PlotCanvas::write(const std::string& text, double left, double baseline, PlotInk ink)
 {
-    // As plain paths: SVG's symbols, cairo's usual way, are beyond some programs that show SVG.
+    // Draw text as plain paths: some SVG viewers do not support the symbols that cairo otherwise
+    // writes.
     cairo_new_path(cairo_->context);
     cairo_move_to(cairo_->context, left, baseline);
     cairo_text_path(cairo_->context, text.c_str());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What plots are drawn on: a white picture, PNG or SVG, by the same strokes (cairo's).
+// The drawing surface of plots: lines, marks and text on a white PNG or SVG, by cairo.
 #ifndef INTEGRAL_IO_PLOT_CANVAS_H
 #define INTEGRAL_IO_PLOT_CANVAS_H
 
@@ -19,8 +19,8 @@ struct PlotPosition {
     double x, y; ///< pixels, y downwards
 };
 
-/// Everything throws std::invalid_argument where a text is not UTF-8, std::runtime_error where
-/// memory is short.
+/// Functions throw std::invalid_argument if a text is not UTF-8 and std::runtime_error if cairo
+/// fails, as for lack of memory.
 class PlotCanvas {
 public:
     PlotCanvas(int width, int height, PlotFormat format);
@@ -29,23 +29,24 @@ public:
     void stroke(const std::vector<PlotPosition>& line, PlotInk ink, double width,
                 bool dashed = false);
     void fill_polygon(const std::vector<PlotPosition>& corners, PlotInk ink, double opacity);
-    /// One of six marks (circle, square, triangle, ...), of about the same area, edged in white.
+    /// Draws one of six marks (circle, square, triangle, ...) of about equal area, with a white
+    /// edge.
     void mark(double x, double y, double radius, int kind, PlotInk ink);
 
     void set_font(double size, bool bold);
     double text_width(const std::string& text);
     void write(const std::string& text, double left, double baseline, PlotInk ink);
-    /// The same on a white outline, so that it can be read upon lines.
+    /// The same with a white outline, so that it is legible over lines.
     void write_with_halo(const std::string& text, double left, double baseline, PlotInk ink);
-    /// Turned a quarter to the left: it begins at `bottom` and runs upwards.
+    /// Writes upwards from `bottom`, rotated 90 degrees to the left.
     void write_upwards(const std::string& text, double baseline, double bottom, PlotInk ink);
 
-    /// From here on only inside of the box, until unclip.
+    /// Restricts drawing to the box until unclip().
     void clip(const PlotBox& box);
     void unclip();
 
-    /// The file's bytes; nothing may be drawn after this. An SVG has `title` as its accessible
-    /// name.
+    /// Returns the file's bytes; nothing may be drawn afterwards. `title` becomes the accessible
+    /// name of an SVG.
     std::string finish(const std::string& title);
 
 private:

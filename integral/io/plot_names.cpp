@@ -11,11 +11,11 @@ namespace {
 struct Direction {
     double x, y;
 };
-// The first are the ones that readers expect.
+// In order of preference: readers expect a name to the right of its point.
 const Direction directions[] = {{1, 0},  {0, -1},  {-1, 0}, {0, 1},
                                 {1, -1}, {-1, -1}, {1, 1},  {-1, 1}};
 const double gaps[] = {7, 16, 28, 42}; // pixels from the point
-constexpr int passes = 5; // over all names, each moved to its best place among the others
+constexpr int passes = 5;              // rounds in which each name is moved to its best place
 
 double area_of(const PlotBox& box) { return (box.right - box.left) * (box.bottom - box.top); }
 
@@ -28,7 +28,8 @@ PlotBox placed(const PlotName& name, Direction direction, double gap)
             y + 0.5 * name.height};
 }
 
-/// How bad a place is, in pixels of covered area: a hidden name or mark counts most, then distance.
+/// The cost of a place, in pixels of covered area: covering a name or a mark costs most, then the
+/// distance from the point.
 double badness(const PlotBox& box, double preference, std::size_t own,
                const std::vector<PlotName>& names, const PlotBox& area,
                const std::vector<PlotBox>& obstacles)

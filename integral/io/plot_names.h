@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where the names of a plot's points stand so that they can be read.
+// Places the names of a plot's points so that they are legible.
 #ifndef INTEGRAL_IO_PLOT_NAMES_H
 #define INTEGRAL_IO_PLOT_NAMES_H
 
@@ -7,25 +7,24 @@
 
 namespace integral {
 
-/// A rectangle of the picture, pixels; y grows downwards.
+/// A rectangle of the picture, in pixels; y grows downwards.
 struct PlotBox {
     double left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// The area that two boxes share; 0 if none.
+/// The area of the intersection of two boxes, in square pixels.
 double shared_area(const PlotBox& a, const PlotBox& b);
 
 /// A text to be placed beside a point.
 struct PlotName {
     double x = 0, y = 0;          ///< the point
     double width = 0, height = 0; ///< of the text
-    PlotBox box;                  ///< result: where the text stands
-    bool far = false;             ///< result: not right beside its point, which a line should show
+    PlotBox box;                  ///< result: where to write the text
+    bool far = false;             ///< result: not next to its point, so draw a line between them
 };
 
-/// Chooses each name's box: beside its point, inside `area`, off the others' boxes and off
-/// `obstacles` (marks and pieces of lines) as far as there is room. Always the same for the same
-/// input.
+/// Chooses a box for each name near its point and inside `area`. Where there is room, no box covers
+/// another or an obstacle (marks and pieces of lines). The result depends on the input alone.
 void place_names(std::vector<PlotName>& names, const PlotBox& area,
                  const std::vector<PlotBox>& obstacles);
 

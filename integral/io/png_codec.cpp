@@ -18,25 +18,25 @@ namespace {
 
 constexpr char keyword[] = "integral";
 constexpr double mm_per_metre = 1000;
-constexpr double greatest_deflate_ratio = 1100; // 1032 is deflate's
+constexpr double greatest_deflate_ratio = 1100; // deflate reaches 1032
 
-/// Bytes of a file that are read one after another.
+/// A contiguous range of a file's bytes.
 struct Span {
     std::uint64_t at = 0, count = 0;
 };
 
-/// What libpng's callbacks need. libpng leaves by longjmp: the functions below that set its
-/// target hold no object that would have to be destroyed.
+/// The state that libpng's callbacks need. libpng reports errors by longjmp, so the functions below
+/// that call setjmp have no local objects with destructors.
 struct Session {
     png_structp png = nullptr;
     png_infop info = nullptr;
     const InputFile* input = nullptr;
-    std::vector<Span> spans;          ///< of the input, in the order in which libpng gets them
-    std::vector<unsigned char> ahead; ///< read from the input, not yet taken by libpng
-    std::size_t taken = 0;            ///< of `ahead`
+    std::vector<Span> spans; ///< parts of the input, in the order in which libpng gets them
+    std::vector<unsigned char> ahead; ///< bytes read from the input for libpng
+    std::size_t taken = 0;            ///< number of bytes of `ahead` that libpng has got
     ByteSink* output = nullptr;
-    std::exception_ptr failure; ///< of the sink
-    std::size_t row_bytes = 0;  ///< of the file's rows, before they are expanded
+    std::exception_ptr failure; ///< exception thrown by the sink
+    std::size_t row_bytes = 0;  ///< length of a row in the file, before it is expanded
     char message[160] = "";
 };
 
@@ -49,7 +49,7 @@ void on_error(png_structp png, png_const_charp message)
 
 void on_warning(png_structp, png_const_charp) {}
 
-/// Reads on in the input. Returns nothing, or why it cannot.
+/// Refills `ahead` from the input. Returns null, or a message if that fails.
 const char* read_ahead(Session& s)
 {
     constexpr std::uint64_t most = 1 << 16;
@@ -113,17 +113,18 @@ bool is_text(const char* type)
            std::memcmp(type, "zTXt", 4) == 0;
 }
 
-/// A file's chunks as libpng shall see them: text that stands behind the pixels comes before them,
-/// so that the document is known before any pixel is read. Throws where a chunk is longer than the
-/// file, as libpng makes room for some chunks, up to 2 GB, before it looks whether the file holds
-/// them; not `whole`: the file may end anywhere, and is not looked through behind the first pixels.
+/// A file's chunks in the order in which libpng gets them: text chunks from after the pixels are
+/// moved before them, so that the document is known before any pixel is read. Throws if a chunk is
+/// longer than the file, because libpng allocates up to 2 GB for some chunks before it checks that.
+/// If not `whole`, the file may be truncated anywhere, and chunks after the first pixels are
+/// ignored.
 std::vector<Span> spans_of(const InputFile& file, bool whole)
 {
     constexpr std::uint64_t signature = 8;
-    constexpr std::uint64_t around = 12; // a chunk's length and type before its data, a checksum
-                                         // behind
+    constexpr std::uint64_t around = 12; // a chunk's length and type before its data, checksum
+                                         // after
     std::uint64_t first_pixels = 0;
-    std::vector<Span> behind; // text behind the pixels
+    std::vector<Span> behind; // text chunks after the pixels
     for (std::uint64_t at = signature; at + around <= file.size();) {
         unsigned char head[8];
         file.read(at, head, sizeof head);
@@ -141,7 +142,7 @@ std::vector<Span> spans_of(const InputFile& file, bool whole)
         if (std::memcmp(type, "IDAT", 4) == 0) {
             if (!whole)
                 break;
-            behind.clear(); // what stands between pixels stays there, which is an error
+            behind.clear(); // chunks between pixel chunks stay there, and libpng refuses them
             first_pixels = first_pixels ? first_pixels : at;
         } else if (first_pixels && is_text(type)) {
             behind.push_back({at, around + length});
@@ -180,7 +181,8 @@ bool read_header(Session& s)
     return true;
 }
 
-/// Reads rows, the last of which is the file's last if `last`. Returns whether that was possible.
+/// Reads `rows` rows, to `first` and every `step` bytes after it. If `last`, they are the file's
+/// last rows, and the rest of the file is read as well. Returns whether that succeeded.
 bool read_rows(Session& s, png_bytep first, std::size_t step, int rows, bool last)
 {
     if (setjmp(png_jmpbuf(s.png)))
@@ -257,7 +259,7 @@ bool write_end(Session& s)
     return true;
 }
 
-/// Owns a session's libpng objects.
+/// A session that owns libpng's objects for reading.
 struct ReadSession : Session {
     ReadSession()
     {
@@ -371,7 +373,7 @@ private:
 
     ReadSession s_;
     bool interlaced_ = false;
-    Image all_; ///< if interlaced
+    Image all_; ///< the whole picture, if it is interlaced
     int next_ = 0;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Owners of what C libraries hand out.
+// Owns objects of C libraries.
 #ifndef INTEGRAL_IO_RELEASE_H
 #define INTEGRAL_IO_RELEASE_H
 
 namespace integral {
 
-/// For std::unique_ptr: gives an object back by the library's own function.
+/// A deleter for std::unique_ptr that calls the library's own release function.
 template <class Object, void (*release)(Object*)> struct Release {
     void operator()(Object* object) const { release(object); }
 };

@@ -19,19 +19,19 @@
 namespace integral {
 namespace {
 
-constexpr double greatest_ratio = 10000; // LZMA's and Zstandard's long runs
+constexpr double greatest_ratio = 10000; // of LZMA and Zstandard for long runs
 constexpr int largest_side = 1000000;
 
 thread_local char last_error[160];
 
 void on_error(const char*, const char* format, va_list arguments)
 {
-    if (last_error[0] == '\0') // the first is the cause
+    if (last_error[0] == '\0') // keep the first message, which names the cause
         std::vsnprintf(last_error, sizeof last_error, format, arguments);
 }
 
-/// libtiff drops a tag that it cannot read with a warning; if it is the document's, the file is
-/// broken.
+/// libtiff skips a tag that it cannot read and warns. If it is the tag of the document, the file
+/// counts as damaged.
 void on_warning(const char*, const char* format, va_list arguments)
 {
     char text[sizeof last_error];
@@ -45,12 +45,12 @@ void on_warning(const char*, const char* format, va_list arguments)
     throw std::runtime_error(last_error[0] ? last_error : otherwise);
 }
 
-/// A file, as libtiff's callbacks see it: `output` if it is being written.
+/// The file that libtiff's callbacks read, or write if `output` is set.
 struct Stream {
     const InputFile* input = nullptr;
     ByteSink* output = nullptr;
     std::uint64_t position = 0;
-    std::exception_ptr failure = nullptr; ///< of the output
+    std::exception_ptr failure = nullptr; ///< exception thrown by the output
     std::uint64_t size() const { return output ? output->size() : input->size(); }
 };
 
@@ -115,7 +115,7 @@ TiffHandle open_tiff(Stream& stream, const char* mode)
     return tiff;
 }
 
-/// What of a TIFF's tags the decoding needs.
+/// The values of a TIFF's tags that decoding needs.
 struct Layout {
     std::uint32_t width = 0, height = 0;
     std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, planar = PLANARCONFIG_CONTIG,
@@ -165,7 +165,7 @@ Layout layout_of(TIFF* tiff)
     return l;
 }
 
-/// Reads as many rows as `band` has, whose samples are of type Sample, from row `first` on.
+/// Reads rows `first` to first + band.height - 1 into `band`, whose samples have the type Sample.
 template <class Sample> void read_rows(TIFF* tiff, const Layout& l, int first, Image& band)
 {
     auto& samples = std::get<std::vector<Sample>>(band.samples);
@@ -215,7 +215,7 @@ public:
     explicit TiffReader(const InputFile& file)
     {
         stream_.input = &file;
-        tiff_ = open_tiff(stream_, "rm"); // m: do not map
+        tiff_ = open_tiff(stream_, "rm"); // m: no memory mapping
         TIFF* tiff = tiff_.get();
         layout_ = layout_of(tiff);
         const Layout& l = layout_;
@@ -229,7 +229,7 @@ public:
         head_.image.premultiplied = l.premultiplied;
         const char* text = nullptr;
         if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) && text && text[0] == '{')
-            head_.document = text; // other programs' descriptions are not JSON
+            head_.document = text; // ignore other programs' descriptions, which are not JSON
         head_.pixel_pitch = pixel_pitch_of(tiff);
     }
 
@@ -237,7 +237,7 @@ public:
     {
         last_error[0] = '\0';
         if (layout_.planar == PLANARCONFIG_SEPARATE && band.height < head_.image.height) {
-            if (all_.height == 0) { // a channel after the other
+            if (all_.height == 0) { // each channel is a plane of its own
                 Image all = whole_blank(head_.image);
                 read_from(0, all);
                 all_ = std::move(all);
@@ -265,7 +265,7 @@ private:
     Stream stream_;
     TiffHandle tiff_;
     Layout layout_;
-    Image all_; ///< if its channels stand apart
+    Image all_; ///< the whole picture, if its channels are separate planes
     int next_ = 0;
 };
 

@@ -20,7 +20,7 @@ DepthRange depth_range(const DepthFrame& frame, std::optional<double> budget)
     range.surfaces = depths.size();
     if (depths.empty())
         return range;
-    const auto part = [&](double fraction) { // sorted, the one at that part of the way
+    const auto part = [&](double fraction) { // the quantile of that fraction
         const auto at = depths.begin() + std::ptrdiff_t(fraction * double(depths.size() - 1));
         std::nth_element(depths.begin(), at, depths.end());
         return double(*at);

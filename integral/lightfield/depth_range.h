@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How deep a scene reaches, against what its sheet and film can show.
+// Compares the range of depths in a scene with the depth that its sheet and film can resolve.
 #ifndef INTEGRAL_LIGHTFIELD_DEPTH_RANGE_H
 #define INTEGRAL_LIGHTFIELD_DEPTH_RANGE_H
 
@@ -10,26 +10,26 @@
 
 namespace integral {
 
-/// A depth frame: of each pixel, row by row, how far behind the sheet (negative: in front) the
-/// first surface is that its viewer sees, mm; infinite where there is none. `imaged` is 0 where the
-/// pixel images nothing, else 1.
+/// A depth frame, one value per pixel, row by row. `depth`: how far behind the sheet the first
+/// surface is that the pixel shows, mm (negative: in front), infinite if it shows none. `imaged`: 0
+/// for a pixel that images nothing, else 1.
 struct DepthFrame {
     std::vector<float> depth, imaged;
-    FrameMetadata metadata; ///< the frame's
+    FrameMetadata metadata; ///< of the colour frame
 };
 
-/// Depths that imaged pixels show, mm behind the sheet; those of the pixels that show a surface.
+/// Statistics of the depths in a frame, mm behind the sheet.
 struct DepthRange {
-    std::size_t pixels = 0;   ///< imaged
-    std::size_t surfaces = 0; ///< of these, pixels that show a surface; the following are 0 where
-                              ///< there is none
+    std::size_t pixels = 0;   ///< number of imaged pixels
+    std::size_t surfaces = 0; ///< number of imaged pixels that show a surface. If this is 0, all
+                              ///< fields below are 0.
     double nearest = 0, low = 0, median = 0, high = 0,
-           farthest = 0;           ///< low and high: a hundredth is nearer, or farther
-    double before = 0, behind = 0; ///< parts of `surfaces` nearer, or farther, than the budget
+           farthest = 0;           ///< low and high: the 1st and the 99th percentile
+    double before = 0, behind = 0; ///< fractions of `surfaces` in front of the budget, or behind it
 };
 
-/// `budget`: mm on either side of the sheet (depth_budget of sheet_figures.h); nothing: every depth
-/// is within.
+/// The statistics of a depth frame. `budget`: mm on either side of the sheet (depth_budget of
+/// sheet_figures.h); without one, `before` and `behind` are 0.
 DepthRange depth_range(const DepthFrame& frame, std::optional<double> budget);
 
 } // namespace integral

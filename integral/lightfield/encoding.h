@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How stored samples encode linear light.
+// Encodes linear light as stored samples, and decodes them.
 #ifndef INTEGRAL_LIGHTFIELD_ENCODING_H
 #define INTEGRAL_LIGHTFIELD_ENCODING_H
 
@@ -10,8 +10,8 @@ struct Encoding {
     double gamma = 2.2; ///< power: stored = linear^(1/gamma)
 };
 
-/// Linear light of an encoded value, and back. Odd functions: what is below 0 or above 1, as
-/// float samples may be, is mapped by the same curve.
+/// The linear light of an encoded value, and its inverse. Defined for all numbers, since float
+/// samples may be outside 0 to 1: both are odd functions, and values above 1 follow the same curve.
 double decode(Encoding encoding, double value);
 double encode(Encoding encoding, double linear);
 

@@ -40,7 +40,7 @@ double audited_error(const OutputCurve& curve, const Light& pixel,
             mean[channel] = (total[channel] - left_out[channel]) / count;
         return mean;
     };
-    double without_one = 0; // mean over the samples of the error that the others give
+    double without_one = 0; // mean of the errors computed with one sample left out
     for (const Light& sample : samples)
         without_one += squared_difference(curve, pixel, mean_without(sample, n - 1)) / n;
     return n * squared_difference(curve, pixel, mean_without(Light{}, n)) - (n - 1) * without_one;
@@ -74,14 +74,14 @@ void ErrorSums::add(const ErrorSums& other)
 
 namespace {
 
-/// A mean and how far the interval reaches from it.
+/// A mean and the half-width of its interval.
 struct Mean {
     double value, reach;
 };
 
 Mean mean_of(const ErrorSums& sums, ErrorMethod method)
 {
-    constexpr double two_sided_95 = 1.959963984540054, bias = 0.1; // bias: part of the mean
+    constexpr double two_sided_95 = 1.959963984540054, bias = 0.1; // bias: fraction of the mean
     const double n = sums.pixels, mean = sums.sum / n;
     double variance = std::max(0.0, (sums.sum_of_squares - n * mean * mean) / (n - 1)) /
                       n; // of the mean

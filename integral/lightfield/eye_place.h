@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where a film point is seen: from which eye, and at which place of that eye's picture.
+// Finds the eye position and the place in its picture at which a film point is seen.
 #ifndef INTEGRAL_LIGHTFIELD_EYE_PLACE_H
 #define INTEGRAL_LIGHTFIELD_EYE_PLACE_H
 
@@ -11,12 +11,13 @@
 namespace integral {
 
 struct EyePlace {
-    Vec2 eye; ///< in the eyes' rectangle: 0 at its left and lower sides, 1 at the others; a side of
-              ///< no length: the middle
+    Vec2 eye;   ///< position in the eyes' rectangle: (0, 0) at its lower left corner, (1, 1) at its
+                ///< upper right; 0.5 along a side of length 0
     Vec2 place; ///< where the light leaves the sheet, mm in the sheet frame
 };
 
-/// Nothing where the film point images nothing. The eye may be past the rectangle's sides.
+/// The place of a film point; nothing if the point images nothing. The eye may be outside the
+/// rectangle.
 inline std::optional<EyePlace> eye_place(const SheetOptics& optics, const EyeGrid& eyes,
                                          Vec2 film_point)
 {

@@ -11,7 +11,7 @@ namespace integral {
 
 namespace {
 
-constexpr double levels = 8192; // a colour of 1; the largest that is kept is 8
+constexpr double levels = 8192; // stored value of a colour of 1; the greatest stored colour is 8
 
 int rounded(double x) { return int(std::lround(x)); }
 
@@ -56,7 +56,8 @@ FirstSamples::FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> m
     const auto add = [&](LensIndex forth_even, LensIndex forth_odd) {
         const Vec2 way = lattice.pole(forth_even) - pole; // (0, 0) is in an even row
         const int x = rounded(way.x / pixel.x), y = rounded(-way.y / pixel.y);
-        // back from an even row undoes the way forth from an odd one, if it leads into another row
+        // If the step changes the row, the step back from an even row is the inverse of the step
+        // forth from an odd one.
         const bool turns = forth_even.j != 0;
         const int even = int(forth_even.i), odd = int(forth_odd.i), row = int(forth_even.j);
         axes_.push_back({Step{{even, odd}, row, x, y},
@@ -75,8 +76,8 @@ void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex len
 {
     Entry& entry = entries_[std::size_t(y) * width_ + x];
     for (std::size_t k = 0; k < colour.size(); ++k)
-        entry.colour[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * levels, 65535)); // NaN:
-                                                                                             // 0
+        // fmax makes 0 of NaN.
+        entry.colour[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * levels, 65535));
     entry.i = std::uint16_t(lens.i);
     entry.j = std::uint16_t(lens.j);
     entry.depth = std::isnan(depth) ? std::numeric_limits<float>::infinity() : float(depth);
@@ -104,7 +105,7 @@ const FirstSamples::Entry* FirstSamples::at(int x, int y) const
     return empty(entry) ? nullptr : &entry;
 }
 
-/// The same, if it is behind that lens.
+/// The entry of pixel (x, y) if it is behind lens (i, j), else null.
 const FirstSamples::Entry* FirstSamples::at(int x, int y, std::uint16_t i, std::uint16_t j) const
 {
     const Entry* entry = at(x, y);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What anti-aliasing knows of a frame once every pixel has been sampled: which pixels depart from
-// what their neighbours in the light field let expect. The neighbours are of two kinds, the two
-// domains of an integral image: the next pixels behind the same lens, and the pixels behind the
-// next lenses that see in the same direction.
+// Stores one sample per pixel, from which anti-aliasing finds the pixels that differ from their
+// neighbours in the light field. There are two kinds of neighbours, for the two domains of an
+// integral image: the next pixels behind the same lens, and the pixels of the same direction behind
+// the next lenses.
 #ifndef INTEGRAL_LIGHTFIELD_FIRST_SAMPLES_H
 #define INTEGRAL_LIGHTFIELD_FIRST_SAMPLES_H
 
@@ -16,68 +16,68 @@
 
 namespace integral {
 
-/// A colour as anti-aliasing compares it: red, green, blue and transparency, in an encoding that
-/// resembles the eye's.
+/// A colour for comparison: red, green, blue and transparency in a perceptual encoding.
 using ComparedColour = std::array<double, 4>;
 
-/// The sum of the four differences: POV-Ray's measure, in which black and white are 3 apart.
+/// The sum of the four absolute differences, as POV-Ray computes it: 3 between black and white.
 double colour_distance(const ComparedColour& a, const ComparedColour& b);
 
-/// How many rows up or down a pixel's neighbours are, at most.
+/// The greatest distance in rows between a pixel and its neighbours.
 int rows_looked_at(const LensSheet& sheet, const Film& film);
 
-/// First samples of a frame, 16 bytes a pixel. Different pixels may be set from different threads.
+/// The first sample of each pixel of a frame, 16 bytes a pixel. Different threads may set different
+/// pixels at the same time.
 class FirstSamples {
 public:
-    /// All pixels are empty. `memory`: of bytes(camera.film), all 0, aligned to 4; nothing: its
-    /// own.
+    /// All pixels are empty at first. `memory`: bytes(camera.film) bytes, all 0, aligned to 4;
+    /// null: the object allocates its own.
     explicit FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> memory = nullptr);
 
     FirstSamples(FirstSamples&&) = default;
     FirstSamples(const FirstSamples&) = delete;
 
-    /// How much memory a film's first samples take: rows one after another, from the top.
+    /// Bytes of memory for a film's first samples, stored row by row from the top.
     static std::size_t bytes(const Film& film);
 
-    /// The colour (kept from 0 to 8) of pixel (x, y), which `lens` images, and the depth of what it
-    /// shows: mm from the sheet away from the viewer, or infinite.
+    /// Sets the colour of pixel (x, y) (clamped to 0 to 8), the lens that images it, and the depth
+    /// of the surface that it shows: mm from the sheet away from the viewer, or infinite.
     void set(int x, int y, const ComparedColour& colour, LensIndex lens, double depth);
 
-    /// That depth; NaN for an empty pixel.
+    /// The depth that was set; NaN for an empty pixel.
     double depth(int x, int y) const;
 
-    /// How far a pixel departs from its neighbours: along each axis of the light field the
-    /// colour_distance between its double and the sum of its neighbours on either side, so that an
-    /// even run of colours does not count; where only one of the two is there, their distance. The
-    /// largest of all axes. Neighbours that are empty, or behind a lens that they should not be
-    /// behind, are not there. Infinite if none is; -1 for an empty pixel.
+    /// How much a pixel differs from its neighbours: the largest value over the axes of the light
+    /// field. Along one axis the value is the colour_distance between twice the pixel's colour and
+    /// the sum of its two neighbours' (a second difference, so that an even gradient counts as 0),
+    /// or, with one neighbour, the distance to it. A neighbour is missing if it is empty or is not
+    /// behind the expected lens. Infinite if all neighbours are missing; -1 for an empty pixel.
     double contrast(int x, int y) const;
 
-    /// Calls visit(x, y) for each neighbour that is there.
+    /// Calls visit(x, y) for each neighbour that is not missing.
     template <class Visit> void for_each_neighbour(int x, int y, Visit visit) const;
 
 private:
     struct Entry {
         std::array<std::uint16_t, 4> colour{};
         std::uint16_t i = 0, j = 0; // the lens, modulo 2^16
-        float depth = 0;            // +0: empty; where it is 0 it is kept as -0
+        float depth = 0;            // +0 marks an empty pixel; a depth of 0 is stored as -0
     };
-    /// The next lens along one of the lattice's axes, and where its pixel of the same direction is.
+    /// The step to the next lens along a lattice axis (i, j), and to its pixel of the same
+    /// direction (x, y).
     struct Step {
-        int i[2], j, x, y;
-    }; // columns: [0] from an even row, [1] from an odd one
+        int i[2], j, x, y; // i[0]: from an even row of lenses; i[1]: from an odd one
+    };
     static bool empty(const Entry& entry);
     const Entry* at(int x, int y) const;
     const Entry* at(int x, int y, std::uint16_t i, std::uint16_t j) const;
 
-    /// Calls visit(a, b) for each axis with the neighbours of `own` on either side, null where
-    /// there is none.
+    /// Calls visit(a, b) for each axis, with the two neighbours of `own`; null for a missing one.
     template <class Visit> void for_each_axis(const Entry& own, int x, int y, Visit visit) const;
 
     int width_, height_;
     std::shared_ptr<void> memory_;
     Entry* entries_;
-    std::vector<std::array<Step, 2>> axes_; ///< towards either side
+    std::vector<std::array<Step, 2>> axes_; ///< for each axis, the steps in both directions
 };
 
 template <class Visit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The micro-image frame: pixels and the geometry that makes a light field of them.
+// The micro-image frame: a picture and the geometry that maps its pixels to rays.
 #ifndef INTEGRAL_LIGHTFIELD_FRAME_H
 #define INTEGRAL_LIGHTFIELD_FRAME_H
 
@@ -9,15 +9,15 @@
 
 namespace integral {
 
-/// A picture, and its geometry where it is known: a view, a scan or another program's picture
-/// has none. With metadata, metadata->film's size is the image's and its encoding the image's.
+/// A picture, and its geometry if that is known. Views, scans and other programs' pictures have
+/// none. The size of metadata->film and metadata->encoding equal those of the image.
 struct Frame {
     Image image;
     std::optional<FrameMetadata> metadata;
 };
 
-/// Gives a frame its geometry. A film size of 0 by 0 is taken from the image.
-/// Throws std::invalid_argument where the geometry is of a frame of another size.
+/// Sets a frame's geometry. A film size of 0 by 0 means the image's size. Throws
+/// std::invalid_argument if the film has another size than the image.
 void set_metadata(Frame& frame, FrameMetadata metadata);
 
 } // namespace integral

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a micro-image frame carries about itself: the document `integral` in its PNG iTXt chunk,
-// EXR string attribute, TIFF ImageDescription, or FRAME.json beside it.
+// The metadata of a micro-image frame: the JSON document `integral` in a PNG iTXt chunk, an EXR
+// string attribute, the TIFF ImageDescription, or in FRAME.json in the frame's folder.
 #ifndef INTEGRAL_LIGHTFIELD_FRAME_METADATA_H
 #define INTEGRAL_LIGHTFIELD_FRAME_METADATA_H
 
@@ -13,7 +13,7 @@
 
 namespace integral {
 
-/// The part of the document that says how the frame came about; absent for other programs' frames.
+/// The part of the document about rendering; absent for frames of other programs.
 struct RenderRecord {
     std::string program; ///< name and version
     std::string scene;   ///< the scene file's name, without folders
@@ -21,11 +21,11 @@ struct RenderRecord {
     LensMapping mapping = LensMapping::automatic;
     int pixel_samples = 1, beam_samples = 1;
     bool pseudoscopic = false, display_prefilter = false;
-    double seconds = 0;                 ///< of rendering, where known
-    std::optional<ErrorEstimate> error; ///< in the output encoding, where known
+    double seconds = 0;                 ///< rendering time; 0 if unknown
+    std::optional<ErrorEstimate> error; ///< in the output encoding
 };
 
-/// Geometry of a micro-image frame: enough to replay it. Lengths in mm.
+/// The geometry of a micro-image frame, which replay needs. Lengths in mm.
 struct FrameMetadata {
     LensSheet sheet;
     Film film;
@@ -33,15 +33,16 @@ struct FrameMetadata {
     std::optional<Placement> placement; ///< where the sheet stood in its scene
     Encoding encoding;
     std::optional<RenderRecord> render;
-    std::optional<QuiltRecord> quilt; ///< the picture is not the frame, but views of it
+    std::optional<QuiltRecord> quilt; ///< if set, the picture holds views of the frame instead
 };
 
-/// The JSON document, of objects `sheet`, `film`, `aperture`, `camera`, `render` (interfaces.md),
-/// `quilt`. Numbers are written so that they read back to the same double.
+/// The JSON document with the objects `sheet`, `film`, `aperture`, `camera`, `render` (see
+/// interfaces.md) and `quilt`. Numbers are written so that they read back as the same double.
 std::string to_json(const FrameMetadata& metadata);
 
-/// Inverse. Throws std::invalid_argument naming the field that is missing, of the wrong type or
-/// out of range. `film.width`/`height` may be absent (a bare sheet file): they come back as 0.
+/// The inverse of to_json. Throws std::invalid_argument with the name of a field that is missing,
+/// of the wrong type or out of range. `film.width` and `film.height` may be absent, as in a sheet
+/// file; they are then 0.
 FrameMetadata frame_metadata_from_json(const std::string& text);
 
 } // namespace integral

@@ -14,7 +14,7 @@ int side_at(const JsonObject& object, const char* field)
     return whole_at(object, field, 1, largest_side);
 }
 
-/// A list of red's, green's and blue's places in a pixel.
+/// A list of the positions of red, green and blue in a pixel.
 PixelCell cell_from(const Json& json, const std::string& path)
 {
     if (!json.is_array() || json.size() != 3)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Sheet, film and aperture as JSON objects: of a frame's document, and of what else describes them.
+// Reads and writes sheet, film and aperture as JSON objects, for frame documents and other files
+// that describe them.
 #ifndef INTEGRAL_LIGHTFIELD_GEOMETRY_JSON_H
 #define INTEGRAL_LIGHTFIELD_GEOMETRY_JSON_H
 
@@ -10,25 +11,25 @@ namespace integral {
 
 constexpr int largest_side = 1000000;                           // pixels
 constexpr double least_distance = 1e-2, largest_distance = 1e9; // mm, as make_camera allows
-constexpr double largest_extent = 1e30;                         // mm; an aperture's
+constexpr double largest_extent = 1e30;                         // mm, of an aperture
 
-/// arrangement, pitch_mm, thickness_mm, ior, and if they are there slant_degrees and offset_mm.
+/// Fields: arrangement, pitch_mm, thickness_mm, ior; optional: slant_degrees, offset_mm.
 LensSheet sheet_from(const JsonObject& object);
 
-/// pixel_pitch_mm, and if they are there width and height, subpixels.
+/// Fields: pixel_pitch_mm; optional: width and height, subpixels.
 Film film_from(const JsonObject& object);
 
 /// The field subpixels: a word for stripes, or an object of pattern and cells.
 Subpixels subpixels_from(const JsonObject& film);
 
-/// distance_mm, and if they are there width_mm, height_mm (null: no limit) and shape. Extents that
-/// are absent are those that fill the lens on the axis, or none where nothing does.
+/// Fields: distance_mm; optional: width_mm, height_mm (null: no limit) and shape. An absent extent
+/// is the one whose image fills the lens on the axis, or no limit if no extent does.
 Aperture aperture_from(const JsonObject& object, const LensSheet& sheet);
 
-/// The ranges of sheet and film are the scene language's: one list of them, in find_value_errors.
+/// Throws unless sheet and film are within the scene language's ranges (find_value_errors).
 void check_ranges(const LensSheet& sheet, const Film& film);
 
-/// Their inverses.
+/// Inverses of the functions above.
 Json json_of(const LensSheet& sheet);
 Json json_of(const Film& film);
 Json json_of(const Subpixels& subpixels);
@@ -38,7 +39,7 @@ Json json_of(const Aperture& aperture);
 Vec2 vec2_at(const JsonObject& object, const char* field, double least, double greatest);
 Json list(Vec2 v);
 
-/// A field that is one of the words for the kinds of something.
+/// A field whose value is one of the words of the enumeration Kind (names.h).
 template <class Kind> Kind kind_at(const JsonObject& object, const char* field)
 {
     const auto kind = kind_named<Kind>(string_at(object, field));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A picture in memory: samples as its file stored them, and how they encode light.
+// A picture in memory: samples as the file stores them, and their encoding.
 #ifndef INTEGRAL_LIGHTFIELD_IMAGE_H
 #define INTEGRAL_LIGHTFIELD_IMAGE_H
 
@@ -43,24 +43,24 @@ template <class Sample> Image make_image(int width, int height, int channels, En
     return image;
 }
 
-/// A picture's form: a picture of that size whose samples are left out. `bits` is 8, 16, or 32 for
-/// floats. blank_like makes rows of it.
+/// A form: an Image without samples, which tells size, sample type, channels and encoding. `bits`:
+/// 8, 16, or 32 for floats. blank_like allocates rows of a form.
 Image form_of(int bits, int width, int height, int channels, Encoding encoding);
 
-/// The form of a picture.
+/// The form of a picture: the picture without its samples.
 Image form_of(const Image& image);
 
-/// Bytes of a picture of that form.
+/// Bytes of the samples of a picture of that form.
 double size_in_bytes(const Image& form);
 
-/// As many rows of that form as are worked on at a time: some megabytes, and at least one.
+/// The number of rows to process at a time: a few megabytes of that form, at least one row.
 int rows_of_a_band(const Image& form);
 
 /// The samples of a row, as bytes.
 unsigned char* row_bytes(Image& image, int y);
 const unsigned char* row_bytes(const Image& image, int y);
 
-/// Whether two pictures are alike in all but their samples' values and the encoding.
+/// Whether two pictures have the same size, sample type, channels and premultiplication.
 bool same_form(const Image& a, const Image& b);
 
 /// A picture of zeros of the same form.
@@ -72,22 +72,23 @@ Image part_of(const Image& picture, int x, int y, int width, int height);
 /// Rows [first, first + rows) of a picture.
 Image rows_of(const Image& picture, int first, int rows);
 
-/// The pictures, all of one size and form, row by row from the top left, `columns` in a row, with
-/// `border` pixels of black (opaque) between them. Throws std::invalid_argument where they differ,
-/// or are none.
+/// The pictures arranged in rows of `columns`, from the top left, with `border` pixels of opaque
+/// black between them. Throws std::invalid_argument if they differ in size or form, or if there are
+/// none.
 Image tiled(const std::vector<Image>& pictures, int columns, int border);
 
 /// Bits per sample: 8, 16, or 32 for floats.
 int sample_bits(const Image& image);
 
-/// The stored colour of pixel (x, y), 1 at full scale; it must be inside. Alpha is 1 if absent.
+/// The stored colour of pixel (x, y), with 1 as full scale. The pixel must be inside the image.
+/// Alpha is 1 if the image has none.
 Color stored_pixel(const Image& image, int x, int y);
 
-/// Stores a colour as it is, integers rounded and cut to their range.
+/// Stores a colour without conversion; for integer samples it is rounded and clamped.
 void store_pixel(Image& image, int x, int y, Color color);
 
-/// Reads pixels as linear light, premultiplied by alpha: what averages are taken of. Holds a
-/// table for integer samples; refers to the image, which must outlive it.
+/// Reads pixels as linear light premultiplied by alpha, which is the form for averaging. Uses a
+/// table for integer samples. Refers to the image, which must outlive it.
 class LinearReader {
 public:
     explicit LinearReader(const Image& image);
@@ -98,11 +99,11 @@ private:
     std::vector<float> table_;
 };
 
-/// Inverse of a LinearReader: stores linear premultiplied light in the image's own form.
+/// The inverse of LinearReader: stores linear premultiplied light in the image's form.
 void store_linear(Image& image, int x, int y, Color linear);
 
-/// The same picture in another form. `bits` is 8, 16 or 32. Without change of encoding or
-/// premultiplication, values only change by rounding.
+/// The picture in another form. `bits`: 8, 16 or 32. If encoding and premultiplication stay the
+/// same, values change only by rounding.
 Image converted(const Image& image, int bits, Encoding encoding, bool premultiplied);
 
 } // namespace integral

@@ -7,8 +7,9 @@
 namespace integral {
 namespace {
 
-/// One lens on the axis. All light stays near the plane y = 0, in which a lenticular lens's slit
-/// is: how far `slit_distance` is makes no difference, but it must not be where the scene is.
+/// One lens on the axis. All light stays near the plane y = 0, which contains the slit of a
+/// lenticular sheet's aperture, so `slit_distance` does not change the result; it must differ from
+/// the scene's distance.
 SheetOptics upright_lens(LensSheet sheet, double slit_distance)
 {
     sheet.slant = 0;
@@ -16,7 +17,7 @@ SheetOptics upright_lens(LensSheet sheet, double slit_distance)
     return SheetOptics(sheet, {slit_distance, 1, 1, ApertureShape::rectangle}, LensModel::full);
 }
 
-/// The middles of equal parts of the cell.
+/// The centres of equal parts of the lens's cell.
 std::vector<LensPoint> cell_points(const Lattice& lattice, int points)
 {
     const int rows = lattice.arrangement() == Arrangement::lenticular ? 1 : points;
@@ -27,8 +28,9 @@ std::vector<LensPoint> cell_points(const Lattice& lattice, int points)
     return all;
 }
 
-/// Where a number of lit intervals, given by their ends, overlap: the width of the part between the
-/// first and the last film point where `share` of the most that overlap do.
+/// The distance between the first and the last film point at which at least the fraction `share` of
+/// the greatest number of overlapping intervals overlap. `ends`: the intervals' ends, as described
+/// in full_image_width.
 double width_at(const std::vector<std::pair<double, int>>& ends, double share)
 {
     int lit = 0, most = 0;
@@ -61,9 +63,10 @@ std::optional<ImageWidth> full_image_width(const LensSheet& sheet, double distan
     if (!has_surface(sheet))
         return std::nullopt;
     const SheetOptics optics = upright_lens(sheet, 2 * distance);
-    // Each point of the lens lights the film between its own images of the two edges.
-    std::vector<std::pair<double, int>> ends; // film x, and how many more points light the film
-                                              // from there on
+    // Light through one point of the lens fills the film between that point's images of the slit's
+    // edges.
+    std::vector<std::pair<double, int>> ends; // film x; +1 where such an interval begins, -1 where
+                                              // it ends
     for (const LensPoint& point : cell_points(optics.lattice(), points)) {
         const auto left = film_point_imaging(optics, {0.5 * width, 0, -distance}, {}, point);
         const auto right = film_point_imaging(optics, {-0.5 * width, 0, -distance}, {}, point);

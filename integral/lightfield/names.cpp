@@ -11,7 +11,7 @@ template <class Kind> struct Name {
     const char* word;
 };
 
-template <class Kind> struct Names; // one table per type
+template <class Kind> struct Names; // the table of a type's words
 
 template <> struct Names<Arrangement> {
     static constexpr Name<Arrangement> table[] = {{Arrangement::lenticular, "lenticular"},

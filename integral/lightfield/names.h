@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The words that users and files use for the kinds of sheet, mapping, aperture and encoding.
+// The words for enumeration values in scene files, options and JSON documents.
 #ifndef INTEGRAL_LIGHTFIELD_NAMES_H
 #define INTEGRAL_LIGHTFIELD_NAMES_H
 
@@ -20,10 +20,10 @@ const char* name_of(ApertureShape);
 const char* name_of(Encoding::Kind);
 const char* name_of(ErrorMethod);
 
-/// Inverse; nothing for any other word. Instances: the types above.
+/// The inverse of name_of; nothing for any other word. Instantiated for the types above.
 template <class Kind> std::optional<Kind> kind_named(const std::string& word);
 
-/// The legal words of a type, as in "lenticular, square or hexagonal".
+/// All words of a type, for messages: "lenticular, square or hexagonal".
 template <class Kind> std::string legal_names();
 
 } // namespace integral

@@ -8,8 +8,8 @@ namespace integral {
 
 namespace {
 
-constexpr int search_limit = 64; // random points tried until one is the lens's own; the last is the
-                                 // centre
+constexpr int search_limit = 64; // random points tried until one belongs to the lens; the last is
+                                 // the centre
 
 } // namespace
 
@@ -33,14 +33,14 @@ PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
 
 bool PixelSampler::halves_tell_error() const
 {
-    constexpr int enough = 16; // of fewer, the curve of the encoding hides a part of the error
+    constexpr int enough = 16; // with fewer, the encoding's curvature hides part of the error
     return film_dimensions_ > 0 && lens_dimensions_ > 0 &&
            camera_.pixel_samples * camera_.beam_samples >= enough;
 }
 
 std::uint64_t PixelSampler::pixel_key(Vec2 centre) const
 {
-    // all of the centre's bits: anti-aliasing's samples of one pixel differ, too
+    // Use all bits of the centre, so that samples within one pixel get different keys.
     const auto bits = [](double x) {
         std::uint64_t image;
         std::memcpy(&image, &x, sizeof image);
@@ -61,8 +61,8 @@ Vec2 PixelSampler::channel_centre(Vec2 centre, int channel) const
     return film_from_pixel(camera_.film, centre);
 }
 
-/// The film point at unit-square coordinates of the pixel's area (its subpixel's, if it has such)
-/// about `film_point`.
+/// The film point at coordinates `unit`, in the unit square, of the area of the pixel (or subpixel)
+/// centred at `film_point`.
 Vec2 PixelSampler::moved(Vec2 film_point, Vec2 unit) const
 {
     if (camera_.display_prefilter)
@@ -70,7 +70,7 @@ Vec2 PixelSampler::moved(Vec2 film_point, Vec2 unit) const
     return {film_point.x + (unit.x - 0.5) * area_.x, film_point.y + (unit.y - 0.5) * area_.y};
 }
 
-/// The pole ray of a film point of a pixel that `lens` images, if it is that lens's as well.
+/// The pole ray of a film point, if `lens` images it; else nothing.
 std::optional<LensRay> PixelSampler::sample_ray(Vec2 film_point, LensIndex lens) const
 {
     if (camera_.display_prefilter)
@@ -86,8 +86,8 @@ LensPoint PixelSampler::lens_point(Vec2 unit, const LensRay& pole_ray) const
                                      : cell_point(camera_.optics.lattice(), unit, slit_height);
 }
 
-/// Sample `index` of a channel: of two sets of points, each spread evenly, and independently of the
-/// other, over the dimensions that are sampled.
+/// Sample `index` of a channel. The samples form two independent sets (`half` 0 and 1), each well
+/// distributed over the sampled dimensions.
 PixelSampler::UnitPoint PixelSampler::even_point(std::uint64_t key, int index, int& half) const
 {
     UnitPoint point;
@@ -146,7 +146,7 @@ void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key,
     const int samples = camera_.pixel_samples * (lens_dimensions_ > 0 ? camera_.beam_samples : 1);
     const std::uint64_t channel_key = random_bits(key, std::uint64_t(channel + 1));
     const auto append_samples = [&](bool over_area) {
-        bool own = false; // whether any sample is the lens's own
+        bool own = false; // whether any sample belongs to the lens
         for (int index = 0; index < samples; ++index) {
             PixelRay ray;
             ray.channel = channel;
@@ -154,7 +154,7 @@ void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key,
             const Vec2 film_point = over_area ? moved(film_centre, unit.pixel) : film_centre;
             const auto at = over_area ? sample_ray(film_point, mapped.ray->lens) : mapped.ray;
             if (!at)
-                continue; // another lens's, or nobody's
+                continue; // another lens images it, or none
             own = true;
             if (hybrid_.empty())
                 append_ray(film_point, *at, lens_point(unit.lens, *at), ray, rays);
@@ -249,8 +249,8 @@ bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index,
     return rays.size() > before;
 }
 
-/// At a depth, what is seen moves with the place on the pixel and with the place on the cell.
-/// `pole_ray`: of the pixel's centre.
+/// Sets how far the point seen at `depth` moves with the position on the pixel and with the
+/// position on the lens's cell. `pole_ray`: of the pixel's centre.
 void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const
 {
     const Lattice& lattice = camera_.optics.lattice();

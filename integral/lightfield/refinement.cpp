@@ -10,16 +10,17 @@ namespace {
 
 constexpr int first_step = 4;
 
-// An edge across the pixel's beam: what the contrast tells of the scatter of samples before there
-// are any, and how many samples that counts for. White and black in parts p and 1 - p scatter by
-// sqrt(p(1 - p)), 0.4 of their distance for the average p.
+// For an edge across the pixel's beam: the standard deviation of samples that the contrast
+// predicts, and the number of samples as which this prediction counts. If a part p of the samples
+// is white and the rest black, the standard deviation is sqrt(p(1 - p)) of their distance, 0.4 on
+// average over p.
 constexpr double scatter_of_contrast = 0.4, weight_of_contrast = 4;
 
-// The squared error of n evenly spread samples of an edge falls with n^-1.4 over four dimensions,
-// its slope with n^-2.4.
+// The squared error of n well distributed samples of an edge in four dimensions is proportional to
+// n^-1.4, its derivative to n^-2.4; worth is the root of that.
 constexpr double order = 1.2;
 
-// So that a threshold of 0.3 gives some 10 samples where black and white meet.
+// Chosen so that a threshold of 0.3 takes about 10 samples at a black and white edge.
 constexpr double threshold_of_worth = 3;
 
 } // namespace

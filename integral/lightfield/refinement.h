@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How many samples anti-aliasing gives to a pixel: POV-Ray's threshold, depth and methods, taken to
-// the light field.
+// Decides how many samples anti-aliasing takes in a pixel, with POV-Ray's threshold, depth and
+// methods applied to the light field.
 #ifndef INTEGRAL_LIGHTFIELD_REFINEMENT_H
 #define INTEGRAL_LIGHTFIELD_REFINEMENT_H
 
@@ -8,40 +8,39 @@
 
 namespace integral {
 
-/// What +AM, +A and +R say.
+/// The settings of the options +AM, +A and +R.
 struct RefinementRule {
-    int method = 1; ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... and up to 4^depth, while they
-                    ///< are worth it
-    double threshold = 0.3; ///< contrast from which on a pixel is refined; method 2: also 3 times
-                            ///< the least worth
+    int method = 1; ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... up to 4^depth, as long as the
+                    ///< benefit of another sample (worth) is at least threshold/3
+    double threshold = 0.3; ///< least contrast at which a pixel is refined
     int depth = 3;          ///< 1 to 9
 };
 
-/// About how many samples the rule gives to a pixel in which black and white meet.
+/// The approximate number of samples that the rule takes in a pixel with a black and white edge.
 double samples_at_edges(const RefinementRule& rule);
 
-/// The refinement of one pixel. To be asked for `wanted` samples, given them, and asked again.
+/// The refinement of one pixel. The caller adds wanted() samples and asks again until it returns 0.
 class Refinement {
 public:
-    /// `contrast`: of the pixel (FirstSamples).
+    /// `contrast`: FirstSamples::contrast of the pixel.
     Refinement(const RefinementRule& rule, double contrast);
 
-    /// How many samples more are to be tried; 0: no more.
+    /// The number of samples to try next; 0 at the end.
     int wanted() const;
 
-    /// A sample was tried, and has this colour.
+    /// Records the colour of a sample that was tried.
     void add(const ComparedColour& colour);
 
-    /// A sample was tried, and was not the pixel's lens's own.
+    /// Records a sample that was tried but belongs to another lens than the pixel's.
     void add_none() { ++tried_; }
 
     /// The standard deviation of the samples, as a colour distance.
     double scatter() const;
 
-    /// What one more sample is worth, a colour distance: the root of that by which the mean's
-    /// squared error falls (but for a constant factor). A frame's error is least, for a number of
-    /// samples, where the last sample of every pixel is worth the same. Infinite if there are no
-    /// samples.
+    /// The benefit of one more sample, as a colour distance: the square root of the decrease in the
+    /// mean's squared error, up to a constant factor. For a given number of samples in a frame, the
+    /// error is least if every pixel's last sample has the same benefit. Infinite before the first
+    /// sample.
     double worth() const;
 
 private:

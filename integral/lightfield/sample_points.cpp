@@ -8,8 +8,7 @@ namespace integral {
 
 namespace {
 
-/// A bijection of 64-bit numbers that leaves no trace of their order (the finaliser of SplitMix64,
-/// Steele et al. 2014).
+/// A bijective hash of 64-bit numbers (the finaliser of SplitMix64, Steele et al. 2014).
 std::uint64_t scrambled(std::uint64_t x)
 {
     x += 0x9e3779b97f4a7c15u;
@@ -28,10 +27,11 @@ std::uint32_t reversed(std::uint32_t x)
 
 using Columns = std::array<std::array<std::uint32_t, 32>, point_dimensions>;
 
-/// Sobol's sequence in four dimensions: the columns of its generator matrices, the bits of each in
-/// reverse order. Its polynomials are 1, x + 1, x^2 + x + 1 and x^3 + x + 1; of the first columns,
-/// which are free, those that spread up to 128 points best over any two dimensions, and above all
-/// over the first and third and the second and fourth: along one axis, the sum and its parts.
+/// The columns of the generator matrices of a Sobol sequence in four dimensions, each with its bits
+/// in reverse order. The polynomials are 1, x + 1, x^2 + x + 1 and x^3 + x + 1. The initial
+/// columns, which can be chosen freely, are those that best distribute up to 128 points in every
+/// pair of dimensions, with more weight on the pairs (1, 3) and (2, 4), from which SumSplit makes
+/// the coordinates along one axis.
 Columns sobol_columns()
 {
     constexpr std::uint32_t top = 1u << 31;
@@ -79,8 +79,9 @@ FirstPoints sobol_points()
 
 const FirstPoints first_points = sobol_points();
 
-/// A bijection in which each bit depends on itself and those below alone: of a coordinate in
-/// reverse order, Owen's scrambling (after Laine and Karras 2011; multipliers by Vegdahl 2021).
+/// A bijection in which each bit depends only on itself and the bits below it. On a coordinate with
+/// its bits in reverse order this is Owen scrambling (Laine and Karras 2011; multipliers by Vegdahl
+/// 2021).
 std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed)
 {
     x ^= x * 0x3d20adeau;
@@ -123,15 +124,16 @@ SumSplit::SumSplit(double ratio)
 
 SumSplit::Parts SumSplit::operator()(double u, double v) const
 {
-    // The sum of two intervals of lengths 1 and k about 0 has a trapezium for its density: it rises
-    // over a breadth of k, and falls over it. No branch depends on u: it would be guessed wrongly
-    // as often as not.
+    // The density of the sum of two uniform variables, on intervals of lengths 1 and k about 0, is
+    // a trapezium that rises and falls over a length of k. No branch depends on u, because the
+    // processor could not predict it.
     const double k = std::fabs(narrow_), outer = std::min(u, 1 - u);
     const double low = std::sqrt(2 * k * std::min(outer, 0.5 * k)) +
                        std::max(0.0, outer - 0.5 * k) - 0.5 * (1 + k);
     const double sum = std::copysign(low, u - 0.5);
     const double least = std::max(-0.5 * k, sum - 0.5),
-                 most = std::min(0.5 * k, sum + 0.5); // of the narrow one's part
+                 most = std::min(0.5 * k, sum + 0.5); // range of the narrow coordinate's
+                                                      // contribution
     const double part = least + v * (most - least);
     const double narrow = k > 0 ? std::min(0.5, std::max(-0.5, part * of_narrow_)) + 0.5 : v;
     const double wide = std::min(1.0, std::max(0.0, sum - part + 0.5));

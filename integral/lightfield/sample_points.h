@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Points of the unit cube at which a pixel's light is sampled: random bits, points that are spread
-// evenly over four dimensions, and coordinates whose sum is.
+// Sample points for a pixel's light: random bits, a low-discrepancy sequence in four dimensions,
+// and a mapping to two coordinates with a well distributed weighted sum.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_POINTS_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_POINTS_H
 
@@ -9,40 +9,40 @@
 
 namespace integral {
 
-/// 64 bits that look random, of a seed and a value: the same for the same, and unlike for unlike
-/// ones.
+/// 64 pseudo-random bits from a seed and a value (a hash of the two).
 std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value);
 
 constexpr int point_dimensions = 4;
 
-/// Which scrambling of the sequence: one for each dimension.
+/// The seeds of the sequence's scrambling, one for each dimension, and their derivation from a key.
 using PointSeeds = std::array<std::uint32_t, point_dimensions>;
 PointSeeds point_seeds(std::uint64_t key);
 
-/// Point `index` of Sobol's sequence, each coordinate scrambled (Owen 1995: each bit is flipped or
-/// not, as the bits above it decide), in (0, 1). Among any 4^k points that begin at a multiple of
-/// 4^k each coordinate is once in each 4^k-th part, and the first two together once in each square
-/// of side 2^-k.
+/// Point `index` of the Sobol sequence with Owen scrambling (Owen 1995: whether a bit is flipped
+/// depends on the bits above it). Coordinates are in (0, 1). Among 4^k consecutive points that
+/// begin at a multiple of 4^k, each coordinate falls once into each of 4^k equal intervals, and the
+/// first two coordinates fall once into each square of side 2^-k.
 std::array<double, point_dimensions> scrambled_point(const PointSeeds& seeds, std::uint32_t index);
 
-/// (u, v) in (0, 1)^2 -> two coordinates from 0 to 1, area-preserving, such that first +
-/// ratio*second follows from u alone, and always rises or always falls with it: where u is spread
-/// evenly, so is that sum, by its own density.
+/// Maps (u, v) in (0, 1)^2 to two coordinates in [0, 1], preserving area, such that the sum first +
+/// ratio*second depends on u only and is monotonic in u. So if the values of u are well
+/// distributed, the sums are too.
 class SumSplit {
 public:
     struct Parts {
         double first, second;
     };
 
-    /// `ratio`: any number, infinite too.
+    /// `ratio`: any number, also an infinite one.
     explicit SumSplit(double ratio = 0);
 
     Parts operator()(double u, double v) const;
 
 private:
     bool second_is_wide_;
-    double narrow_, of_narrow_; // breadth of the narrow one's part of the sum, the other's being 1;
-                                // signed, 1 / that, or 0
+    double narrow_;    // contribution of the narrower coordinate to the sum if the other's is 1;
+                       // signed
+    double of_narrow_; // 1 / narrow_, or 0
 };
 
 } // namespace integral

@@ -9,12 +9,12 @@ namespace integral {
 namespace {
 
 constexpr int looked_at = 8;      // pixels, spread over one lens
-constexpr int whole_samples = 24; // of the beam, and of the pixel: their product stands for the
-                                  // integral
+constexpr int whole_samples = 24; // beam samples and pixel samples of the reference
 
 using Rays = std::vector<PixelRay>;
 
-/// How often a pixel is sampled anew: the fewer its rays, the more chance decides about its error.
+/// How many independent renders of a pixel to average: more if it has few rays, as its error then
+/// varies more.
 int renders(const SamplingForecast& setting)
 {
     return setting.rays() == 1 ? 1 : std::clamp(256 / setting.rays(), 6, 64);
@@ -41,7 +41,7 @@ std::vector<Vec2> points_at(const Rays& rays, double depth)
     return points;
 }
 
-/// Mean covariance of a point of `a` and a point of `b`.
+/// Mean covariance over all pairs of a point of `a` and a point of `b`.
 double covariance(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double detail)
 {
     double sum = 0;
@@ -51,7 +51,7 @@ double covariance(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double
     return 0.25 * sum / (double(a.size()) * b.size());
 }
 
-/// Mean covariance of any two points of `a`, each with itself included.
+/// Mean covariance over all pairs of points of `a`, each point with itself included.
 double own_covariance(const std::vector<Vec2>& a, double detail)
 {
     double sum = 0;
@@ -61,8 +61,8 @@ double own_covariance(const std::vector<Vec2>& a, double detail)
     return 0.25 * (a.size() + 2 * sum) / (double(a.size()) * a.size());
 }
 
-/// Pixels behind the lens in the middle of the film, across it: no two at the same place of a
-/// pixel's width.
+/// The centres of up to `looked_at` different pixels behind the lens in the middle of the film,
+/// evenly distributed across it.
 std::vector<Vec2> pixels_behind_a_lens(const IntegralCamera& camera)
 {
     const LensSheet& sheet = camera.optics.sheet();
@@ -111,8 +111,7 @@ bool forecast_errors(const IntegralCamera& camera, const std::vector<double>& de
                 const Rays rays = rays_of(camera, settings[i].beam_samples,
                                           settings[i].pixel_samples, centre, seed);
                 if (rays.empty())
-                    continue; // the samples of a pixel on the border of two lenses may all be
-                              // another lens's
+                    continue; // all samples of a pixel between two lenses may belong to the other
                 for (std::size_t k = 0; k < depths.size(); ++k) {
                     const auto points = points_at(rays, depths[k]);
                     sums[i][k].square += own_covariance(points, detail) -

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The error that sampling will leave in a frame, foretold from the optics and a statistical
-// picture, before rendering.
+// Predicts the sampling error of a frame before rendering, from the optics and a statistical model
+// of the scene.
 //
-// The picture: a plane at a depth behind the sheet, parallel to it, crossed by straight edges at
-// random places and in random directions (a Poisson process of lines), black on one side of each
-// and white on the other. Along any line the edges are `detail` mm apart on average. Two of its
-// points at distance r are alike in colour, black 0 or white 1, but for an even number of edges
-// between them: their covariance is C(r) = exp(-2 r/detail)/4.
+// The model scene is a plane parallel to the sheet at a given depth behind it. Straight edges at
+// random positions and in random directions (a Poisson line process) divide it into black and white
+// regions; the colour changes at each edge. Along any line the edges are `detail` mm apart on
+// average. Two points at distance r have the same colour (black 0 or white 1) if the number of
+// edges between them is even, so their covariance is C(r) = exp(-2 r/detail)/4.
 //
-// A pixel should be the picture's mean over the plane's points that its area sees through its
-// lens's whole cell: the pixel's spread (4-5) at that depth, widened by the cell. It is the mean
-// over the points x_i that its rays meet. The mean square of the difference is, over all such
-// pictures and with f_j for the points of the whole,
+// The reference value of a pixel is the mean over the plane's points f_j that the pixel's area sees
+// through the lens's whole cell: the pixel's spread (4-5) at that depth, widened by the cell. The
+// rendered value is the mean over the points x_i that its rays meet. The mean square of the
+// difference, over all such scenes, is
 //     mean C(|x_i - x_j|) - 2 mean C(|x_i - f_j|) + mean C(|f_i - f_j|).
-// In a row of points w long and short against `detail` there is an edge with probability w/detail,
-// anywhere alike. One ray through the middle is then wrong by the part of the row on the edge's
-// shorter side, at most a half: (w/detail)/12. Of N rays, each at random in its own N-th, only the
-// one with the edge can be wrong, by 1/N, with the variance u(1 - u) of a toss: (w/detail)/(6 N^2);
-// the renderer's two independent halves of N/2 make that (w/detail)/(3 N^2). In a long row, points
-// of the picture have nothing in common: 1/4 for one ray.
+// For orientation, consider points on a segment of length w. If w is short compared with `detail`,
+// an edge crosses the segment with probability w/detail, at a uniformly distributed place. One ray
+// through the middle is then wrong by the fraction of the segment on the edge's shorter side: mean
+// square (w/detail)/12. Of N rays, each at random in its own N-th of the segment, only the one
+// whose part contains the edge can be wrong, by 1/N, with variance u(1 - u): (w/detail)/(6 N^2).
+// The renderer's two independent halves of N/2 rays give (w/detail)/(3 N^2). If w is long compared
+// with `detail`, the colours are uncorrelated: 1/4 for one ray.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLING_FORECAST_H
 #define INTEGRAL_LIGHTFIELD_SAMPLING_FORECAST_H
 
@@ -29,22 +30,22 @@
 
 namespace integral {
 
-/// Settings of the scene language, and what they are foretold to leave.
+/// Sampling settings of the scene language, and the errors predicted for them.
 struct SamplingForecast {
     int beam_samples = 1, pixel_samples = 1;
-    std::vector<double> rms; ///< for each depth: root mean square error in linear light, 1 = black
-                             ///< against white
-    int rays() const { return beam_samples * pixel_samples; } ///< a lit pixel, at most
+    std::vector<double> rms; ///< for each depth: root mean square error in linear light; 1 is the
+                             ///< difference of black and white
+    int rays() const { return beam_samples * pixel_samples; } ///< at most, per lit pixel
 };
 
-/// The steps from one ray a pixel to the converged frame that users are shown: 1, 4, 4, 16 and 64
-/// rays.
+/// The settings for which reports show errors, from one ray per pixel to nearly converged: 1, 4, 4,
+/// 16 and 64 rays.
 std::vector<SamplingForecast> sampling_ladder();
 
-/// Fills in the empty `rms` of each of `settings`, for pixels behind the lens in the middle of
-/// `camera`'s film and by the renderer's own sampler (pixel_sampler.h). `depths` and `detail` in
-/// mm, > 0. The camera's own samples and its placement do not count. False, with rms left empty,
-/// where none of those pixels images anything.
+/// Appends to the empty `rms` of each of `settings`, one error for each of `depths`, computed with
+/// the renderer's sampler (pixel_sampler.h) for pixels behind the lens in the middle of the film.
+/// `depths` and `detail` in mm, > 0. The camera's numbers of samples and its placement are ignored.
+/// Returns false, and leaves `rms` empty, if none of those pixels images anything.
 bool forecast_errors(const IntegralCamera& camera, const std::vector<double>& depths, double detail,
                      std::vector<SamplingForecast>& settings);
 

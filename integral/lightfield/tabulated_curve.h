@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A curve that is asked for often, such as an encoding's: looked up where computing it would take
-// longer.
+// Tabulates a curve that is evaluated often, such as an encoding's, to save run time.
 #ifndef INTEGRAL_LIGHTFIELD_TABULATED_CURVE_H
 #define INTEGRAL_LIGHTFIELD_TABULATED_CURVE_H
 
@@ -11,11 +10,12 @@
 
 namespace integral {
 
-/// A curve from 0 to 128, straight from each of the floats whose mantissas end in 16 zeros to the
-/// next, and from 0 to 2^-20. x^a, 0 < a <= 1: within 2e-6 of its value from 2^-20 on.
+/// A piecewise linear approximation of a curve on 0 to 128. Its nodes are 0 and, from 2^-20 on, the
+/// floats whose mantissas end in 16 zero bits. For x^a, 0 < a <= 1, the relative error from 2^-20
+/// on is below 2e-6.
 class TabulatedCurve {
 public:
-    /// `curve(float)` -> a number.
+    /// `curve` takes a float and returns a number.
     template <class Curve> explicit TabulatedCurve(Curve curve)
     {
         for (std::size_t k = 0; k < values_.size(); ++k)
@@ -23,7 +23,7 @@ public:
         zero_ = float(curve(0.0f));
     }
 
-    /// Below 0 and NaN: as at 0. Above 128: as at 128.
+    /// The curve at x. The value at 0 for x < 0 and NaN; the value at 128 for x > 128.
     float operator()(float x) const
     {
         const float least = float_of(first);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Views of a frame: how many there are, and what a picture of them records.
+// The number of views of a frame, and the record about them in a picture of views.
 #ifndef INTEGRAL_LIGHTFIELD_VIEW_GRID_H
 #define INTEGRAL_LIGHTFIELD_VIEW_GRID_H
 
@@ -9,27 +9,27 @@
 
 namespace integral {
 
-/// How many directions across and up. View number row * columns + column: column 0 is seen from the
-/// far left, row 0 from below, as in quilts. (The thesis counts by the film's pixels, which lie the
-/// other way round.)
+/// The number of view directions across and up. A view has the number row * columns + column;
+/// column 0 is the leftmost viewpoint, row 0 the lowest, as in quilts. (The thesis numbers views by
+/// the film's pixels, which have the opposite order.)
 struct ViewGrid {
     int columns = 0, rows = 0; ///< > 0; lenticular: rows is 1
     int count() const { return columns * rows; }
 };
 
-/// The eyes of perspective views: at the middles of equal parts of a rectangle in front of the
-/// sheet, centred on its axis. mm.
+/// The eyes of perspective views: at the centres of equal parts of a rectangle in front of the
+/// sheet, centred on its axis. Lengths in mm.
 struct EyeGrid {
     Vec2 zone;           ///< width and height of the rectangle, >= 0
     double distance = 0; ///< to the sheet, > 0
 };
 
-/// What a picture of views says of itself.
+/// Metadata of a picture of views.
 struct QuiltRecord {
     ViewGrid grid;
-    std::optional<int> view; ///< the one view of them that the picture is; nothing: all, view 0 at
-                             ///< the bottom left
-    std::optional<EyeGrid> eyes; ///< nothing: parallel views
+    std::optional<int> view; ///< the number of the only view in the picture; if absent, the picture
+                             ///< has all views, with view 0 at the bottom left
+    std::optional<EyeGrid> eyes; ///< absent for parallel views
 };
 
 } // namespace integral

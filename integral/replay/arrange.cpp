@@ -2,15 +2,12 @@
 #include "integral/replay/arrange.h"
 
 #include "integral/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace integral {
-
-namespace {
-
-} // namespace
 
 Vec2 viewing_zone(const FrameMetadata& metadata, double distance)
 {
@@ -64,7 +61,7 @@ std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<dou
             const double longer = std::max(zone.x, zone.y),
                          scale = 0.5 * span.value_or(0.8 * longer), turn = 2 * pi * k / steps;
             const Vec2 shape = longer > 0 ? (1 / longer) * zone
-                                          : Vec2{1, 1}; // a zone that is a point has none
+                                          : Vec2{1, 1}; // a zone of size 0 has no aspect
             eye.x -= scale * shape.x * std::cos(turn);
             eye.y += scale * shape.y * std::sin(turn);
             break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Several views as one picture.
+// Chooses the eyes of several views, replays them, and combines pairs to anaglyphs.
 #ifndef INTEGRAL_REPLAY_ARRANGE_H
 #define INTEGRAL_REPLAY_ARRANGE_H
 
@@ -9,41 +9,42 @@
 
 namespace integral {
 
-/// How wide and high the capture aperture is, seen from `distance` mm: mm. No wider than what fills
-/// a lens on the axis (or, where nothing does, than twice the distance).
+/// Width and height, in mm, of the viewing zone at `distance` mm: the capture aperture scaled to
+/// that distance, but no larger than what fills the lens on the axis (or, if no aperture does, than
+/// twice the distance).
 Vec2 viewing_zone(const FrameMetadata& metadata, double distance);
 
-/// Eyes `separation` mm apart, left and right of `middle`.
+/// Two eyes `separation` mm apart, left and right of `middle`.
 std::vector<Eye> eye_pair(Eye middle, double separation);
 
-/// columns x rows eyes, row by row from the top left, at the middles of as many equal parts of a
-/// rectangle about `middle`, the zone.
+/// columns x rows eyes, row by row from the top left, at the centres of equal parts of the
+/// rectangle `zone` (width and height in mm) about `middle`.
 std::vector<Eye> eye_grid(Eye middle, int columns, int rows, Vec2 zone);
 
-/// How an eye moves.
+/// The path of a moving eye.
 enum class EyePath {
-    turntable, ///< the sheet turns about its upright middle: an arc, from the left to the right;
-               ///< span in degrees, < 180
-    sweep,     ///< past the sheet, from the left to the right; span in mm
-    circle,    ///< around the middle, in the zone's shape, from the left upwards; span: its longer
-               ///< axis, mm
-    dolly,     ///< towards the sheet; span: the first distance by the last, >= 1
+    turntable, ///< an arc about the sheet's vertical axis, from left to right, as if the sheet
+               ///< turned; span in degrees, < 180
+    sweep,     ///< parallel to the sheet, from left to right; span in mm
+    circle,    ///< an ellipse about `middle` with the zone's aspect, from the left upwards; span:
+               ///< its longer axis, mm
+    dolly,     ///< towards the sheet; span: ratio of the first distance to the last, >= 1
 };
 
-/// Where the eye is at `steps` > 0 places evenly along a path through (circle: around) `middle`:
-/// dolly in equal ratios. A circle's last place is a step before its first. Without a span: as far
-/// as the viewing zone is wide; circle 0.8 of that; dolly 4.
+/// `steps` > 0 positions of the eye at equal steps (dolly: equal ratios) along a path through
+/// `middle`, or for a circle about it. A circle's last position is one step before its first.
+/// Default span: the width of the viewing zone; for a circle 0.8 of the zone; for dolly 4.
 std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span,
                           int steps);
 
-/// What each of several eyes sees: `view` in its place. Empty: `progress` stopped it.
+/// Replays `view` from each of several eyes. Returns nothing if `progress` stopped the work.
 std::optional<std::vector<Image>> replay_each(const Frame& frame, View view,
                                               const std::vector<Eye>& eyes, int threads = 0,
                                               const Progress& progress = {});
 
-/// A stereo pair for red-cyan glasses: red of the left picture, green and blue of the right; the
-/// mean alpha. In the encoded values, as such glasses are used with screens and prints. Throws
-/// std::invalid_argument where they differ in size or form.
+/// An anaglyph for red-cyan glasses: red from the left picture, green and blue from the right, and
+/// the mean alpha. Combines encoded values, since the glasses are used with screens and prints.
+/// Throws std::invalid_argument if the pictures differ in size or form.
 Image anaglyph(const Image& left, const Image& right);
 
 } // namespace integral

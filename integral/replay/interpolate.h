@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Colours between pixels, and between views.
+// Interpolates colours between pixels and between views.
 #ifndef INTEGRAL_REPLAY_INTERPOLATE_H
 #define INTEGRAL_REPLAY_INTERPOLATE_H
 
@@ -10,8 +10,9 @@
 
 namespace integral {
 
-/// Between the four neighbours of a place among `columns` x `rows` centres, whose first is at (0,
-/// 0); beyond the outermost, these. at(column, row) is a Color, linear and premultiplied.
+/// Bilinear interpolation at (x, y) in a grid of `columns` x `rows` points, the first at (0, 0).
+/// Outside the grid the nearest edge value counts. at(column, row) returns a Color, linear and
+/// premultiplied.
 template <class At> Color between(double x, double y, int columns, int rows, At at)
 {
     x = std::clamp(x, 0.0, columns - 1.0);
@@ -31,8 +32,8 @@ template <class At> Color between(double x, double y, int columns, int rows, At 
     return sum;
 }
 
-/// A colour whose channels stand side by side on the film; their mean alpha. at(channel) is a
-/// Color; without subpixels it is asked once, for channel 1.
+/// Combines one colour for each channel of a film with subpixels: red of at(0), green of at(1),
+/// blue of at(2), and their mean alpha. Without subpixels returns at(1).
 template <class At> Color each_channel(const Subpixels& subpixels, At at)
 {
     if (subpixels == Subpixels::none)
@@ -41,8 +42,9 @@ template <class At> Color each_channel(const Subpixels& subpixels, At at)
     return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
 }
 
-/// What the film's subpixels of a channel show at a point in pixel coordinates: between the four
-/// nearest, or the nearest of cells, which stand in no even rows.
+/// The colour that the film's subpixels of a channel show at a point in pixel coordinates:
+/// interpolated between the four nearest subpixels, or that of the nearest one for patterns of
+/// cells, which form no regular grid.
 inline Color of_subpixels(const LinearReader& light, const Film& film, Vec2 pixel, int channel)
 {
     if (film.subpixels == Subpixels::cells) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The frame of perspective views: pictures whose windows lie on the sheet, taken from a grid of
-// eyes.
+// Makes a frame from perspective views: pictures from a grid of eyes, all with the sheet as their
+// image plane.
 #ifndef INTEGRAL_REPLAY_PERSPECTIVE_VIEWS_H
 #define INTEGRAL_REPLAY_PERSPECTIVE_VIEWS_H
 
@@ -8,12 +8,13 @@
 
 namespace integral {
 
-/// The frame of that geometry which shows the views. They are numbered as parallel views are and of
-/// one form, each a picture of the whole sheet of any size, taken from the middle of its part of
-/// the eyes' zone. Each film pixel, or stripe of one, takes the colour of its own ray: interpolated
-/// between the eyes around the point where it meets their plane, and in their pictures where it
-/// leaves the sheet. Empty (black, transparent) where the film images nothing. `threads` and
-/// `progress` as in replay. Throws std::invalid_argument where the views are not alike or not
+/// The frame with the given geometry that shows the views. Views are numbered as in ViewGrid and
+/// have the same size and form. Each is a picture of the whole sheet, taken from the eye at the
+/// centre of its part of the zone (EyeGrid). A film pixel, or each of its subpixels, gets the
+/// colour of its ray: interpolated between the eyes around the point where the ray meets the eyes'
+/// plane, and within their pictures at the point where the ray leaves the sheet. Pixels that image
+/// nothing are black (transparent). `threads` and `progress` as in replay; nothing if `progress`
+/// stopped the work. Throws std::invalid_argument if the views differ in size or form or are not
 /// grid.count().
 std::optional<Image> frame_from_perspective_views(const std::vector<Image>& views,
                                                   const FrameMetadata& metadata, ViewGrid grid,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What an eye sees of a frame through its lens sheet.
+// Computes the picture that an eye sees when it looks at a frame through its lens sheet.
 #ifndef INTEGRAL_REPLAY_REPLAY_H
 #define INTEGRAL_REPLAY_REPLAY_H
 
@@ -8,56 +8,57 @@
 
 namespace integral {
 
-/// An eye: a point in front of the sheet, mm from the sheet's centre. It may be anywhere, in the
-/// viewing zone or beyond it, where it sees side lobes.
+/// An eye: a point in front of the sheet, mm from the sheet's centre. Outside the viewing zone it
+/// sees side lobes.
 struct Eye {
     double x = 0, y = 0;
     double distance = 0; ///< in front of the sheet, > 0
 };
 
-/// A rectangle of the sheet, mm: its middle, from the sheet's centre (y upwards), and its size. 0
-/// by 0: all of the film's.
+/// A rectangle of the sheet, mm: its middle relative to the sheet's centre (y upwards), and its
+/// size. A size of 0 by 0 means the whole film.
 struct SheetPart {
     Vec2 middle;
     double width = 0, height = 0;
 };
 
-/// One view. Its pixels divide a rectangle of the sheet evenly: the picture that a perspective
-/// camera at the eye takes with its window laid on the sheet.
+/// One view: the picture of a perspective camera at the eye whose image plane is a rectangle of the
+/// sheet, divided into equal pixels.
 struct View {
     Eye eye;                   ///< the pupil's centre
     int width = 0, height = 0; ///< pixels, > 0
-    int samples = 3;           ///< across a pixel and down it, averaged in linear light; > 0
-    double pupil = 0;    ///< diameter, mm, >= 0; the pupil is parallel to the sheet. 0: a pinhole
-    double focus = 0;    ///< z of the plane, parallel to the sheet, that the eye sees sharply: mm
-                         ///< behind the sheet, > -distance
-    double film_gap = 0; ///< mm by which the film lies farther from the lenses than their focus; >
-                         ///< -thickness (thesis 4.2)
-    double blur = 0; ///< diameter of the even spot on the film that a point of a lens gathers light
-                     ///< from, mm, >= 0
-    /// pinhole and extended_pinhole: ideal lenses. full: the curved surface's own refraction, its
-    /// aberrations and the light that reaches neighbouring lenses' pixels. hybrid is not for the
-    /// eye.
+    int samples = 3;           ///< samples x samples per pixel, averaged in linear light; > 0
+    double pupil = 0;    ///< diameter of the pupil, parallel to the sheet, mm, >= 0; 0: a pinhole
+    double focus = 0;    ///< distance behind the sheet of the plane in focus, mm, > -distance
+    double film_gap = 0; ///< distance of the film behind the lenses' focal plane, mm, > -thickness
+                         ///< (thesis 4.2)
+    double blur = 0;     ///< diameter of the uniform spot on the film from which a point of a lens
+                         ///< gathers light, mm, >= 0
+    /// pinhole and extended_pinhole: ideal lenses. full: refraction at the curved surface, with
+    /// aberrations and with light from neighbouring lenses' pixels. hybrid is not allowed.
     LensModel model = LensModel::extended_pinhole;
     SheetPart part = {};
 };
 
-/// The eye from which the frame shows the scene's own perspective picture: the aperture's centre.
+/// The eye at the aperture's centre, from which the frame shows the scene's perspective picture.
 Eye centre_eye(const FrameMetadata& metadata);
 
-/// Size of a view of the shape of its part of the sheet, whose longer side has `longer` pixels.
+/// Sets the view's width and height to the aspect of its part of the sheet, with `longer` pixels on
+/// the longer side.
 void set_view_size(View& view, const Film& film, int longer);
 
-/// The view of a frame that has metadata, 8, 16 or 32 bits and encoded like the frame, with alpha
-/// if the frame has it. Where the eye looks past the film's edge it sees black (transparent). The
-/// frame's pixels are boxes: what a view sample sees is one pixel's colour. Of a film with
-/// subpixels each colour channel's pixels are such boxes, a pixel wide, centred at their own
-/// stripes: what an eye sees that does not tell the stripes apart. The film's edges stay where they
-/// are; alpha is the mean of the three stripes' pixels. With a pupil each of a pixel's samples is
-/// seen from a point of its own of the pupil's area; with blur each sees a point of its own of the
-/// spot. full: the sheet needs a surface (has_surface). Where no light of the film reaches the eye,
-/// black as well. `threads` 0 is one per core; the result does not depend on it. Empty: `progress`
-/// stopped it.
+/// The view of a frame that has metadata. The picture has the frame's sample type, encoding and
+/// alpha channel. It is black (transparent) where the line of sight misses the film or no light of
+/// the film reaches the eye.
+/// - A sample of the view gets the colour of one film pixel, without interpolation. On a film with
+///   subpixels each colour channel has such pixels, one pixel wide and centred at its own
+///   subpixels, as an eye sees that does not resolve the subpixels; alpha is the mean over the
+///   channels' pixels. The film's edges are the same for all channels.
+/// - With a pupil, each sample of a pixel uses another point of the pupil; with blur, another point
+///   of the spot.
+/// - The model full needs a sheet with a surface (has_surface).
+/// `threads`: 0 for one per core; the result does not depend on it. Returns nothing if `progress`
+/// stopped the work.
 std::optional<Image> replay(const Frame& frame, const View& view, int threads = 0,
                             const Progress& progress = {});
 

@@ -15,7 +15,8 @@
 namespace integral {
 namespace {
 
-/// JSON that no HTML parser takes for markup: `<` stands in its strings alone.
+/// JSON for use inside HTML: `<`, which occurs only in strings, is escaped, so that an HTML parser
+/// finds no markup.
 std::string within_html(const std::string& json)
 {
     std::string text;
@@ -47,7 +48,8 @@ struct Blank {
     std::string mark, text;
 };
 
-/// The template, each mark in it (they stand in this order) replaced by its text.
+/// The template `page` with each mark replaced by its text. The marks must occur in the order of
+/// `blanks`.
 std::string filled_in(const std::string& page, const std::vector<Blank>& blanks)
 {
     std::string text;

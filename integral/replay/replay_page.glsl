@@ -1,9 +1,10 @@
 #version 300 es
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What an eye sees of a frame through its lens sheet: replay.cpp's SheetSeen and DiscPoints, lens_sheet.cpp's Lattice and
-// refraction.h's extended pinhole, for a processor of 32 bit numbers. A coordinate that would lose its last bits in those
-// is a whole part and a part beside it; the whole parts and steps come from replay_page.js, which has 64 bits.
-// Lengths in mm, in the sheet frame; "view" is the canvas, "film" the frame.
+// What an eye sees of a frame through its lens sheet: replay.cpp's SheetSeen and DiscPoints,
+// lens_sheet.cpp's Lattice and refraction.h's extended pinhole, for a processor of 32 bit numbers.
+// A coordinate that would lose its last bits in those is a whole part and a part beside it; the
+// whole parts and steps come from replay_page.js, which has 64 bits. Lengths in mm, in the sheet
+// frame; "view" is the canvas, "film" the frame.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -22,26 +23,27 @@ uniform vec2 centre_to_lens;      // from the sheet's centre to lens (0, 0): alo
 uniform float thickness, n_squared, m; // m: n^2 - 1
 uniform float past_focus;              // the film's distance behind the lenses' focus, in thicknesses
 
-// By the view's columns and rows, at their left and upper edges. (i, 0): whole and other part of their share of the lattice
-// coordinate along `across` (in pitches), the same for `along` (in row spacings). (i, 1): whole and other part of the film's
-// pixel coordinate; mm in the sheet frame.
+// By the view's columns and rows, at their left and upper edges. (i, 0): whole and other part of
+// their share of the lattice coordinate along `across` (in pitches), the same for `along` (in row
+// spacings). (i, 1): whole and other part of the film's pixel coordinate; mm in the sheet frame.
 uniform sampler2D columns, rows;
 uniform vec2 view_pixel; // mm
 uniform int view_height;
 
 uniform vec2 eye;
 uniform float eye_distance;
-uniform float pupil_radius, spot_radius; // spot: on the film, that a point of a lens gathers light from
-uniform float sideways; // so much of the way from the pupil's centre, a line to the point in focus moves on the sheet
+uniform float pupil_radius, spot_radius; // spot: where a point of a lens gathers light on the film
+uniform float sideways; // a line from a point of the pupil to the point in focus crosses the sheet at
+                        // this fraction of the point's offset from the pupil's centre
 uniform int samples;    // across and down
-uniform bool raw;       // the film itself, without lenses
+uniform bool raw;       // show the film without lenses
 
 out vec4 shown;
 
-const float tie = 1e-6; // pitches: nearer than single precision tells; exact ties are what it is for
+const float tie = 1e-6; // pitches; smaller differences are within single precision's rounding
 
-// Of two poles, whether the first is to be taken at equal distance; `difference` is the first less the second.
-// From the sheet's centre, along `across` and `along`, in pitches.
+// The rule for two poles at equal distance: returns whether to take the first. `difference` is the
+// first less the second. All from the sheet's centre, along `across` and `along`, in pitches.
 bool preferred(vec2 first, vec2 second, vec2 difference)
 {
     float nearer = dot(difference, first + second) / (length(first) + length(second));
@@ -51,8 +53,8 @@ bool preferred(vec2 first, vec2 second, vec2 difference)
     return abs(on_sheet.x) > tie ? on_sheet.x < 0.0 : on_sheet.y < 0.0;
 }
 
-// From a point of the sheet to the pole (lenticular: the axis) of the nearest lens, mm. The point's lattice coordinates
-// are whole + part, part in [0, 1).
+// From a point of the sheet to the pole (lenticular: the axis) of the nearest lens, mm. The point's
+// lattice coordinates are whole + part, part in [0, 1).
 vec2 to_nearest_pole(vec2 whole, vec2 part)
 {
     vec2 best, best_pole;
@@ -80,8 +82,9 @@ vec2 to_nearest_pole(vec2 whole, vec2 part)
     return pitch * (best.x * across + best.y * along);
 }
 
-// From a point of the sheet to the film point whose light comes from it to the eye, mm. With v from the point to the eye, and d the
-// eye's distance, offset_from_direction is t v/(|v, d| sqrt(m + (d/|v, d|)^2)) = t v/sqrt(m v^2 + n^2 d^2).
+// From a point of the sheet to the film point whose light comes from it to the eye, mm. With v from
+// the point to the eye, and d the eye's distance, offset_from_direction is t v/(|v, d| sqrt(m +
+// (d/|v, d|)^2)) = t v/sqrt(m v^2 + n^2 d^2).
 vec2 film_point_seen(vec2 to_pole, vec2 to_eye)
 {
     return to_pole - (thickness / sqrt(m * dot(to_eye, to_eye) + n_squared * eye_distance * eye_distance)) * to_eye;
@@ -99,7 +102,8 @@ vec4 light_of(ivec2 pixel)
     return vec4(stored.a * linear, stored.a);
 }
 
-// Each colour channel of its own nearest stripe. `part`: of the film's pixel coordinate across, in [0, 1).
+// Each colour channel of its own nearest stripe. `part`: of the film's pixel coordinate across, in
+// [0, 1).
 vec4 stripes_at(ivec2 pixel, float part)
 {
     float shift = subpixels == 1 ? 1.0 / 3.0 : -1.0 / 3.0; // subpixel_shift of blue; red's is the opposite
@@ -110,20 +114,22 @@ vec4 stripes_at(ivec2 pixel, float part)
     return vec4(red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3.0);
 }
 
-// What the eye sees from a point of its pupil at a place in a pixel of the view, `inside` [0, 1) of it from its upper left, `aside` of
-// the film point that is seen.
+// What the eye sees from a point of its pupil at a place in a pixel of the view, `inside` [0, 1) of
+// it from its upper left, `aside` of the film point that is seen.
 vec4 seen(ivec2 view, vec2 inside, vec2 from, vec2 aside)
 {
     vec4 column = texelFetch(columns, ivec2(view.x, 0), 0), row = texelFetch(rows, ivec2(view.y, 0), 0);
     vec4 column_place = texelFetch(columns, ivec2(view.x, 1), 0), row_place = texelFetch(rows, ivec2(view.y, 1), 0);
-    // A pupil sees the point in focus through another point of the sheet.
+    // From another point of the pupil, the point in focus is seen through another point of the
+    // sheet.
     vec2 moved = vec2(inside.x, -inside.y) * view_pixel + sideways * (from - eye);
     vec2 film_step = moved;
     if (!raw) {
         vec2 part = column.yw + row.yw + vec2(dot(across, moved), dot(along, moved) / row_spacing) / pitch;
         vec2 carry = floor(part);
         vec2 to_pole = to_nearest_pole(column.xz + row.xz + carry, part - carry);
-        // A film beside the focus is met where the line from the lens's point to the focus meets it.
+        // A film beside the focus is met where the line from the lens's point to the focus meets
+        // it.
         film_step += (1.0 + past_focus) * film_point_seen(to_pole, from - vec2(column_place.z, row_place.z) - moved) + aside;
     }
     vec2 pixel = vec2(column_place.y, row_place.y) + vec2(film_step.x, -film_step.y) / pixel_pitch;
@@ -161,7 +167,8 @@ uvec2 scrambled(uvec2 v)
 
 uvec2 random_bits(uvec2 seed, uint value) { return scrambled(seed ^ scrambled(uvec2(0, value))); }
 
-// DiscPoints::point about 0: its coordinates are counted in 2^-32, and run over as parts of a whole do.
+// DiscPoints::point about 0: its coordinates are counted in 2^-32, and run over as parts of a whole
+// do.
 vec2 disc_point(float radius, uvec2 bits, uvec2 steps, int index)
 {
     const float unit = 1.0 / 4294967296.0, turn = 6.28318530717958647692;

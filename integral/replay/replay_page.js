@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The replay's page: where the eye is, and the drawing of what it sees. Lengths in mm, in the sheet frame.
+// The replay page: moves the eye and draws what it sees. Lengths in mm, in the sheet frame.
 "use strict";
 (() => {
 const element = (id) => document.getElementById(id);
@@ -10,11 +10,14 @@ const film_size = [film.width * film.pixel_pitch_mm[0], film.height * film.pixel
 const offset = sheet.offset_mm ?? [0, 0], slant = (sheet.slant_degrees ?? 0) * Math.PI / 180;
 const ior = start.model === "pinhole" ? 1 : sheet.ior;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
-const farthest = 1e9; // of an eye
+const farthest = 1e9; // greatest distance of the eye
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 
-// Where the eye is: as the page was written, then as the address's fragment says, then as it is moved.
-let state; // eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; of the fragment alone: samples, bare, tile
+// The view: initially as in the page's data, replaced by the values in the address's fragment, and
+// changed by the user.
+// Fields: eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; from
+// the fragment only: samples, bare, tile.
+let state;
 
 function numbers(text, count) {
   const values = (text ?? "").split(/[,x]/).map((v) => v.trim() === "" ? NaN : Number(v));
@@ -50,13 +53,14 @@ function focus_before_eye() {
   state.focus = Math.max(state.focus, -0.99 * state.eye[2]);
 }
 
-// As the command: more samples where pupil or blur scatters them, unless the writer of the page said otherwise.
+// Samples per pixel, as for the command: more with a pupil or blur, unless the page's data give a
+// number.
 function samples() {
   const scattered = (view) => view.pupil > 0 || view.blur > 0;
   return state.samples || (scattered(state) === scattered(start) ? start.samples : scattered(state) ? 8 : 3);
 }
 
-// The viewing zone at a distance, mm; a slit's is as high as it is wide, for the eye to move in.
+// Width and height of the zone in which the eye moves, mm; for a slit the height equals the width.
 function zone(distance) {
   const scale = distance / aperture.distance_mm, [w, h] = start.zone;
   const width = w || h || 0.4 * aperture.distance_mm;
@@ -120,7 +124,7 @@ function set_program() {
   uniform = (name) => known[name] ??= gl.getUniformLocation(program, name);
 }
 
-// What does not change: sheet and film.
+// Uniforms that do not change: sheet and film.
 function set_geometry() {
   const whole = (name, value) => gl.uniform1i(uniform(name), value);
   ["film", "light", "columns", "rows"].forEach((name, unit) => whole(name, unit));
@@ -173,7 +177,7 @@ async function set_film() {
     throw Error("The frame does not fit into this device's graphics memory.");
 }
 
-// The view is as large as the fragment or the page says, else as the window allows.
+// The view has the size in the fragment or in the page's data, or else fits the window.
 function fit() {
   const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   const [, , width, height] = state.part;
@@ -218,7 +222,7 @@ function request() {
     pending = requestAnimationFrame(draw);
 }
 
-// The eye has moved: few samples at once, all of them when it stays.
+// Redraws after a move of the eye: at once with few samples, and with all when it stops.
 function changed() {
   focus_before_eye();
   clearTimeout(settling);
@@ -229,7 +233,7 @@ function changed() {
   request();
 }
 
-// What the page says.
+// The text on the page.
 const figures = (v, digits = 4) => String(Number(v.toPrecision(digits)));
 const mm = (v) => figures(v) + " mm";
 
@@ -306,12 +310,12 @@ function trouble(text) {
   element("trouble").hidden = false;
 }
 
-// What moves the eye.
-const reach = 1.2; // zones that the picture's width stands for
+// Input that moves the eye.
+const reach = 1.2; // width of the picture, in widths of the zone
 
-// A mouse shows where the eye is; a finger pushes it.
+// A mouse sets the eye's position; a finger moves it by the distance dragged.
 function on_pointer() {
-  let held = null; // last place of the finger
+  let held = null; // last position of the finger
   const moved = (event) => {
     const box = canvas.getBoundingClientRect(), [width, height] = zone(state.eye[2]), [x, y] = state.eye;
     const mm_across = reach * width / box.width, mm_down = reach * height / box.height;
@@ -360,7 +364,8 @@ function reset() {
   changed();
 }
 
-// The eye stays in space, the device turns. Device frame: x right, y up, z towards the eye: beta turns about x, gamma about y.
+// The eye stays in space, the device turns. Device frame: x right, y up, z towards the eye: beta
+// turns about x, gamma about y.
 async function tilt() {
   const ask = DeviceOrientationEvent.requestPermission;
   if (ask && await ask.call(DeviceOrientationEvent) !== "granted")
@@ -409,7 +414,7 @@ async function begin() {
   draw();
 }
 
-// Without graphics the page still shows the frame.
+// Without WebGL the page shows only the frame.
 function give_up(why) {
   ready = false;
   document.body.classList.add("flat");

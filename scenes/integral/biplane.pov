@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// biplane.pov -- a lenticular print with depth before, across and behind the sheet
+// biplane.pov -- a lenticular print with depth in front of, across and behind the sheet
 //
 // A stunt biplane over a sea of clouds: the near wing tip and the propeller come out of the paper, tail and far wing
 // lie behind it, and clouds and peaks stand farther back. Parallax from side to side, as under every lenticular sheet.
@@ -12,8 +12,8 @@
 // Sheet      lenticular, pitch 1.27 mm (15 pixels), thickness 3.08 mm, index 1.6, seen from 480 mm
 // Scale      1 unit = 13.33 mm; the sheet is the plane z = 0
 // Depth      wing tip -43 mm, wisp -35 mm, propeller -26 mm | far wing +25 mm, tail +38 mm, clouds +10 to +150 mm,
-//            peaks +55 to +120 mm: far things are large and soft, for at +100 mm a pixel is 4.4 mm wide
-// Time       about 2 microseconds a pixel; +A0.1 +AM2 +R2 smooths what the lenses' steps leave, at four times the work
+//            peaks +55 to +120 mm: far objects are large and soft, because at +100 mm a pixel is 4.4 mm wide
+// Time       about 2 microseconds per pixel; +A0.1 +AM2 +R2 smooths the steps between lenses, in four times the time
 //
 #version 3.7;
 global_settings { assumed_gamma 1.0  max_trace_level 6 }
@@ -257,7 +257,7 @@ object { Biplane
 }
 
 // ---------------------------------------------------------------- sea of clouds
-// The landscape is painted, not lit: its colour follows the angle to the sun, and nothing casts a shadow on it.
+// The landscape is not lit: its pigment depends on the angle to the sun, and no object casts a shadow on it.
 #declare Sun = vnormalize(<-.75, .62, -.45>);
 #declare Painted = finish { ambient 0 diffuse 0 emission 1 }
 #declare Haze = srgb <.98, .83, .72>;

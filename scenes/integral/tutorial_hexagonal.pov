@@ -5,8 +5,8 @@
 //   povray-integral +Itutorial_hexagonal.pov +W1200 +H900 +Otutorial_hexagonal.png
 //   integral replay tutorial_hexagonal.png --eye -40,40,350 -o view.png
 //
-// The lenses stand in rows along x, every other row moved by half a pitch, as bees do it. Each lens's cell is a hexagon
-// with two upright sides: the least corner is lost to a round lens, and no direction shows a regular grid of lenses.
+// The lenses are in rows along x, and every other row is shifted by half a pitch, as in a honeycomb. The cell of a lens
+// is a hexagon with two vertical sides, which a round lens fills better than a square.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
@@ -20,7 +20,7 @@ camera {
   angle 2*degrees(atan2(101.6/2, 350))
 }
 // Again 1 unit is 1 mm, the sheet is the plane z = 0, and the viewer is at z = -350.
-// `slant DEGREES` would turn the lattice and `offset <x, y>` (mm) move it, for a sheet that is not laid straight.
+// For a sheet that is not laid straight, `slant DEGREES` turns the lattice and `offset <x, y>` (mm) moves it.
 
 light_source { <-200, 300, -400> rgb 1 }
 light_source { <300, 100, -300> rgb .35 shadowless }

@@ -5,8 +5,8 @@
 //   povray-integral +Itutorial_lenticular.pov +W1200 +H900 +Otutorial_lenticular.png
 //   integral replay tutorial_lenticular.png --eye 60,0,350 -o view.png      (an eye 60 mm to the right)
 //
-// The frame looks like stripes. Printed 1200 pixels = 101.6 mm wide and laid under the sheet, it turns into a scene
-// in depth: the ball hangs before the paper, the ring stands half out of it, the board is behind.
+// The frame looks like stripes. Printed 1200 pixels = 101.6 mm wide and laid under the sheet, it shows a scene in
+// depth: the ball is in front of the paper, the ring is half in front of it and half behind it, the board is behind.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
@@ -19,8 +19,8 @@ camera {
   right x*image_width/image_height
   angle 2*degrees(atan2(101.6/2, 350))                         // the window at the sheet: 101.6 units wide
 }
-// 101.6 units = 101.6 mm, so here 1 unit is 1 mm. What is at z < 0 floats before the sheet, z > 0 lies behind it.
-// Keep important things within some 40 mm of the sheet: farther away they blur, the more the fewer pixels a lens has.
+// 101.6 units = 101.6 mm, so here 1 unit is 1 mm. Objects at z < 0 are in front of the sheet, at z > 0 behind it.
+// Keep important objects within about 40 mm of the sheet. Farther away they blur, more so with fewer pixels per lens.
 
 light_source { <-200, 300, -400> rgb 1 }
 light_source { <300, 100, -300> rgb .35 shadowless }

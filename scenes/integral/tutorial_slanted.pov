@@ -5,9 +5,9 @@
 //   povray-integral +Itutorial_slanted.pov +W800 +H600 +Otutorial_slanted.png
 //   integral replay tutorial_slanted.png --eye 60,0,450 -o view.png
 //
-// Upright lenses over a panel with few pixels a lens (here 6) show dark bands, where a lens magnifies the gaps between
-// pixel columns. Turned by atan(1/6) each lens crosses one column every 6 rows: neighbouring rows then
-// show different directions, which trades some of the plentiful vertical resolution for finer steps sideways.
+// Vertical lenses over a panel with few pixels per lens (here 6) magnify the gaps between pixel columns, which are seen
+// as dark bands. Turned by atan(1/6), each lens crosses one column every 6 rows. Then neighbouring rows show different
+// directions: the sheet has less vertical resolution and finer steps between horizontal directions.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
@@ -21,7 +21,7 @@ camera {
   angle 2*degrees(atan2(165.6/2, 450))                         // 800 pixels of 0.207 mm = 165.6 mm
 }
 // Again 1 unit is 1 mm and the sheet is the plane z = 0. With 6 pixels a lens the depth that stays sharp is shallow:
-// the things here are larger and nearer to the sheet, in proportion, than in tutorial_lenticular.pov.
+// the objects here are larger and, in proportion, nearer to the sheet than in tutorial_lenticular.pov.
 
 light_source { <-200, 300, -400> rgb 1 }
 light_source { <300, 100, -300> rgb .35 shadowless }

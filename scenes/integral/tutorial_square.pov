@@ -5,8 +5,8 @@
 //   povray-integral +Itutorial_square.pov +W1200 +H900 +Otutorial_square.png
 //   integral replay tutorial_square.png --eye 0,60,350 -o view.png          (an eye 60 mm above the middle)
 //
-// Under a lenticular sheet the scene moves only when the eye moves sideways. Little lenses in rows and columns also let
-// you look over the ball and under the ring; the price is that a lens's pixels are shared between both directions.
+// Under a lenticular sheet the scene changes only when the eye moves sideways. Square lenses in rows and columns also
+// let you look over the ball and under the ring, but a lens's pixels are divided between both directions.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 #include "integral.inc"                                        // names for sheets, films and sizes

@@ -47,7 +47,7 @@ integral::FrameMetadata Metadata_Of(const integral::IntegralCamera& camera)
     return metadata;
 }
 
-/// FNV-1a, 64 bits.
+/// The 64-bit FNV-1a hash of a text.
 std::string Hash(const std::string& text)
 {
     std::uint64_t hash = 0xcbf29ce484222325u;

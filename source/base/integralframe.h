@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The micro-image frame that is being rendered: what its file is to say about itself.
-// POV-Ray renders one picture at a time in a process; this is that picture's, or nothing.
+// The metadata of the micro-image frame that is being rendered. A process renders one picture at a
+// time, so there is at most one such frame.
 #ifndef POVRAY_BASE_INTEGRALFRAME_H
 #define POVRAY_BASE_INTEGRALFRAME_H
 
@@ -15,37 +15,38 @@ namespace pov_base
 class IntegralFrame
 {
 public:
-    /// Names the scene, for the frame's record; at the start of parsing.
+    /// Sets the scene's name for the frame's metadata, at the start of parsing.
     static void Set_Scene(const std::string& file);
 
-    /// The geometry of the scene's last camera, once it has been parsed, so that an
-    /// interrupted render is continued only with the same; nothing = not an integral one.
+    /// Sets the scene's camera after parsing (null for a camera that is not integral), so that an
+    /// interrupted render is continued only with the same geometry.
     static void Expect(const integral::IntegralCamera *camera);
 
-    /// From here on, pictures are frames of this camera; seconds count from here.
+    /// From now on pictures are frames of this camera. Starts the measurement of time.
     static void Begin(const integral::IntegralCamera& camera);
 
-    /// The picture is rendered, with this error if it is known: seconds end here, less those that
-    /// the error took.
+    /// Call it when the picture is rendered, with its error if known. Ends the measurement of time,
+    /// which excludes the error estimate.
     static void End(const std::optional<integral::ErrorEstimate>& error);
 
-    /// From here on, pictures are POV-Ray's own.
+    /// From now on pictures are not integral frames.
     static void Forget();
 
     /// Whether the picture is an integral frame.
     static bool Current();
 
-    /// Film pixel pitch, mm. Only where Current().
+    /// Film pixel pitch, mm. Call it only if Current().
     static integral::Vec2 Pixel_Pitch();
 
-    /// The JSON document, stating the encoding of the file's samples. Only where Current().
+    /// The JSON document for a file whose samples have the given encoding. Call it only if
+    /// Current().
     static std::string Document(const integral::Encoding& encoding);
 
     /// Seconds from Begin to End, or to now; 0 without a Begin.
     static double Seconds();
 
-    /// A hash (16 hexadecimal digits) of the expected camera's geometry; empty for POV-Ray's
-    /// own cameras.
+    /// A hash (16 hexadecimal digits) of the geometry of the camera passed to Expect; empty if it
+    /// was null.
     static std::string Fingerprint();
 };
 

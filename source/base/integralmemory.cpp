@@ -86,7 +86,7 @@ void IntegralMemory::Used(std::size_t bytes)
         return;
     const std::size_t before = used.fetch_add(bytes);
     if (before / most_used != (before + bytes) / most_used)
-        madvise(data, size, MADV_DONTNEED); // they stay in the file
+        madvise(data, size, MADV_DONTNEED); // the data stay in the file
 }
 
 }

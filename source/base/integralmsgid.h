@@ -7,7 +7,7 @@ enum
 {
     kIntegralAttrib_Camera = 'IgCa',       ///< option: the words of Integral_Camera=
     kIntegralAttrib_Audit = 'IgAu',        ///< option Integral_Audit=: on, off or a percentage
-    kIntegralAttrib_Seed = 'IgSd',         ///< option Integral_Seed=: of all random choices
+    kIntegralAttrib_Seed = 'IgSd',         ///< option Integral_Seed=: seed of random numbers
     kIntegralAttrib_ErrorPicture = 'IgEp', ///< option Integral_Error_Image=: file
     kIntegralAttrib_DepthPicture = 'IgDp', ///< option Integral_Depth_Image=: file
     kIntegralAttrib_Antialiasing = 'IgAa', ///< option Integral_Antialiasing=: light_field or pixels
@@ -15,30 +15,30 @@ enum
                                       ///< patches
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
     // statistics
-    kIntegralAttrib_FilmPoints = 'IgFp',        ///< film points asked for
-    kIntegralAttrib_Imaged = 'IgIm',            ///< of these, imaged
-    kIntegralAttrib_Searched = 'IgSe',          ///< of the imaged, those found by the search
-    kIntegralAttrib_OutsideAperture = 'IgOa',   ///< empty, as the aperture is missed
-    kIntegralAttrib_TotalReflection = 'IgTr',   ///< empty, by total reflection
-    kIntegralAttrib_Rays = 'IgRy',              ///< traced
-    kIntegralAttrib_ContainerSearches = 'IgCs', ///< rays that were looked for containers of
-    kIntegralAttrib_SharedShadings = 'IgSs', ///< surfaces that rays met and took a shared colour of
-    kIntegralAttrib_PatchShadings = 'IgPs',  ///< of these, those for which it was worked out
-    kIntegralAttrib_Containers = 'IgCo',     ///< objects that rays may start inside of
-    kIntegralAttrib_Objects = 'IgOb',        ///< objects in the scene
+    kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
+    kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged
+    kIntegralAttrib_Searched = 'IgSe',          ///< imaged ones whose lens the search found
+    kIntegralAttrib_OutsideAperture = 'IgOa',   ///< not imaged: the ray misses the aperture
+    kIntegralAttrib_TotalReflection = 'IgTr',   ///< not imaged: totally reflected
+    kIntegralAttrib_Rays = 'IgRy',              ///< rays traced
+    kIntegralAttrib_ContainerSearches = 'IgCs', ///< rays whose start was searched for objects
+    kIntegralAttrib_SharedShadings = 'IgSs',    ///< ray hits that used a shared colour
+    kIntegralAttrib_PatchShadings = 'IgPs',     ///< those of them that computed it
+    kIntegralAttrib_Containers = 'IgCo',        ///< objects inside which rays may start
+    kIntegralAttrib_Objects = 'IgOb',           ///< objects in the scene
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
     kIntegralAttrib_Error = 'IgEr',    ///< estimated RMS error in the output encoding; absent: not
                                        ///< estimated
     kIntegralAttrib_ErrorLow = 'IgEl', ///< its interval
     kIntegralAttrib_ErrorHigh = 'IgEh',
-    kIntegralAttrib_ErrorSeconds = 'IgEs',   ///< seconds that it took
-    kIntegralAttrib_ErrorPixels = 'IgEx',    ///< pixels looked at
-    kIntegralAttrib_ErrorLitPixels = 'IgEt', ///< of these many lit ones
-    kIntegralAttrib_ErrorSamples = 'IgEn',   ///< samples of each
+    kIntegralAttrib_ErrorSeconds = 'IgEs',   ///< seconds that the estimate took
+    kIntegralAttrib_ErrorPixels = 'IgEx',    ///< pixels examined
+    kIntegralAttrib_ErrorLitPixels = 'IgEt', ///< lit pixels in the frame
+    kIntegralAttrib_ErrorSamples = 'IgEn',   ///< samples of each examined pixel
     kIntegralAttrib_ErrorMethod = 'IgEm'     ///< integral::ErrorMethod
 };
 
-/// The rows of our keywords in the front end's table of INI keywords.
+/// The integral camera's rows in the front end's table of INI keywords.
 #define INTEGRAL_INI_KEYWORDS                                                                      \
     {"Integral_Camera", kIntegralAttrib_Camera, kPOVMSType_UCS2String},                            \
         {"Integral_Audit", kIntegralAttrib_Audit, kPOVMSType_UCS2String},                          \

@@ -46,7 +46,7 @@ std::string Lower_Case(std::string text)
     return text;
 }
 
-/// Whether a text in lower case says yes, or no, as POV-Ray takes it; nothing: neither.
+/// The truth value of a lower-case text by POV-Ray's rules; nothing if it has none.
 std::optional<bool> Yes_Or_No(const std::string& text)
 {
     if (text == "on" || text == "true" || text == "yes")
@@ -56,7 +56,7 @@ std::optional<bool> Yes_Or_No(const std::string& text)
     return std::nullopt;
 }
 
-/// The number that is all of a text, but for `unit` at its end; 0 if there is none.
+/// The number in a text that consists of a number and optionally `unit`; 0 for any other text.
 double Number_In(const std::string& text, const std::string& unit)
 {
     char *end = NULL;
@@ -85,7 +85,7 @@ void Read_Sharing(const std::string& text, IntegralRenderOptions& result)
             "from 1 to 10000");
 }
 
-/// Whether +A is to work in the light field.
+/// Whether the option selects anti-aliasing in the light field.
 bool Read_Antialiasing(const std::string& text)
 {
     if (!text.empty() && text != "light_field" && text != "pixels")
@@ -94,7 +94,8 @@ bool Read_Antialiasing(const std::string& text)
     return text != "pixels";
 }
 
-/// About how many samples anti-aliasing gives to a pixel with an edge between black and white.
+/// The approximate number of samples that anti-aliasing takes in a pixel with a black and white
+/// edge.
 double Samples_At_Edges(POVMS_Object& options)
 {
     if (!options.TryGetBool(kPOVAttrib_Antialias, false))
@@ -121,7 +122,7 @@ void Check_Depth_Picture(const std::string& file)
         throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written there");
 }
 
-/// `height`: of the frame; 0: not known.
+/// `height`: height of the frame, pixels; 0 if unknown.
 void Read_Rows(const std::string& text, int height, IntegralRows& rows)
 {
     if (text.empty())
@@ -182,7 +183,7 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
     Read_Rows(text(kIntegralAttrib_Rows), options.TryGetInt(kPOVAttrib_Height, 0), result.rows);
     result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
     result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize,
-                                                      result.block_side)); // POV-Ray takes no less
+                                                      result.block_side)); // POV-Ray's minimum
     if (const int megabytes = options.TryGetInt(kPOVAttrib_MaxImageBufferMem, 128); megabytes > 0)
         result.most_memory = std::size_t(megabytes) << 20;
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A render's options that concern the integral camera.
+// Reads the render options of the integral camera.
 #ifndef POVRAY_BASE_INTEGRALOPTIONS_H
 #define POVRAY_BASE_INTEGRALOPTIONS_H
 
@@ -15,7 +15,7 @@ class POVMS_Object;
 namespace pov_base
 {
 
-/// Whether rays share their shading. automatic: where there is anti-aliasing and shading is dear.
+/// Whether rays share shading. automatic: if there is anti-aliasing and shading is expensive.
 enum class IntegralSharing
 {
     automatic,
@@ -23,9 +23,8 @@ enum class IntegralSharing
     off
 };
 
-/// The rows of a frame, 0 at the top, that are the picture. Others that are rendered are there for
-/// anti-aliasing to look at from these: they are neither refined nor audited nor counted among the
-/// lit pixels.
+/// The rows of a frame that count, from 0 at the top. Other rows that are rendered serve only as
+/// neighbours for anti-aliasing: they are not refined, not audited, and not counted as lit pixels.
 struct IntegralRows
 {
     int first = 0, last = std::numeric_limits<int>::max();
@@ -35,31 +34,31 @@ struct IntegralRows
 
 struct IntegralRenderOptions
 {
-    bool audit = true;      ///< Integral_Audit=off: no error estimate at all
+    bool audit = true;      ///< false with Integral_Audit=off: no error estimate
     double audit_share = 0; ///< Integral_Audit=PERCENT as a fraction; 0: not given
     std::uint64_t seed = 0; ///< Integral_Seed=
     IntegralSharing sharing = IntegralSharing::automatic; ///< Integral_Sharing=
-    double patches_in_beam = 0; ///< Integral_Sharing=NUMBER; 0: as the samples ask for
-    double edge_samples = 1;    ///< that anti-aliasing gives to a pixel with an edge, about
+    double patches_in_beam = 0; ///< Integral_Sharing=NUMBER; 0: chosen by the number of samples
+    double edge_samples = 1;    ///< approximate number of samples in a pixel with an edge
     std::string error_picture;  ///< Integral_Error_Image=; empty: none
     std::string depth_picture;  ///< Integral_Depth_Image=; empty: none
     IntegralRows rows;          ///< Integral_Rows=
-    bool antialias = false;     ///< +A, by a method other than 0
-    bool light_field = true;    ///< Integral_Antialiasing=: not by pixels, as POV-Ray's own does
-    int block_side = 32;        ///< pixels, of the blocks that are refined
-    std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< bytes of an image in
-                                                                       ///< main memory; +MI
+    bool antialias = false;     ///< +A with a method other than 0
+    bool light_field = true;    ///< Integral_Antialiasing=light_field; false: pixels
+    int block_side = 32;        ///< width and height of a block, pixels
+    std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< +MI: limit for an image
+                                                                       ///< in main memory, bytes
     integral::OutputCurve output; ///< from the renderer's values to those of the picture file
 };
 
-/// Throws std::invalid_argument with a sentence for the user.
+/// Reads the options. Throws std::invalid_argument with a message for the user.
 IntegralRenderOptions Read_Integral_Options(POVMS_Object& options);
 
-/// The sentence with which Read_Integral_Options would refuse the options; empty: it would not.
+/// The message with which Read_Integral_Options refuses the options; empty if they are valid.
 std::string Problem_Of_Integral_Options(POVMS_Object& options);
 
-/// The way of bounding that the options ask for, `method` by POV-Ray's default;
-/// integral_bounding_open if they leave it open, to be chosen once the scene is parsed.
+/// The bounding method: `method` (POV-Ray's value) if the options specify one, else
+/// integral_bounding_open, which means that it is chosen after the scene is parsed.
 unsigned int Integral_Bounding(POVMS_Object& options, unsigned int method);
 constexpr unsigned int integral_bounding_open = 3;
 

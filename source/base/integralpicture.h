@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A grey picture of figures beside the frame.
+// Writes per-pixel values, such as errors and depths, as grey pictures.
 #ifndef POVRAY_BASE_INTEGRALPICTURE_H
 #define POVRAY_BASE_INTEGRALPICTURE_H
 
@@ -9,18 +9,18 @@
 namespace pov_base
 {
 
-/// Whether FILE can be written, as far as can be told beforehand.
+/// Whether FILE can probably be written: creates a temporary file in its folder and deletes it.
 bool May_Write_Integral_Picture(const std::string& file);
 
-/// Writes width x height values, row by row, as linear light with 16 bits: FILE.exr as they are,
-/// any other name as a PNG (sRGB). Values are cut to 0..1. Whole or not at all; false if it could
-/// not be written.
+/// Writes width x height values, row by row, clamped to 0..1: as linear light to FILE.exr, or as a
+/// 16-bit sRGB PNG to any other name. The file appears only when it is complete. Returns false if
+/// it could not be written.
 bool Write_Integral_Picture(const std::string& file, int width, int height,
                             const std::vector<double>& values);
 
 /// Writes width x height depths (mm), row by row, as channel Z of an OpenEXR file with the frame's
-/// geometry in it; channel A is 0 where the depth is not a number, and 1 elsewhere. Whole or not at
-/// all; false if it could not be written.
+/// geometry; channel A is 0 where the depth is NaN and 1 elsewhere. The file appears only when it
+/// is complete. Returns false if it could not be written.
 bool Write_Integral_Depth(const std::string& file, int width, int height,
                           const std::vector<float>& depths);
 

@@ -29,7 +29,7 @@ class PictureStream : public OStream
 public:
     explicit PictureStream(unsigned int file_type) : OStream(file_type) {}
 
-    /// Whether all that was written has arrived; `on_disk`: on the disk itself.
+    /// Flushes the file; returns whether everything was written. `on_disk`: also sync it to disk.
     bool Finish(bool on_disk)
     {
         return !fail && std::fflush(f) == 0 && !std::ferror(f) &&
@@ -37,7 +37,7 @@ public:
     }
 };
 
-/// Whether a name is standard output or something else that no file can replace.
+/// Whether a name is standard output, a device, a pipe or a socket.
 bool Is_Special(const std::string& name)
 {
     return name == "stdout" || name == "stderr" || integral::is_special(name);
@@ -48,7 +48,7 @@ std::string Reason(int number)
     return number != 0 ? std::string(": ") + std::strerror(number) : std::string();
 }
 
-/// Throws an exception if that is not possible; errno may say more than its text.
+/// Writes the picture to `name` itself. Throws an exception on failure; errno may tell the reason.
 void Write_Straight(const std::string& name, unsigned int file_type, Image::ImageFileType format,
                     const Image& image, const Image::WriteOptions& options, bool on_disk)
 {

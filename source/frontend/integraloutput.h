@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pictures and render states on disk: each picture is written whole or not at all, and its state is
-// kept until that is done.
+// Writes pictures so that a file appears only when it is complete, and keeps the render state file
+// until then.
 #ifndef POVRAY_FRONTEND_INTEGRALOUTPUT_H
 #define POVRAY_FRONTEND_INTEGRALOUTPUT_H
 
@@ -15,21 +15,21 @@
 namespace pov_frontend
 {
 
-/// Writes `image` to `file`: first under an unfinished name in the same folder, which then takes
-/// the file's place, so that what was there stays until the new picture is whole. Straight to what
-/// is no regular file: a standard stream, a device, a pipe. Throws pov_base::Exception with one
-/// sentence if that is not possible; then nothing unfinished is left.
+/// Writes `image` to a temporary file in the folder of `file` and renames it to `file`, so that an
+/// old file stays until the new picture is complete. Standard output, devices and pipes are written
+/// directly. Throws pov_base::Exception with a one-sentence message on failure; no temporary file
+/// is left then.
 void Write_Whole_Picture(const pov_base::UCS2String& file, unsigned int file_type,
                          pov_base::Image::ImageFileType format, const pov_base::Image& image,
                          const pov_base::Image::WriteOptions& options);
 
-/// What to say where pixels could not be stored: in the state file, if that has failed, or else in
-/// the file that the picture is kept in while it is rendered. `reason`: errno, or 0.
+/// The error message if pixels could not be stored in the render state file (`state_failed`) or in
+/// the temporary file that holds the picture during rendering. `reason`: errno, or 0.
 std::string Lost_Pixels_Message(bool state_failed, const std::string& state_file, int reason);
 
-/// Runs `store`, which stores pixels of a view. Once that has failed during the render it throws
-/// one sentence, and does nothing from then on: the render is being stopped, and another exception,
-/// thrown while that waits for an answer, would end the program.
+/// Calls `store`, which stores pixels of a view. If it fails during the render, throws an exception
+/// with a one-sentence message, and does nothing in later calls: the render is then being stopped,
+/// and a second exception during that would end the program.
 template <class ViewData, class Store> void Store_Pixels(ViewData& data, Store store)
 {
     using namespace pov_base;
@@ -43,8 +43,8 @@ template <class ViewData, class Store> void Store_Pixels(ViewData& data, Store s
     catch (const Exception&)
     {
         const int reason = errno;
-        if (data.state == ViewData::View_Created) // a state file's pixels: it is read as far as it
-                                                  // is whole
+        // These are pixels from a state file, whose reader stops at the first incomplete block.
+        if (data.state == ViewData::View_Created)
             throw;
         data.pixelsLost = true;
         const bool state_failed = data.imageBackup && !*data.imageBackup;

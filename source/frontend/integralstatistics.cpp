@@ -21,7 +21,7 @@ using namespace pov_base;
 
 static const char state_mark[] = "povray-integral:";
 
-/// The estimated error, and what it rests on.
+/// Prints the estimated error and how it was estimated.
 static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
 {
     if (!statistics.Exist(kIntegralAttrib_Error))
@@ -109,8 +109,9 @@ void Check_Render_State(const Path& file, std::size_t reserved_offset)
                       std::fread(found, 1, sizeof(found) - 1, stream) == sizeof(found) - 1;
     std::fclose(stream);
     if (!read)
-        return; // not a state file, or a damaged one: POV-Ray has its own words for that
-    // a file of an unmodified POV-Ray has no mark: it can only be of one of POV-Ray's own cameras
+        return; // not a state file, or a damaged one: POV-Ray itself reports that
+    // A state file of an unmodified POV-Ray has no mark; it belongs to one of POV-Ray's own
+    // cameras.
     const bool marked = std::strncmp(found, state_mark, sizeof(state_mark) - 1) == 0;
     const std::string mark = marked ? std::string(found) : std::string(state_mark);
     if (mark != expected)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The front end's share of the integral camera: its statistics, and the check of +C.
+// The integral camera's part of the front end: prints its statistics, and checks render states for
+// +C.
 #ifndef POVRAY_FRONTEND_INTEGRALSTATISTICS_H
 #define POVRAY_FRONTEND_INTEGRALSTATISTICS_H
 
@@ -11,15 +12,14 @@
 namespace pov_frontend
 {
 
-/// Prints the integral camera's part of the render statistics, if the view had one.
+/// Prints the integral camera's part of the render statistics; nothing for other cameras.
 void Print_Integral_Statistics(POVMS_Object& statistics, pov_base::TextStreamBuffer *out);
 
-/// Marks a render state file's reserved bytes with the geometry of the camera that is being
-/// rendered.
+/// Stores a hash of the camera's geometry in the reserved bytes of a render state file.
 void Mark_Render_State(unsigned char *reserved, std::size_t size);
 
-/// Refuses to continue a render whose state file was written for another integral camera.
-/// No effect if there is no such file.
+/// Throws an exception if a render state file was written for another integral camera. No effect if
+/// there is no such file.
 void Check_Render_State(const pov_base::Path& file, std::size_t reserved_offset);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A disc of 44 mm (34 pitches and more) at depth Z millimetres behind (positive) or before (negative) the sheet. It
-// fades towards its rim: a hard rim is cut into whole lenses, which moves its centroid by up to 3% of the parallax.
+// A disc of 44 mm (34 pitches and more) at depth Z millimetres behind (positive) or before
+// (negative) the sheet. It fades towards its rim: a hard rim is cut into whole lenses, which moves
+// its centroid by up to 3% of the parallax.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare Width = image_width * 25.4 / 300;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A frame, and the glass that lies on it. One unit a millimetre, the sheet's poles at z = 0, the viewer at z < 0.
-// Declare=Sheet=1 to 4: lenticular, slanted lenticular, square, hexagonal.
+// A frame, and the glass that lies on it. One unit a millimetre, the sheet's poles at z = 0, the
+// viewer at z < 0. Declare=Sheet=1 to 4: lenticular, slanted lenticular, square, hexagonal.
 // Declare=Picture=1: an integral camera, whose picture is the frame.
 //         Picture=2: instead of a frame a film whose every pixel is a grey of its own.
 //         Picture=3 and Eye_X, Eye_Y, Eye_Distance: what an unmodified POV-Ray sees from there, a ray a pixel, of
@@ -8,8 +8,8 @@
 //                   moves the film away from it.
 //         Picture=4 and the eye: the frame's scene itself, with neither film nor glass.
 //
-// In the third nothing comes from the integral camera or its tool but the film's pixels: the glass is spheres or cylinders, each clipped
-// to its lens's cell, and the renderer's own Snell's law.
+// In the third nothing comes from the integral camera or its tool but the film's pixels: the glass
+// is spheres or cylinders, each clipped to its lens's cell, and the renderer's own Snell's law.
 #version 3.7;
 
 #declare Dpi = 300;
@@ -19,7 +19,8 @@
 #declare Film_Height = Film_Rows * 25.4 / Dpi;
 #declare Capture_Distance = 350;
 
-// Pitch and thickness in mm, slant in degrees, anticlockwise; the offset keeps the sheet's centre from being a pole.
+// Pitch and thickness in mm, slant in degrees, anticlockwise; the offset keeps the sheet's centre
+// from being a pole.
 #switch (Sheet)
   #case (1) #declare Pitch = 1.27;  #declare Thickness = 3.08; #declare Ior = 1.6;   #declare Slant = 0;   #declare Offset = <0.11, 0>;    #break
   #case (2) #declare Pitch = 1.27;  #declare Thickness = 3.08; #declare Ior = 1.6;   #declare Slant = 12;  #declare Offset = <-0.2, 0>;    #break
@@ -43,7 +44,8 @@ global_settings { assumed_gamma 1 max_trace_level 20 }
   #ifndef (Ior_Factor) #declare Ior_Factor = 1; #end
   #ifndef (Film_Gap) #declare Film_Gap = 0; #end
 
-  // Parallel light meets the film: at a surface of radius R, glass of index n has its focus n R / (n - 1) behind the pole.
+  // Parallel light meets the film: at a surface of radius R, glass of index n has its focus n R /
+  // (n - 1) behind the pole.
   #declare Radius = Radius_Factor * Thickness * (Ior - 1) / Ior;
 
   // The cell of the lens at the origin in the plane, and how far it reaches.
@@ -75,7 +77,8 @@ global_settings { assumed_gamma 1 max_trace_level 20 }
     #declare Cell = box { <-Pitch/2, -Row_Spacing/2, Front>, <Pitch/2, Row_Spacing/2, Back> }
   #end
 
-  // Open surfaces: what a ray enters through a cap it leaves only through a cap, and the film ends it before.
+  // Open surfaces: what a ray enters through a cap it leaves only through a cap, and the film ends
+  // it before.
   #if (Sheet <= 2)
     #declare Lens = cylinder { -Row_Spacing*y + Radius*z, Row_Spacing*y + Radius*z, Radius open clipped_by { Cell } }
   #else

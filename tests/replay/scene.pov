@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Depth in front of, across and behind a sheet at z = 0, one unit a millimetre. Declare=Eye=1 and Eye_X, Eye_Y: the
-// perspective picture of the sheet's rectangle as an eye there sees it; else an integral camera, Sheet = 1, 2, 3 or 4.
+// Depth in front of, across and behind a sheet at z = 0, one unit a millimetre. Declare=Eye=1 and
+// Eye_X, Eye_Y: the perspective picture of the sheet's rectangle as an eye there sees it; else an
+// integral camera, Sheet = 1, 2, 3 or 4.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 

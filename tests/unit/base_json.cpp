@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The reader of JSON documents: what it reads, on which lines things stand, and its limits.
+// Tests the reader of JSON documents: values, line numbers and limits.
 #include "integral/base/json.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The words of messages: one line, no longer than a person reads.
+// Tests message texts: one line without control characters, of limited length.
 #include "integral/base/file_bytes.h"
 #include "integral/base/message_text.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Frames as files: round trips, and what becomes of files that make no sense.
+// Tests frames as files: round trips, and the refusal of invalid files.
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
+#include "tests/unit/picture_files.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,52 +10,18 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <random>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
-using namespace integral;
+using namespace picture_files;
 namespace fs = std::filesystem;
 
 BOOST_AUTO_TEST_SUITE(io_image_files)
 
 namespace {
 
-/// A folder of its own, removed at the end.
-struct Folder {
-    std::string path;
-    Folder()
-    {
-        char name[] = "/tmp/integral-io-XXXXXX";
-        BOOST_REQUIRE(mkdtemp(name));
-        path = name;
-    }
-    ~Folder() { fs::remove_all(path); }
-    std::string operator/(const std::string& name) const { return path + "/" + name; }
-    std::vector<std::string> names() const
-    {
-        std::vector<std::string> all;
-        for (const auto& entry : fs::directory_iterator(path))
-            all.push_back(entry.path().filename());
-        return all;
-    }
-};
-
-const Encoding linear{Encoding::Kind::linear, 1}, srgb;
-
-/// A picture of random samples of every size.
-template <class Sample> Image noise(int width, int height, int channels, Encoding encoding)
-{
-    std::mt19937 random(7);
-    Image image = make_image<Sample>(width, height, channels, encoding);
-    for (Sample& s : std::get<std::vector<Sample>>(image.samples))
-        s = std::is_integral<Sample>::value
-                ? Sample(random())
-                : Sample(std::ldexp(double(random()), int(random() % 40) - 36));
-    return image;
-}
+const Encoding srgb;
 
 FrameMetadata geometry(int width, int height)
 {
@@ -76,17 +43,6 @@ void check_same(const Image& a, const Image& b)
     BOOST_TEST(a.channels == b.channels);
     BOOST_CHECK(a.samples == b.samples);
     BOOST_CHECK(same_encoding(a.encoding, b.encoding));
-}
-
-std::string bytes_of(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write_bytes(const std::string& path, const std::string& bytes)
-{
-    std::ofstream(path, std::ios::binary) << bytes;
 }
 
 /// The message with which a file is refused; "" if it is read.

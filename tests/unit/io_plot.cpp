@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Plots: what their axes show, that points stand where the axes say, and that nothing is covered or
-// lost in silence.
+// Tests plots: the axes' ranges and labels, the positions of points, and that no point is covered
+// or left out without notice.
 #include "integral/io/plot.h"
 
 #include "integral/io/image_file.h"

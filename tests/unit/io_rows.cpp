@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pictures row by row: the same as whole; metadata without pixels; files that appear whole or not
-// at all.
+// Tests reading and writing pictures row by row: the same result as for whole pictures, metadata
+// without pixels, and files that appear only when they are complete.
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 #include "integral/io/memory.h"
+#include "tests/unit/picture_files.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,55 +14,21 @@
 #include <ImfTiledOutputFile.h>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <png.h>
-#include <random>
 #include <tiffio.h>
 
-using namespace integral;
+using namespace picture_files;
 namespace fs = std::filesystem;
 
 BOOST_AUTO_TEST_SUITE(io_rows)
 
 namespace {
 
-struct Folder {
-    std::string path;
-    Folder()
-    {
-        char name[] = "/tmp/integral-rows-XXXXXX";
-        BOOST_REQUIRE(mkdtemp(name));
-        path = name;
-    }
-    ~Folder() { fs::remove_all(path); }
-    std::string operator/(const std::string& name) const { return path + "/" + name; }
-    int files() const
-    {
-        return int(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
-    }
-};
-
-const Encoding linear{Encoding::Kind::linear, 1};
 constexpr int width = 70, height = 53;
 
 template <class Sample> Image noise(int channels, Encoding encoding = {})
 {
-    std::mt19937 random(11);
-    Image image = make_image<Sample>(width, height, channels, encoding);
-    for (Sample& s : std::get<std::vector<Sample>>(image.samples))
-        s = Sample(random() % 251);
-    return image;
-}
-
-std::string bytes_of(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write_bytes(const std::string& path, const std::string& bytes)
-{
-    std::ofstream(path, std::ios::binary) << bytes;
+    return picture_files::noise<Sample>(width, height, channels, encoding, 251, 11);
 }
 
 /// A file's picture, read `most` rows at a time.
@@ -254,9 +221,9 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_finished_leaves_nothing)
     {
         OutputFile file(path);
         file.write(0, large.data(), large.size());
-        BOOST_TEST(folder.files() == 2);
+        BOOST_TEST(folder.names().size() == 2);
     }
-    BOOST_TEST(folder.files() == 1);
+    BOOST_TEST(folder.names().size() == 1);
     BOOST_TEST(bytes_of(path) == "before");
     {
         OutputFile file(path);
@@ -272,7 +239,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_finished_leaves_nothing)
     std::string wanted = large + "end";
     wanted.replace(5, 2, "yz");
     BOOST_CHECK(bytes_of(path) == wanted);
-    BOOST_TEST(folder.files() == 1);
+    BOOST_TEST(folder.names().size() == 1);
 
     // Nothing of a picture whose rows do not all come.
     const Image image = noise<std::uint8_t>(3);
@@ -280,7 +247,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_finished_leaves_nothing)
         PictureWriter writer = PictureWriter::of_frame(folder / name, image, std::nullopt);
         writer.write(rows_of(image, 0, 20));
     }
-    BOOST_TEST(folder.files() == 1);
+    BOOST_TEST(folder.names().size() == 1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

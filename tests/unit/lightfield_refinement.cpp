@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which pixels anti-aliasing refines, and how far.
+// Tests which pixels anti-aliasing refines, and with how many samples.
 #include "integral/lightfield/refinement.h"
 #include "tests/unit/pixel_origins.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Points at which light is sampled: evenly spread, each set unlike the others, and sums that are
-// spread evenly.
+// Tests sample points: they are well distributed, differ between seeds, and SumSplit's sums are
+// well distributed.
 #include "integral/lightfield/sample_points.h"
 #include "integral/lightfield/tabulated_curve.h"
 

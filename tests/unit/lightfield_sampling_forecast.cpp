@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The foretold sampling error, against limits that can be worked out by hand and against pictures
-// made at random.
+// Tests the predicted sampling error against limits computed by hand and against random pictures.
 #include "integral/lightfield/sampling_forecast.h"
 
 #include "integral/lightfield/pixel_sampler.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pixels worked out side by side are those worked out one by one, bit for bit, and most of a
-// frame's are.
+// Tests that pixels mapped in runs equal pixels mapped one by one, bit for bit, and that most
+// pixels of a frame are mapped in runs.
 #include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/pixel_run.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What holds of every lens mapping, over random sheets of optics.md section 7's ranges: accurate =
-// exhaustive, closest is part of auto, the rule of which lens images, and that nothing is too
-// hostile to be answered.
+// Tests properties of every lens mapping for random sheets in the ranges of optics.md section 7:
+// accurate equals exhaustive, closest is part of auto, the rule of which lens images a point, and
+// finite results even for extreme input.
 #include "tests/unit/optics_properties.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What pages are made of: escaped text, links, pictures scaled down.
+// Tests the parts of HTML pages: escaped text, links, reduced pictures.
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
 

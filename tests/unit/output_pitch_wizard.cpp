@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What reads pitch charts: readings of known sheets, simulated by Snell's law, give the sheets
-// back; those that cannot be are refused.
+// Tests the evaluation of pitch charts: simulated readings of known sheets (by Snell's law) give
+// these sheets, and impossible readings are refused.
 #include "integral/output/pitch_wizard.h"
 #include "tests/unit/replay_frames.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where the rays that a PixelSampler chooses come from: for its tests.
+// Finds the film point and lens point of rays that a PixelSampler chooses, for its tests.
 #ifndef TESTS_UNIT_PIXEL_ORIGINS_H
 #define TESTS_UNIT_PIXEL_ORIGINS_H
 

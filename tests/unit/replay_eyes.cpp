@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Replay by an eye with a pupil, of a film off its focus and through real lens surfaces, by
-// formulas of their own.
+// Tests replay with a pupil, with a film out of focus and with curved lens surfaces, against
+// independent formulas.
 #include "tests/unit/replay_frames.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Frames whose views are known, and where their eyes look, by formulas of their own.
+// Frames with known views, and the film points that eyes see, by formulas independent of replay.
 #ifndef INTEGRAL_TESTS_REPLAY_FRAMES_H
 #define INTEGRAL_TESTS_REPLAY_FRAMES_H
 

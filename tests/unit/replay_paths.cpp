@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where eyes go, parts of the sheet, lenses that blur, and frames made of what eyes see: by hand
-// values and closed forms.
+// Tests paths of eyes, parts of the sheet, lens blur, and frames made from perspective views,
+// against values computed by hand and closed forms.
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/perspective_views.h"

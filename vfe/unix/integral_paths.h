@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where povray-integral finds its own include files, scenes and settings: in
-// ../share/povray-integral-3.7 from the running program, so that it works in the build folder and
-// after `make install` at any prefix, without options.
+// Finds povray-integral's include files, scenes and settings in ../share/povray-integral-3.7,
+// relative to the running program, so that it works without options both in the build folder and
+// after `make install` with any prefix.
 #ifndef POVRAY_INTEGRAL_PATHS_H
 #define POVRAY_INTEGRAL_PATHS_H
 
@@ -14,16 +14,16 @@ class vfeRenderOptions;
 
 namespace vfePlatform
 {
-/// The share folder's path without a final slash, or "" where there is none.
+/// The share folder's path without a final slash, or "" if there is no such folder.
 std::string IntegralShareDirectory();
 
-/// Where the machine has no POV-Ray settings of its own, take those in the share folder; where the
-/// user has none, look for none. Arguments: the paths of povray.conf and povray.ini that POV-Ray
-/// would read.
+/// Replaces the paths of the settings files that POV-Ray would read: a system file that does not
+/// exist by the one in the share folder, and the user's povray.conf by "" if it does not exist.
 void UseIntegralSettings(std::string& system_conf, std::string& user_conf, std::string& system_ini);
 
-/// Adds the share folder and its ini, include and scenes behind every library path of the settings
-/// and the command line: advanced/chess2.pov and integral/biplane.pov are found from anywhere.
+/// Appends the share folder and its subfolders ini, include and scenes to the library paths of the
+/// settings and the command line, so that advanced/chess2.pov and integral/biplane.pov are found
+/// from any folder.
 void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How long POV-Ray's threads wait for each other.
+// The waiting times of POV-Ray's threads.
 #ifndef POVRAY_VFE_WAITS_H
 #define POVRAY_VFE_WAITS_H
 
@@ -8,14 +8,14 @@
 
 namespace vfe
 {
-/// The longest time in milliseconds that a polling thread sleeps. The start and the end of a run
-/// are a dozen such sleeps one after another: with 50 to 200 ms each they took 0.7 s, whatever the
+/// The longest time in milliseconds that a polling thread sleeps. Starting and ending a run takes
+/// about a dozen such sleeps in sequence; at upstream's 50 to 200 ms each they take 0.7 s for any
 /// scene. Less than 5 ms would cost more than 1% of a core.
 constexpr unsigned int LongestSleep = 5;
 
-/// Waits until `started()` holds, for a minute at most, and asks every millisecond. Waiting for a
-/// condition variable instead loses a signal that comes between the look and the wait; that ended
-/// one run of several hundred on a busy machine.
+/// Waits until `started()` returns true, but at most a minute; polls every millisecond. Upstream's
+/// wait for a condition variable misses a signal that comes between its test and its wait, which
+/// ended one run in several hundred on a busy machine.
 template <class Started> void AwaitStart(Started started)
 {
     using namespace std::chrono;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where a ray enters a bounding box: the question that a scene's rays ask most often.
+// Computes where a ray enters a bounding box, the most frequent test in tracing.
 #ifndef POVRAY_BACKEND_BOXENTRY_H
 #define POVRAY_BACKEND_BOXENTRY_H
 
@@ -11,8 +11,8 @@
 namespace pov
 {
 
-/// Whether Ray_Enters_Box applies: the ray's direction has no component of 0, and the box no
-/// negative length.
+/// Whether Ray_Enters_Box may be called: no component of the ray's direction is 0 and no length of
+/// the box is negative.
 inline bool Ray_Enters_Box_Applies(const BBOX& box, const Rayinfo& ray)
 {
     return (ray.nonzero[X] & ray.nonzero[Y] & ray.nonzero[Z]) &&
@@ -20,9 +20,10 @@ inline bool Ray_Enters_Box_Applies(const BBOX& box, const Rayinfo& ray)
              std::signbit(box.Lengths[Z]));
 }
 
-/// Whether the ray meets the box, and how far along it (`enters`, in lengths of its direction). The
-/// same numbers, to the last bit, as Check_And_Enqueue's comparisons axis by axis, with one
-/// unpredictable branch in place of up to ten: a processor guesses those wrongly half of the time.
+/// Returns whether the ray meets the box, and sets `enters` to the distance along the ray, in
+/// lengths of its direction. The numbers equal those of Check_And_Enqueue's axis-by-axis
+/// comparisons to the last bit, but there is one branch that the processor cannot predict instead
+/// of up to ten.
 inline bool Ray_Enters_Box(const BBOX& box, const Rayinfo& ray, DBL& enters)
 {
     const auto low = [&](int k)

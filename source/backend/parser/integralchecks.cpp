@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What follows once a camera's words are known: where its sheet stands, what cannot work, and what
-// the user should know.
+// The part of IntegralGrammar that follows a complete camera statement: it places the sheet,
+// reports errors and prints warnings.
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
@@ -57,7 +57,8 @@ void IntegralGrammar::Settle(Camera& camera)
     statement.sheet_distance_ratio = distance / direction;
 }
 
-/// Width and height of the picture, as the front end declares them to the scene.
+/// Gets width and height of the picture from the identifiers that the front end declares in the
+/// scene; false if they are not declared.
 bool IntegralGrammar::Frame_Size(int& width, int& height)
 {
     const auto number = [&](const char *name, int& value)
@@ -159,7 +160,7 @@ void IntegralGrammar::Warn(const Camera& camera)
     const auto filling = integral::filling_aperture(
         integral::modelled_sheet(optics.optics.sheet(), optics.optics.model()), aperture.distance);
     const auto too_wide = [](double extent, double fills)
-    { return fills > 0 && extent > 1.1 * fills; }; // a slit's height is free
+    { return fills > 0 && extent > 1.1 * fills; }; // no warning for the length of a slit
     if (filling &&
         (too_wide(aperture.width, filling->width) || too_wide(aperture.height, filling->height)))
         parser.Warning(

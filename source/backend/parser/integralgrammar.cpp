@@ -21,7 +21,7 @@ namespace pov
 namespace
 {
 
-/// "a, b or c".
+/// The names of `words` as a list: "a, b or c".
 template <class Words, class Name> std::string List(const Words& words, Name name)
 {
     std::string list;
@@ -34,7 +34,7 @@ template <class Words, class Name> std::string List(const Words& words, Name nam
     return list;
 }
 
-/// What messages call the kinds of something.
+/// The name of an enumeration in messages.
 const char *What_Kind(integral::ApertureShape) { return "shape of an aperture"; }
 const char *What_Kind(integral::LensModel) { return "lens model"; }
 const char *What_Kind(integral::LensMapping) { return "lens mapping"; }
@@ -43,7 +43,7 @@ const char *What_Kind(integral::CellPattern) { return "pattern of cells"; }
 
 }
 
-/// One of the words for the kinds of something, as files spell them.
+/// Reads one of the words of the enumeration Kind.
 template <class Kind> Kind IntegralGrammar::Parse_Kind()
 {
     const char *const of = What_Kind(Kind());
@@ -57,8 +57,8 @@ template <class Kind> Kind IntegralGrammar::Parse_Kind()
     return *kind;
 }
 
-/// A word of the camera statement: how its value is read, and how Integral_Camera= puts it in the
-/// place of the scene's.
+/// A word of the camera statement: how to read its value, and how to copy the value from
+/// Integral_Camera= to the scene's statement.
 struct IntegralGrammar::Word
 {
     using Parameters = integral::CameraParameters;
@@ -67,7 +67,7 @@ struct IntegralGrammar::Word
     void (*parse)(IntegralGrammar& grammar, IntegralStatement& statement);
     void (*replace)(const Parameters& from, Parameters& to);
 
-    /// A word that sets one field, to what `Read` returns.
+    /// A word that sets one field to the result of `Read`.
     template <auto Field, auto Read> static Word Value(const char *name)
     {
         return {name, Set<Field, Read>, Replace<Field>};
@@ -83,7 +83,7 @@ struct IntegralGrammar::Word
     }
 };
 
-/// All of them, in the order in which messages list them.
+/// All words, in the order in which messages list them.
 const std::vector<IntegralGrammar::Word>& IntegralGrammar::Words()
 {
     using P = integral::CameraParameters;
@@ -121,7 +121,7 @@ std::string IntegralGrammar::List_Of_Words()
     return List(Words(), [](const Word& word) { return word.name; });
 }
 
-/// Puts the words of Integral_Camera= in the place of the camera's own.
+/// Replaces settings of the camera by those of Integral_Camera=.
 void IntegralGrammar::Apply_Option(IntegralStatement& statement)
 {
     for (const Word& word : Words())
@@ -138,8 +138,8 @@ IntegralGrammar& IntegralGrammar::Of(Parser& parser)
     return *parser.integralGrammar;
 }
 
-/// The text of the next token, whatever the scene has made of it; the token stays next.
-/// Empty at the end of the scene.
+/// The text of the next token, even if it is a declared identifier; empty at the end of the scene.
+/// The token is not consumed.
 std::string IntegralGrammar::Next_Word()
 {
     parser.Get_Token();
@@ -159,7 +159,7 @@ bool IntegralGrammar::Accept(const char *word)
     return true;
 }
 
-/// The camera's statement, as one that no other camera shares.
+/// The camera's statement for writing: a copy of its own if other cameras share it.
 IntegralStatement& IntegralGrammar::Edit(Camera& camera)
 {
     auto statement = camera.Integral ? std::make_shared<IntegralStatement>(*camera.Integral)
@@ -193,7 +193,7 @@ bool IntegralGrammar::Parse_Modifier(Camera& camera)
     const std::string word = Next_Word();
     if (Find_Word(word))
         return Parse_Word(Edit(camera));
-    // POV-Ray would go on to say that it misses a '}', which is of little help
+    // Otherwise POV-Ray would report a missing '}', which does not help the user.
     if (parser.Token.Token_Id == IDENTIFIER_TOKEN)
         parser.Error(
             "'%s' is not a word of an integral camera: %s, or one of the perspective camera's.",
@@ -201,14 +201,14 @@ bool IntegralGrammar::Parse_Modifier(Camera& camera)
     return false;
 }
 
-/// Notes that a word is given, and refuses it a second time.
+/// Records that a word is given; an error if it was given before.
 void IntegralGrammar::Give(IntegralStatement& statement, const std::string& word)
 {
     if (!statement.given.insert(word).second)
         parser.Error("%s is given twice.", word.c_str());
 }
 
-/// Refuses a value as soon as it has been read, while the message can still name its line.
+/// Checks a value as soon as it has been read, so that an error message shows its line.
 void IntegralGrammar::Check_Value(const IntegralStatement& statement)
 {
     const std::vector<std::string> errors = integral::find_value_errors(statement.parameters);
@@ -230,7 +230,7 @@ integral::Vec2 IntegralGrammar::Parse_Pair(bool promote)
     return {components[X], components[Y]};
 }
 
-/// A number of samples. Its range is checked with the other values'.
+/// A number of samples. Check_Value checks its range.
 int IntegralGrammar::Parse_Count()
 {
     const double count = parser.Parse_Float();
@@ -374,8 +374,8 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
         parser.Error("film needs one of dpi and pixel_pitch (mm), and not both.");
 }
 
-/// Stripes by their word, or the places of a pixel's colours: cells { PATTERN  <x, y> <x, y> <x, y>
-/// ... }.
+/// A word for stripes, or the positions of the colours in pixels: cells { PATTERN  <x, y> <x, y>
+/// <x, y> ... }.
 void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
 {
     subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>());
@@ -409,8 +409,7 @@ void IntegralGrammar::Parse_Option()
     if (text.empty())
         return;
 
-    // the text goes before what is read next, as an include file does; it leaves the stack by
-    // itself
+    // Push the text on the stack of include files, from which the parser removes it at its end.
     option_level = ++parser.Include_File_Index;
     parser.Input_File = &parser.Include_Files[option_level];
     parser.Input_File->In_File = new pov_base::ITextStream(
@@ -420,7 +419,7 @@ void IntegralGrammar::Parse_Option()
     parser.Echo_Indx = 0;
     parser.Add_Sym_Table();
 
-    // whatever it says of #version, the scene has said nothing yet
+    // A #version in the text must not set the scene's language version.
     const auto version = parser.sceneData->languageVersion;
     const bool version_set = parser.sceneData->languageVersionSet;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The words of the integral camera. They mean something only inside `camera { integral ... }` (and
-// in Integral_Camera=), whatever the scene has declared them as; nothing is reserved.
+// Parses the words of the integral camera. They have a meaning only inside `camera { integral ...
+// }` and in Integral_Camera=, even if the scene declares identifiers of the same names; none is a
+// reserved word.
 #ifndef POVRAY_BACKEND_INTEGRALGRAMMAR_H
 #define POVRAY_BACKEND_INTEGRALGRAMMAR_H
 
@@ -20,31 +21,34 @@ struct IntegralStatement;
 class IntegralGrammar
 {
 public:
-    /// The grammar of a parser, made at the first call.
+    /// The grammar of a parser, created at the first call.
     static IntegralGrammar& Of(Parser& parser);
 
-    /// Reads the words of the INI option Integral_Camera=, if there are any. To be called
-    /// once the tokenizer stands before the scene's first token.
+    /// Reads the words of the INI option Integral_Camera=, if it is given. Call it before the
+    /// scene's first token is read.
     void Parse_Option();
 
-    /// `integral` among the camera types: takes it on if it is next.
+    /// Reads the camera type `integral` if it is the next token.
     void Parse_Type(Camera& camera);
 
-    /// One word of an integral camera: parses it and returns true if it is next.
+    /// If the next token is a word of the integral camera, parses it with its value and returns
+    /// true.
     bool Parse_Modifier(Camera& camera);
 
-    /// To be called while camera.Look_At still tells whether look_at was given (HUGE_VAL in
-    /// its x: it was not), and where it was.
+    /// Records the look_at point. Call it while camera.Look_At still has the value that was given,
+    /// or HUGE_VAL in x if none was.
     void Note_Look_At(Camera& camera);
 
-    /// To be called with the camera's vectors settled, before its transforms are applied.
+    /// Applies Integral_Camera= and computes the sheet's distance. Call it when the camera's
+    /// vectors are final, before its transforms are applied.
     void Settle(Camera& camera);
 
-    /// To be called at the end of a camera statement: refuses what cannot work.
+    /// Reports errors for settings that cannot work together. Call it at the end of a camera
+    /// statement.
     void Check(Camera& camera);
 
-    /// To be called once the scene is parsed, with the camera that is to be rendered: applies
-    /// Integral_Camera= to a scene without a camera, and says what the user should know.
+    /// Applies Integral_Camera= to a scene without a camera statement, and prints warnings. Call it
+    /// after the scene is parsed, with the camera that will be rendered.
     void Finish(Camera& camera);
 
 private:
@@ -76,9 +80,9 @@ private:
     void Warn(const Camera& camera);
 
     Parser& parser;
-    std::shared_ptr<IntegralStatement> option; ///< the words of Integral_Camera=, or nothing
+    std::shared_ptr<IntegralStatement> option; ///< the words of Integral_Camera=, or null
     const char *reading = "";                  ///< the word whose value is being read
-    int option_level = 0; ///< depth of its text among the include files, while it is read
+    int option_level = 0;                      ///< include file level of that text while it is read
 };
 
 }

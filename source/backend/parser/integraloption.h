@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A text in memory as a stream that POV-Ray's parser can read like an include file.
+// Lets POV-Ray's parser read a text in memory like an include file.
 #ifndef POVRAY_BACKEND_INTEGRALOPTION_H
 #define POVRAY_BACKEND_INTEGRALOPTION_H
 

@@ -75,8 +75,8 @@ void IntegralAudit::Note_One(int x, int y, const Colour& colour)
     Thin_Out();
 }
 
-/// Keeps no more pixels than may have to be audited: twice the share of those seen, and enough for
-/// a small frame.
+/// Drops recorded pixels that will not be audited. Keeps twice the requested share of the pixels
+/// seen so far, or the minimum number for a small frame if that is more.
 void IntegralAudit::Thin_Out()
 {
     const double most = std::max(200.0 * least_pixels,
@@ -92,7 +92,7 @@ void IntegralAudit::Choose()
 {
     chosen = true;
     begun = std::chrono::steady_clock::now();
-    const double kept = (double(threshold) + 1) / std::pow(2.0, 64); // part of all hashes
+    const double kept = (double(threshold) + 1) / std::pow(2.0, 64); // fraction of all hashes
     lit_pixels = std::round(noted.size() / kept);
     const double wanted = share > 0
                               ? std::ceil(share * lit_pixels)
@@ -133,8 +133,8 @@ std::optional<integral::ErrorEstimate> IntegralAudit::Result()
     return error;
 }
 
-/// Each square of the frame in the grey of its pixels' RMS error: squares of some 8 audited pixels,
-/// so that it can be seen where the error is.
+/// Writes a picture of the local error: the frame is divided into squares of about 8 audited
+/// pixels, and each is filled with the grey value of its RMS error.
 bool IntegralAudit::Write_Picture() const
 {
     const integral::Film& film = optics->film;
@@ -143,7 +143,7 @@ bool IntegralAudit::Write_Picture() const
     const int across = (film.width + side - 1) / side;
     std::vector<integral::ErrorSums> squares(std::size_t(across) *
                                              ((film.height + side - 1) / side));
-    if (pixels.size() >= lit_pixels) // all of them: each for itself
+    if (pixels.size() >= lit_pixels) // every pixel was audited: squares of one pixel
     {
         std::vector<double> errors(std::size_t(area), 0.0);
         for (const Pixel& pixel : pixels)
@@ -192,7 +192,7 @@ IntegralAuditTask::IntegralAuditTask(ViewData *view)
 void IntegralAuditTask::Run()
 {
     radiosity.BeforeTile(0);
-    trace.integralShading = NULL; // what sharing errs by is a part of the error
+    trace.integralShading = NULL; // the error that shared shading causes counts too
     std::vector<integral::Light> samples(IntegralAudit::samples);
     while (IntegralAudit::Pixel *pixel = audit->Next())
     {

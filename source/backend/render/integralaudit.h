@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The audit of a rendered frame: a random part of its lit pixels is rendered anew, at independent
-// samples of all that a pixel stands for, and tells how far the frame is from its converged 4-D
+// Audits a rendered frame: renders a random subset of its lit pixels again with independent samples
+// of pixel area and lens cell, and estimates from them the frame's error against the converged 4-D
 // reference.
 #ifndef POVRAY_BACKEND_INTEGRALAUDIT_H
 #define POVRAY_BACKEND_INTEGRALAUDIT_H
@@ -25,14 +25,14 @@ namespace pov
 class Camera;
 struct IntegralView;
 
-/// The audit of one view. Its pixels are those of the smallest hashes of (seed, x, y): the same in
-/// whatever order the threads work.
+/// The audit of one view. It takes the pixels with the smallest hashes of (seed, x, y), so that the
+/// choice does not depend on the order in which threads work.
 class IntegralAudit
 {
 public:
     IntegralAudit(const IntegralView& view, std::uint64_t seed);
 
-    /// Independent samples of each audited pixel.
+    /// The number of independent samples of each audited pixel.
     static constexpr int samples = 16;
 
     struct Pixel
@@ -42,21 +42,22 @@ public:
         double squared_error = 0;
     };
 
-    /// Notes rendered pixels, of the rows that count; the last to come of each is the final one.
+    /// Records rendered pixels if they are in rows that count. If a pixel is recorded again, the
+    /// last colour counts.
     void Note(const POVRect& rect, const std::vector<Colour>& pixels);
     void Note(const std::vector<Vector2d>& positions, const std::vector<Colour>& colours);
 
-    /// The next pixel to audit; nothing once all are taken. The first call chooses them.
+    /// The next pixel to audit; null when there is none left. The first call chooses the pixels.
     Pixel *Next();
 
-    /// The values of a rendered pixel in the picture file are made of its light by this.
+    /// The curve from a rendered pixel's light to its values in the picture file.
     const integral::OutputCurve& Output() const { return output; }
 
-    /// The frame's error, once all have been audited; nothing where there was next to nothing to
-    /// audit. Writes the error picture, if there is to be one.
+    /// The frame's error, after all pixels have been audited; nothing if there were fewer than 2.
+    /// Writes the error picture if one was requested.
     std::optional<integral::ErrorEstimate> Result();
 
-    /// Whether the error picture was asked for and could not be written.
+    /// Whether the error picture was requested but could not be written.
     bool Picture_Failed() const { return picture_failed; }
 
 private:
@@ -82,8 +83,8 @@ private:
     std::unordered_map<std::uint64_t, Noted> noted; ///< lit pixels whose hash is below the
                                                     ///< threshold
     std::uint64_t threshold = ~std::uint64_t(0);
-    long long seen = 0;    ///< pixels that have been noted or passed by
-    double lit_pixels = 0; ///< about as many in the frame
+    long long seen = 0;    ///< number of pixels passed to Note
+    double lit_pixels = 0; ///< approximate number of lit pixels in the frame
     bool chosen = false;
     std::vector<Pixel> pixels; ///< to audit
     std::size_t taken = 0;
@@ -91,7 +92,7 @@ private:
     std::chrono::steady_clock::time_point begun;
 };
 
-/// To be called with each finished block of a view. No effect without an audit.
+/// Records the pixels of a finished block of a view. No effect if the view has no audit.
 void Note_Integral_Pixels(const Camera& camera, const POVRect& rect,
                           const std::vector<Colour>& pixels);
 void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions,

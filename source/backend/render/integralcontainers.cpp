@@ -23,7 +23,7 @@ namespace
 using integral::StartRegion;
 using integral::Vec3;
 
-/// Whether a ray inside of it, and of nothing else, behaves otherwise than one outside.
+/// Whether the interior changes a ray that is inside this object only.
 bool Matters(const Interior& interior)
 {
     return !interior.hollow || interior.IOR != 1.0f || interior.Dispersion != 1.0f ||
@@ -31,13 +31,13 @@ bool Matters(const Interior& interior)
            interior.subsurface != NULL;
 }
 
-/// Whether the region and an object's bounding box meet: no plane along a face of the box, along
-/// the region or along an edge of each parts them (the theorem of the separating axis).
+/// Whether the region and a bounding box intersect, by the separating axis theorem: no plane
+/// parallel to a face of the box, to the region or to an edge of each separates them.
 bool Meet(const StartRegion& region, const BBOX& box)
 {
     const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
-    const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y],
-                    0.5 * box.Lengths[Z]}; // boxes are in single precision
+    const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y], 0.5 * box.Lengths[Z]}; // single
+                                                                                       // precision
     const Vec3 between = low + half - region.centre;
     const double slack = 1e-6 * (length(low) + length(half) + length(region.centre));
     const auto parts = [&](Vec3 axis)
@@ -56,8 +56,8 @@ bool Meet(const StartRegion& region, const BBOX& box)
     return true;
 }
 
-/// Whether an object may contain a point of the region. A plane's outside is convex: with the four
-/// corners out there, all of the region is.
+/// Whether an object may contain a point of the region. For a plane it is enough to test the four
+/// corners: its outside is convex, so if they are outside, the whole region is.
 bool May_Contain(const ObjectPtr object, const StartRegion& region, TraceThreadData *thread)
 {
     if (!Meet(region, object->BBox))
@@ -85,14 +85,14 @@ void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneDat
     for (const ObjectPtr object : scene.objects)
         if (object->interior != NULL && (!region || May_Contain(object, *region, thread)))
             chosen.push_back(object);
-    // beside one that matters, the others do: what a ray meets as it leaves an overlap depends on
-    // all that it is in
+    // If one interior affects rays, the others count too: when a ray leaves an overlap of objects,
+    // the result depends on all objects that it is inside.
     if (std::none_of(chosen.begin(), chosen.end(),
                      [](const ObjectPtr object) { return Matters(*object->interior); }))
         chosen.clear();
 
     left_to_pov = scene.boundingMethod == 2 ||
-                  !region; // a tree finds them faster than a list of all
+                  !region; // faster with a tree than with a list of all objects
     candidates.clear();
     if (scene.boundingMethod == 0 || scene.boundingSlabs == NULL || left_to_pov)
         candidates = chosen;
@@ -100,7 +100,7 @@ void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneDat
         Choose_From(scene.boundingSlabs, chosen);
 }
 
-/// Takes over those of the chosen that are below a node, in the order of POV-Ray's own way through
+/// Appends those of the chosen objects that are below a node, in the order in which POV-Ray visits
 /// the tree.
 void IntegralContainers::Choose_From(BBOX_TREE *node, const std::vector<ObjectPtr>& chosen)
 {

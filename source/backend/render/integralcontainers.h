@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which objects a camera ray of an integral camera can start inside of.
+// Finds the objects inside which camera rays of an integral camera start.
 #ifndef POVRAY_BACKEND_INTEGRALCONTAINERS_H
 #define POVRAY_BACKEND_INTEGRALCONTAINERS_H
 
@@ -15,24 +15,24 @@ class Ray;
 class SceneData;
 
 /// The objects of a scene that may contain the start of a camera ray; none if no interior among
-/// them makes a difference to a ray inside of it. Chosen once for a view, so that its rays are held
-/// against these alone.
+/// them affects a ray. They are chosen once for a view, so that each ray is tested against these
+/// only.
 class IntegralContainers
 {
 public:
     void Choose(const integral::IntegralCamera& camera, SceneData& scene, TraceThreadData *thread);
 
-    /// No ray starts inside of anything that matters.
+    /// Whether no ray starts inside an object whose interior affects it.
     bool None() const { return candidates.empty(); }
 
-    /// POV-Ray's own search is to be used: with +BM2 it alone knows the order of the objects, and
-    /// for a ray that may start anywhere its tree is faster.
+    /// Whether POV-Ray's own search must be used. It is needed with +BM2, where the order of the
+    /// objects is known only to it, and it is faster for rays that may start anywhere.
     bool Left_To_POV() const { return left_to_pov && !None(); }
 
     int Number() const { return int(candidates.size()); }
 
-    /// Tells the ray which of them its origin is inside of, in the order in which POV-Ray's own
-    /// search finds them.
+    /// Adds to the ray's list of interiors those that contain its origin, in the order in which
+    /// POV-Ray's own search finds them.
     void Tell(Ray& ray, TraceThreadData *thread) const;
 
 private:

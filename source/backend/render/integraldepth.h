@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The depth frame: how far from the sheet the first surface is that the viewer sees in each pixel.
+// Renders the depth frame: the distance from the sheet to the first surface seen in each pixel.
 #ifndef POVRAY_BACKEND_INTEGRALDEPTH_H
 #define POVRAY_BACKEND_INTEGRALDEPTH_H
 
@@ -18,21 +18,21 @@ namespace pov
 class Camera;
 struct IntegralView;
 
-/// The depth frame of one view: of each pixel's centre, along the ray through its lens's pole. mm
-/// from the sheet's plane, greater than 0 behind it; infinite where there is no surface; NaN where
-/// the pixel images nothing.
+/// The depth frame of one view: for each pixel, the depth of the first surface on the ray from the
+/// pixel's centre through its lens's pole. Depths are in mm from the sheet's plane, > 0 behind it;
+/// infinite if there is no surface; NaN if the pixel images nothing.
 class IntegralDepth
 {
 public:
     IntegralDepth(const IntegralView& view, const std::string& file);
 
-    /// A row that no thread has taken yet; false once there is none.
+    /// Sets `row` to a row that no thread has taken yet; false when there is none left.
     bool Next_Row(int& row);
 
-    /// Works out a row's depths by `trace`.
+    /// Computes the depths of a row with `trace`.
     void Find_Row(int row, Trace& trace);
 
-    /// Writes the file; false if that is not possible.
+    /// Writes the file; returns whether that succeeded.
     bool Write() const;
 
     const std::string& File() const { return file; }

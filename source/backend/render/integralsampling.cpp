@@ -21,9 +21,9 @@ namespace
 {
 
 constexpr unsigned int block_side = 32;
-constexpr float pass_share = 0.5f; // of the progress that is shown
+constexpr float pass_share = 0.5f; // the first pass's share of the displayed progress
 
-/// A colour as anti-aliasing compares it.
+/// Converts a colour to the encoding in which anti-aliasing compares colours.
 class ComparedEncoding
 {
 public:
@@ -40,7 +40,7 @@ private:
     integral::TabulatedCurve curve;
 };
 
-/// Where the first samples begin, behind the colours.
+/// The offset of the first samples, which follow the colours.
 std::size_t First_Samples_At(const integral::Film& film)
 {
     return sizeof(Colour) * film.width * film.height;
@@ -166,7 +166,7 @@ public:
     {
     }
 
-    /// The block's pixels, row by row, to `pixels`; those that do not count as they are.
+    /// Writes the block's pixels, row by row, to `pixels`. If not `counts`, they are not refined.
     void Run(const POVRect& of, bool counts, std::vector<Colour>& pixels)
     {
         block = of;
@@ -184,7 +184,7 @@ public:
         {
             const int x = waiting[next].first, y = waiting[next].second;
             const bool busy = Refine(x, y, pixels[Index(x, y)]);
-            if (busy) // what is in this pixel's beam may have escaped its neighbours' first samples
+            if (busy) // its neighbours' first samples may have missed the same edge
                 sampling.First().for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
         }
     }
@@ -204,7 +204,8 @@ private:
         waiting.emplace_back(x, y);
     }
 
-    /// Whether the pixel's samples differ by as much as makes a pixel worth refining.
+    /// Refines a pixel. Returns whether its samples differ so much that its neighbours should be
+    /// refined too.
     bool Refine(int x, int y, Colour& colour)
     {
         thread.Stats()[Number_Of_Pixels_Supersampled]++;
@@ -240,7 +241,7 @@ private:
     IntegralSampling& sampling;
     ComparedEncoding compared;
     POVRect block;
-    std::vector<bool> refined; ///< or waiting to be
+    std::vector<bool> refined; ///< true also for pixels in `waiting`
     std::vector<std::pair<int, int>> waiting;
 };
 
@@ -263,8 +264,8 @@ bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& tr
     while (view.GetNextRectangle(block, serial))
     {
         radiosity.BeforeTile(options.reproducible ? serial : 0);
-        // A block is refined as a whole, for its pixels set each other off. One that does not count
-        // is never final: +C may go on with others.
+        // A block is refined as a whole, because a pixel can cause its neighbours to be refined. A
+        // block that does not count is never marked final, so that +C may be used with other rows.
         const bool counts = rows.Meet(block.top, block.bottom);
         refinement.Run(block, counts, pixels);
         sampling->Done(block);

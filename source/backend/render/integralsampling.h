@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Anti-aliasing (+A) of an integral camera, in two passes: every pixel's first sample; then more of
-// those pixels that depart from their neighbours in the light field.
+// Anti-aliases (+A) the frame of an integral camera in two passes: the first takes one sample of
+// every pixel; the second takes more samples of pixels that differ from their neighbours in the
+// light field.
 #ifndef POVRAY_BACKEND_INTEGRALSAMPLING_H
 #define POVRAY_BACKEND_INTEGRALSAMPLING_H
 
@@ -20,24 +21,26 @@ namespace pov
 
 class Camera;
 
-/// What the first pass leaves to the second; 36 bytes a pixel of the rows that need first samples.
-/// In a file where that is more than POV-Ray would keep of an image in main memory.
+/// The results of the first pass, for use in the second: 36 bytes per pixel of the rows that need
+/// first samples. They are kept in a file if they exceed POV-Ray's limit for images in main memory.
 class IntegralSampling
 {
 public:
-    /// `rows` count; `side`: of the blocks that are refined, pixels. `most_memory`: bytes in main
-    /// memory. Throws pov_base::Exception if there is no room.
+    /// `rows`: the rows that count. `side`: width and height of the blocks that are refined,
+    /// pixels. `most_memory`: limit of main memory, bytes. Throws pov_base::Exception if there is
+    /// no room.
     IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows,
                      int side, std::size_t most_memory);
 
-    /// The part of what is rendered that needs first samples: whole blocks, where they have rows
-    /// that count, and what is looked at from there.
+    /// The part of the rendered area that needs first samples: all blocks with rows that count, and
+    /// the neighbours of their pixels.
     POVRect Needed(const POVRect& rendered) const;
 
-    /// The next block of the first pass; false once all of `area` has been given out.
+    /// Sets `block` to the next block of the first pass; false when all of `area` has been given
+    /// out.
     bool Next_Block(const POVRect& area, POVRect& block);
 
-    /// To be called once a block has been sampled, or refined.
+    /// Reports that a block has been sampled or refined.
     void Done(const POVRect& block) { memory->Used(bytes_a_pixel * block.GetArea()); }
 
     integral::FirstSamples& First() { return first; }
@@ -46,7 +49,7 @@ public:
 private:
     static constexpr std::size_t bytes_a_pixel = 36;
     pov_base::IntegralRows rows;
-    int width, height, side, reach;                   ///< reach: rows looked at, up or down
+    int width, height, side, reach;                   ///< reach: distance of neighbours, rows
     std::shared_ptr<pov_base::IntegralMemory> memory; ///< the colours, then the first samples
 
     std::shared_ptr<pov_base::IntegralMemory> Memory(const integral::Film& film,
@@ -56,16 +59,17 @@ private:
     std::atomic<unsigned int> next{0};
 };
 
-/// How many first-pass tasks a view with `threads` threads is to run before its frame is rendered:
-/// none without +A.
+/// The number of first-pass tasks that a view with `threads` threads must run before its frame is
+/// rendered; 0 without +A.
 int Integral_First_Pass_Tasks(const Camera& camera, unsigned int method, int threads);
 
-/// One thread's share of the first pass, which shows the frame as it is without anti-aliasing.
+/// One thread's share of the first pass. It also sends the frame without anti-aliasing to the
+/// display.
 class IntegralFirstPassTask : public IntegralTask
 {
 public:
-    /// `continued`: some of the frame is there already, and its pixels are not to be shown as the
-    /// first pass has them.
+    /// `continued`: part of the frame was rendered before (+C); the first pass must not overwrite
+    /// its pixels on the display.
     IntegralFirstPassTask(ViewData *view, const GammaCurvePtr& gamma, bool reproducible,
                           bool continued);
     virtual void Run();
@@ -75,7 +79,7 @@ private:
     bool reproducible, continued;
 };
 
-/// What a TraceTask's options say of anti-aliasing.
+/// The anti-aliasing options of a TraceTask.
 struct IntegralRefinementOptions
 {
     integral::RefinementRule rule;
@@ -83,8 +87,8 @@ struct IntegralRefinementOptions
     bool jitter, reproducible, final;
 };
 
-/// One thread's share of the second pass. False, with nothing done, if the view has had no first
-/// pass.
+/// Runs one thread's share of the second pass. Does nothing and returns false if the view has had
+/// no first pass.
 bool Refine_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace,
                           RadiosityFunction& radiosity, Trace::CooperateFunctor& cooperate,
                           const IntegralRefinementOptions& options);

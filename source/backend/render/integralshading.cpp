@@ -27,15 +27,15 @@ namespace pov
 namespace
 {
 
-constexpr int square_bits = 2, square = 1 << square_bits; // neighbouring patches, 4 x 4 of them,
-                                                          // are neighbours in the table
+// Squares of 4 x 4 neighbouring patches are stored together in the table.
+constexpr int square_bits = 2, square = 1 << square_bits;
 constexpr std::size_t row_length = square * square;
-constexpr std::uint64_t word_step = 0x9e3779b97f4a7c15u; // any odd number without a pattern
-constexpr int height_steps = 4;                          // patch sizes that a patch is high
+constexpr std::uint64_t word_step = 0x9e3779b97f4a7c15u; // an odd number with irregular bits
+constexpr int height_steps = 4;                          // height of a patch, in patch sizes
 
 double Random(std::uint64_t bits) { return double(bits >> 11) * 0x1p-53; }
 
-/// An object's normal as POV-Ray's shading takes it.
+/// Makes an object's normal the one that POV-Ray's shading uses.
 void Turn_Out(VECTOR normal, const ObjectBase *object)
 {
     if (Test_Flag(object, INVERTED_FLAG))
@@ -43,8 +43,8 @@ void Turn_Out(VECTOR normal, const ObjectBase *object)
             normal[k] = -normal[k];
 }
 
-/// A number for an object that does not depend on where it is in memory, and is rarely another
-/// object's as well.
+/// A hash of an object that does not depend on its address and is rarely the same for another
+/// object.
 std::uint64_t Number_Of(const ObjectBase& object)
 {
     std::uint64_t number = object.Type;
@@ -59,8 +59,8 @@ std::uint64_t Number_Of(const ObjectBase& object)
     return number;
 }
 
-/// More than a frame's patches, but for very large frames; a small frame's table stays in the
-/// processor's cache.
+/// The table's size: more slots than a frame has patches, except for very large frames. The table
+/// of a small frame fits in the processor's cache.
 std::size_t Slots_For(const integral::Film& film)
 {
     constexpr double slots_a_pixel = 8;
@@ -71,7 +71,7 @@ std::size_t Slots_For(const integral::Film& film)
     return slots;
 }
 
-/// The largest whole number not above log2(x); x positive.
+/// floor(log2(x)) for x > 0.
 int Exponent(double x)
 {
     std::uint64_t bits;
@@ -103,8 +103,8 @@ std::size_t IntegralShadingCache::Slot(std::uint64_t row, std::size_t column) co
     return std::size_t(row % locks.size()) * row_length + column;
 }
 
-/// A pixel's beam is as broad as its lens at the sheet, and spreads by the pixel's angle; along a
-/// cylindrical lens it is a pixel high there, and spreads from the aperture.
+/// At the sheet a pixel's beam is as wide as its lens, and it spreads by the pixel's angle. Along a
+/// cylindrical lens it is one pixel high at the sheet and spreads as seen from the aperture.
 int IntegralShadingCache::Level(const VECTOR point) const
 {
     const integral::Placement& at = camera.placement;
@@ -196,7 +196,7 @@ static bool Depends_On_Eye(const BLEND_MAP *map)
     return false;
 }
 
-/// Whether the angle of incidence is in a pigment or a normal.
+/// Whether a pigment or normal depends on the angle of incidence.
 static bool Depends_On_Eye(const TPATTERN *pattern)
 {
     if (pattern == NULL)
@@ -277,7 +277,8 @@ bool IntegralCachedShading::May_Share(const Ray& ray)
     return true;
 }
 
-/// Whether it is the inside; and the normal, as shading takes it.
+/// Returns whether the ray sees the object's inside, and sets `normal` to the one that shading
+/// uses.
 bool IntegralCachedShading::Side_Seen(Intersection& isect, const Ray& ray, VECTOR normal) const
 {
     isect.Object->Normal(normal, &isect, thread);
@@ -285,7 +286,7 @@ bool IntegralCachedShading::Side_Seen(Intersection& isect, const Ray& ray, VECTO
     return Against(normal, ray) > 0;
 }
 
-/// `coarser`: steps of the scale by which patches are larger than for colours.
+/// `coarser`: number of levels by which patches are larger than those for colours.
 bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR normal, bool inside,
                                    int coarser, Place& place) const
 {
@@ -322,7 +323,7 @@ bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR norma
     return true;
 }
 
-/// Where the same patch keeps what it gets of a light: in another row, at the same point.
+/// The place in the table where the same patch stores its light from one source: in another row.
 IntegralCachedShading::Place IntegralCachedShading::Of_Light(const Place& place, int light)
 {
     Place of_light = place;
@@ -336,7 +337,7 @@ float IntegralCachedShading::Height_Of(const Intersection& at, const Place& plac
     return float((at.IPoint[place.axis] - place.centre[place.axis]) / place.size);
 }
 
-/// The patch's point may be on another fold of the surface.
+/// Whether an intersection is near the patch's point, and not on another fold of the surface.
 bool IntegralCachedShading::On_Patch(const IntegralShadingCache::Patch& patch, const Place& place,
                                      const Intersection& isect)
 {
@@ -344,8 +345,8 @@ bool IntegralCachedShading::On_Patch(const IntegralShadingCache::Patch& patch, c
     return std::fabs(Height_Of(isect, place) - patch.height) <= far;
 }
 
-/// The patch's point: where a line along its axis, at a random place of it, first meets the side
-/// that is seen. `ray` becomes that line.
+/// Finds the patch's point: where a line along the patch's axis, at a random position in the patch,
+/// first meets the visible side of the surface. Sets `ray` to that line.
 bool IntegralCachedShading::Put(const Place& place, const Intersection& isect, Trace& trace,
                                 Ray& ray, Intersection& at) const
 {
@@ -484,8 +485,8 @@ bool Trace::ComputeCachedShadow(const LightSource& light, int light_index, const
     return integralShading->Light_Of(light_index, point, object, *this, colour, test);
 }
 
-/// What cast the last shadow is tried first. A patch must not depend on which ray was traced
-/// before.
+/// Forgets the objects that cast the last shadows, which POV-Ray tests first: a patch must not
+/// depend on the ray that was traced before.
 void Trace::Forget_Shadow_Casters()
 {
     lightSourceLevel1ShadowCache.assign(lightSourceLevel1ShadowCache.size(), NULL);

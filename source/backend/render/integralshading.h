@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Shading that is worked out once for all lenses. Many beams, of neighbouring lenses above all,
-// cross the same small patch of a surface. What such a patch looks like is worked out once, at one
-// point of it, and taken by all rays that meet it; where that depends on more than the point
-// (highlights, mirrors, glass), what the point gets of each light. Visibility is not shared: each
-// ray finds its own surface.
+// Shares shading between rays of different lenses. Many beams, especially of neighbouring lenses,
+// meet the same small patch of a surface. The colour of a patch is computed once, at one point of
+// it, and used for all rays that meet it. If the colour also depends on the ray (highlights,
+// mirrors, glass), only the light that reaches the patch from each light source is shared.
+// Visibility is not shared: each ray finds its own surface.
 //
-// Patches are the cells of cubic grids, as fine as the beams at that depth ask for, cut out of one
-// object's surface. A patch's point follows from the patch alone, not from the ray that comes
-// first: the frame does not depend on the order in which pixels are rendered.
+// A patch is the part of one object's surface inside a cell of a cubic grid, whose cell size
+// follows from the beams' width at that depth. The point at which a patch is shaded depends only on
+// the patch, not on the ray that meets it first, so that the frame does not depend on the order in
+// which pixels are rendered.
 #ifndef POVRAY_BACKEND_INTEGRALSHADING_H
 #define POVRAY_BACKEND_INTEGRALSHADING_H
 
@@ -30,39 +31,39 @@ class Trace;
 class TraceThreadData;
 struct IntegralTally;
 
-/// The patches of a view, shared by its threads: a table whose size follows from the frame's, in
-/// which new patches displace old ones.
+/// The patches of a view, shared by its threads: a table of fixed size, chosen by the frame's size,
+/// in which new patches overwrite old ones.
 class IntegralShadingCache
 {
 public:
-    /// `cells`: patches that a pixel's beam covers, about; their size follows from it.
+    /// `cells`: the approximate number of patches that a pixel's beam covers, which determines
+    /// their size.
     IntegralShadingCache(const integral::IntegralCamera& camera, double cells);
 
     struct Patch
     {
-        std::uint64_t key = 0;  ///< 0: none
-        float red, green, blue; ///< its colour; or of a light, the parts that reach it
-        float height; ///< of its point along the patch's axis, from the patch's middle, in patch
-                      ///< sizes; NaN: it has none
+        std::uint64_t key = 0;  ///< 0: empty
+        float red, green, blue; ///< its colour; for a light, the fractions that reach the patch
+        float height; ///< position of its point on the patch's axis, from the middle, in patch
+                      ///< sizes; NaN: it has no point
     };
 
-    /// The patch of that key, kept at that slot if anywhere; false: it is not there.
+    /// Looks up the patch with a key at its slot; false if it is not there.
     bool Find(std::size_t slot, std::uint64_t key, Patch& patch) const;
     void Store(std::size_t slot, const Patch& patch);
 
-    /// The slot for a row, any number, and a column.
+    /// The slot for a row (any number) and a column.
     std::size_t Slot(std::uint64_t row, std::size_t column) const;
 
-    /// The patches' size at a point of the scene: a step of a scale on which each is 2^(1/2) times
-    /// the one before.
+    /// The level of the patches' size at a point of the scene. Sizes grow by 2^(1/2) per level.
     int Level(const VECTOR point) const;
     static double Size(int level); ///< scene units
 
-    /// Steps of that scale by which patches may be larger for what they get of a light: no pigment
-    /// and no highlight is in it. No larger than a beam, though.
+    /// The number of levels by which patches for lights may be larger than those for colours,
+    /// because they contain no pigment and no highlight. They are not larger than a beam.
     int Coarser_For_Lights() const;
 
-    /// Whether patches at the sheet are large against POV-Ray's tolerances.
+    /// Whether patches at the sheet are large compared with POV-Ray's tolerances.
     bool Of_Use() const;
 
 private:
@@ -79,43 +80,45 @@ public:
     IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally,
                           TraceThreadData *thread);
 
-    /// Whether a scene's shading costs much more than finding the patch: radiosity or an area
-    /// light. Point lights, however many, do not count: patches' errors may then outweigh the time
-    /// that they save.
+    /// Whether a scene's shading costs much more than looking up a patch: if it has radiosity or an
+    /// area light. Point lights do not count, whatever their number, because the patches' errors
+    /// may then outweigh the time saved.
     static bool Pays(const SceneData& scene);
 
-    /// The colour of the surface that a ray meets, if it may be shared. `shade(Intersection&, const
-    /// Ray&, Colour&)` works out the colour of a patch's point.
+    /// Sets `colour` to the shared colour of the surface that a ray meets and returns true; returns
+    /// false if the colour may not be shared. `shade(Intersection&, const Ray&, Colour&)` computes
+    /// the colour of a patch's point.
     template <class Shade>
     bool Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade);
 
-    /// Takes from a light's colour what does not reach a point of a surface, if that point was the
-    /// last one for which Colour_Of was asked in vain. `test(const Vector3d& at, RGBColour& full,
-    /// RGBColour& left)` works out what a patch's point would get and what it gets.
+    /// Reduces a light's colour to the part that reaches a point of a surface and returns true, if
+    /// that point was the last one for which Colour_Of returned false. `test(const Vector3d& at,
+    /// RGBColour& full, RGBColour& left)` computes the light at a patch's point without and with
+    /// shadows.
     template <class Test>
     bool Light_Of(int light, const Vector3d& point, const ObjectBase *object, Trace& trace,
                   RGBColour& colour, Test test);
 
 private:
-    /// What a texture's colour depends on. steady: the point alone. own: more.
+    /// What a texture's colour depends on. steady: the point only. own: also the ray.
     enum Kind
     {
         steady,
         own
     };
 
-    /// Where a ray meets which patch.
+    /// The patch that a ray meets.
     struct Place
     {
-        std::uint64_t row;  ///< of the table; the same in every run
-        std::size_t column; ///< in that row
+        std::uint64_t row;  ///< row in the table; the same in every run
+        std::size_t column; ///< column in that row
         std::uint64_t key;
-        std::uint64_t spot; ///< random bits that are the patch's own in every run
-        int axis;           ///< the normal's largest component
-        bool positive;      ///< the side of the surface that is seen: towards larger coordinates
-        bool inside;        ///< that side is the object's inside
-        double size;        ///< of the patch, scene units
-        double centre[3];   ///< of the patch
+        std::uint64_t spot; ///< random bits for the patch's point; the same in every run
+        int axis;           ///< axis of the normal's largest component
+        bool positive;      ///< whether the side that is seen faces larger coordinates
+        bool inside;        ///< whether that side is the object's inside
+        double size;        ///< size of the patch, scene units
+        double centre[3];   ///< centre of the patch
     };
 
     /// A surface that is being lit.
@@ -134,9 +137,9 @@ private:
     static float Height_Of(const Intersection& at, const Place& place);
     static bool On_Patch(const IntegralShadingCache::Patch& patch, const Place& place,
                          const Intersection& isect);
-    /// The patch of a place, worked out now if need be: `look(const Ray&, Intersection&)` fills in
-    /// its colour at its point, and tells whether it is of use. False: the surface there is not on
-    /// the patch.
+    /// Gets the patch of a place, which is computed first if it is not in the table: `look(const
+    /// Ray&, Intersection&)` fills in the colour at its point and returns whether it is valid.
+    /// Returns false if the surface at the intersection does not belong to the patch.
     template <class Look>
     bool Take(const Place& place, const Intersection& isect, Trace& trace,
               IntegralShadingCache::Patch& patch, Look look);

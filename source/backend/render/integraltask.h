@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What our tasks of a view have in common: a tracer of their own, and whether what they trace
-// counts as the frame's.
+// The base class of the integral camera's tasks of a view. Each task has its own tracer.
 #ifndef POVRAY_BACKEND_INTEGRALTASK_H
 #define POVRAY_BACKEND_INTEGRALTASK_H
 
@@ -21,8 +20,7 @@ public:
     virtual void Finish();
 
 protected:
-    /// `counted`: its rays and its time are the frame's; else they stay out of POV-Ray's own
-    /// statistics.
+    /// `counted`: include the task's rays and time in POV-Ray's statistics of the frame.
     IntegralTask(ViewData *view, bool counted);
 
 private:

@@ -55,7 +55,7 @@ void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t tr
     tally->container_searches.Add(containers.None() ? 0 : traced);
 }
 
-/// Film point -> lens -> rays through its lens, into `rays`. False where the pixel images nothing.
+/// Sets `rays` to the rays of a pixel through its lens. Returns false if the pixel images nothing.
 bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 {
     const integral::PixelSampler& sampler = *view->sampler;
@@ -75,8 +75,8 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
     return imaged = !rays.empty();
 }
 
-/// Where the pixel is in `run`, which is worked out anew where pixels come one after the other; -1:
-/// not in it.
+/// The index of the pixel in `run`, or -1. If pixels are traced one after the other along a row,
+/// the next run is computed when the last one ends.
 int IntegralTracer::Place_In_Run(DBL x, DBL y)
 {
     if (!runs)
@@ -95,7 +95,7 @@ int IntegralTracer::Place_In_Run(DBL x, DBL y)
     return 0;
 }
 
-/// The same where a pixel has one ray, which it makes, too.
+/// The same for cameras with one ray per pixel; also sets `ray` and `length`.
 bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
                                     DBL& length)
 {
@@ -126,7 +126,7 @@ void IntegralTracer::Refine(int x, int y, bool alike, double depth)
     refined = Light();
 }
 
-/// The one ray that sees along a line what the viewer would.
+/// Makes the ray that sees along a line what the viewer would see.
 void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pretrace,
                               DBL& length) const
 {
@@ -180,7 +180,7 @@ Colour IntegralTracer::Light::Mean(int half) const
                 sum += sums[k][channel];
                 weight += weights[k][channel];
             }
-        // a channel without a ray is dark, and nothing is in its way
+        // a channel without rays is black
         mean[channel] = weight > 0 ? sum[channel] / weight : 0.0;
         mean.filter() += weight > 0 ? sum.filter() / (3 * weight) : 0.0;
         mean.transm() += weight > 0 ? sum.transm() / (3 * weight) : 1.0 / 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// One thread's share of an integral camera: makes the camera rays of its pixels, adds up their
+// Traces pixels of an integral camera in one thread: makes their camera rays, averages the rays'
 // light and counts them.
 #ifndef POVRAY_BACKEND_INTEGRALTRACER_H
 #define POVRAY_BACKEND_INTEGRALTRACER_H
@@ -28,48 +28,49 @@ struct IntegralTally;
 class IntegralTracer
 {
 public:
-    /// Takes on a camera; one that is not integral leaves Active() false.
+    /// Prepares for a camera. Active() becomes true if the camera is integral.
     void Setup(const Camera& camera, SceneData& scene, TraceThreadData *thread);
 
     bool Active() const { return active; }
 
-    /// Whether POV-Ray is to look for the objects that a ray starts inside of.
+    /// Whether POV-Ray's own search must find the objects inside which a ray starts.
     bool Search_Containers() const { return containers.Left_To_POV(); }
 
-    /// Where the thread's rays share their shading; nothing if they do not.
+    /// The shared shading of the thread's rays; null if they do not share.
     IntegralCachedShading *Shading() { return shading.get(); }
 
-    /// From here on, each pixel is given by one random ray, number `index` of it, and is not
-    /// counted.
+    /// From now on Trace_Pixel traces one random ray per pixel, the one with the number `index`,
+    /// and does not count it.
     void Audit(std::uint64_t index)
     {
         mode = audit;
         audit_index = index;
     }
 
-    /// From here on, pixel (x, y), counted from 0, is given by single samples of its beam, to be
-    /// chosen by Take. `alike`: chosen alike in every pixel. `depth`: of what the pixel shows, as
-    /// Depth tells it.
+    /// From now on Trace_Pixel traces single samples of the beam of pixel (x, y), counted from 0;
+    /// Take chooses which. `alike`: use the same sample pattern in every pixel. `depth`: depth of
+    /// the surface that the pixel shows, as returned by Depth.
     void Refine(int x, int y, bool alike, double depth);
     void Take(std::uint32_t index) { sample_index = index; }
 
-    /// The mean of the samples that have been taken since Refine.
+    /// The mean of the samples that were traced since Refine.
     Colour Refined() const { return refined.Mean(2); }
 
-    /// Each pixel is given by the camera's own rays again.
+    /// From now on Trace_Pixel traces the camera's own rays again.
     void End_Refinement() { mode = camera_rays; }
 
     /// Whether the last pixel, or sample, imaged anything; and the lens that did.
     bool Imaged() const { return imaged; }
     integral::LensIndex Lens() const { return lens; }
 
-    /// Of what the last ray of the last pixel met, mm from the sheet away from the viewer; infinite
-    /// if nothing. Only with +A.
+    /// The depth of the surface that the last ray of the last pixel met, mm from the sheet away
+    /// from the viewer; infinite if it met none. Only with +A.
     double Depth() const { return last_depth; }
 
-    /// The colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)` traces one
-    /// ray as far as the camera sees along it (scene units; 0 = without end), and tells how far
-    /// away what it met is (HUGE_VAL: nothing). A pixel that images nothing is clear.
+    /// Computes the colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)`
+    /// traces one ray up to the distance `length` (scene units; 0 = unlimited) and returns the
+    /// distance of the surface that it met (HUGE_VAL: none). A pixel that images nothing becomes
+    /// transparent.
     template <class Trace>
     void Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace);
 
@@ -81,16 +82,16 @@ private:
         refinement
     };
 
-    /// The light of a pixel's rays, mean by mean: of both halves of the samples, and of each colour
-    /// channel.
+    /// Sums of the light of a pixel's rays, separately for both halves of the samples and for each
+    /// colour channel.
     struct Light
     {
-        Colour sums[2][3]; ///< [half][channel]: only red, green or blue of each counts, and a third
-                           ///< of the others
+        Colour sums[2][3]; ///< [half][channel]: only the channel's own colour is used, and a third
+                           ///< of the other components
         DBL weights[2][3] = {};
         int rays[2] = {};
         void Add(const integral::PixelRay& ray, const Colour& seen);
-        /// Mean of one half, or of both (half 2).
+        /// The mean of one half (0 or 1), or of both halves (2).
         Colour Mean(int half) const;
     };
 
@@ -112,23 +113,23 @@ private:
     IntegralContainers containers;
     std::unique_ptr<IntegralCachedShading> shading;
     TraceThreadData *thread = nullptr;
-    IntegralTally *tally = nullptr;       ///< in the view's counts, if it keeps any
-    std::vector<integral::PixelRay> rays; ///< of the pixel, or sample, that is being traced
-    integral::LensIndex lens;             ///< whose rays they are
-    bool imaged = false;                  ///< whether there are any
+    IntegralTally *tally = nullptr;       ///< this thread's counts; null if the view has none
+    std::vector<integral::PixelRay> rays; ///< of the pixel or sample that is being traced
+    integral::LensIndex lens;             ///< the lens of these rays
+    bool imaged = false;                  ///< whether there are such rays
     Mode mode = camera_rays;
     std::uint64_t audit_index = 0;
     integral::PixelBeam beam; ///< of the pixel that is being refined
     Light refined;            ///< of its samples
     std::uint32_t sample_index = 0;
     bool active = false, counts_error = false;
-    bool keeps_depth = false; ///< of what rays meet
+    bool keeps_depth = false; ///< whether Depth is available
     double last_depth = 0;
-    bool one_ray = false;                    ///< at most, each pixel has
-    std::optional<integral::PixelRuns> runs; ///< of such pixels, if they can be had side by side
-    integral::PixelRun run;                  ///< the one that was worked out last
-    DBL run_x = 0, run_y = -1;               ///< its first pixel; none as yet
-    DBL last_x = 0, last_y = -1;             ///< the last pixel that was asked for
+    bool one_ray = false;                    ///< whether each pixel has at most one ray
+    std::optional<integral::PixelRuns> runs; ///< maps several pixels of a row at once, if possible
+    integral::PixelRun run;                  ///< the last run that was computed
+    DBL run_x = 0, run_y = -1;               ///< its first pixel; initially none
+    DBL last_x = 0, last_y = -1;             ///< the last pixel that was traced
 };
 
 template <class Trace>

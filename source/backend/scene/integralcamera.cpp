@@ -36,9 +36,9 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
         integral::make_camera(statement.parameters, view, width, height));
 }
 
-/// Patches enough that what they leave out is little against what so many samples miss. Of the
-/// samples at the sharpest edges a quarter will do: few pixels have as many. Behind cylinders,
-/// whose beams are narrow and have small patches, fewer do.
+/// The number of patches in a beam, chosen so that the error of the patches is small compared with
+/// the sampling error. A quarter of the number of samples at the sharpest edges is enough, since
+/// few pixels have so many samples; lenticular sheets, whose beams are narrow, need fewer.
 static double Patches_In_Beam(const integral::IntegralCamera& optics,
                               const pov_base::IntegralRenderOptions& given)
 {
@@ -96,7 +96,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
                 *view->optics, given.rows, given.block_side, given.most_memory);
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
-        // the halves know nothing of the samples that anti-aliasing adds, and make no picture
+        // The two halves do not include anti-aliasing's samples and cannot make an error picture.
         if (given.audit && (given.antialias || !given.error_picture.empty() ||
                             !view->sampler->halves_tell_error()))
             view->audit = std::make_shared<IntegralAudit>(*view, given.seed);
@@ -109,7 +109,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
     pov_base::IntegralFrame::Begin(*view->optics);
 }
 
-/// The error of the frame, as far as it was asked for and there is a picture to tell it by.
+/// The error estimate of the frame; nothing if none was requested or none is possible.
 static std::optional<integral::ErrorEstimate> Error_Of(const IntegralView& view)
 {
     if (view.audit)
@@ -135,7 +135,7 @@ int Integral_Final_Tasks(const Camera& camera, int threads)
 RenderTask *New_Integral_Final_Task(ViewData *view, int index)
 {
     const IntegralView& settings = *view->GetCamera().Integral_View;
-    // every other one, if there are both kinds
+    // Alternate between the kinds if there are both.
     if (settings.depth && (index % 2 == 0 || !settings.audit))
         return new IntegralDepthTask(view);
     return new IntegralAuditTask(view);

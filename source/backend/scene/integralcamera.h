@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The integral camera as a scene carries it: what its statement says, and the view that is rendered
-// by it. Camera holds a pointer to each; one without is POV-Ray's own.
+// The integral camera's part of class Camera: the settings of its statement, and the view that is
+// being rendered. Camera holds a pointer to each; they are null for POV-Ray's own cameras.
 #ifndef POVRAY_BACKEND_INTEGRALCAMERA_H
 #define POVRAY_BACKEND_INTEGRALCAMERA_H
 
@@ -33,7 +33,7 @@ class ViewData;
 
 inline integral::Vec3 From_POV(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
 
-/// A count that one thread adds to and others may read: no locked instruction is needed.
+/// A count that one thread increases and others may read, without locked instructions.
 class OwnCount
 {
 public:
@@ -44,88 +44,90 @@ private:
     std::atomic<long long> count{0};
 };
 
-/// Counts of one thread of a render, which alone writes them. All are of camera rays of the
-/// picture itself; radiosity's pretrace and the audit are left out.
+/// The counts of one render thread, which is the only one to write them. Rays of radiosity's
+/// pretrace and of the audit are not counted.
 struct IntegralTally
 {
     OwnCount film_points, imaged, searched, outside_aperture, total_reflection;
-    OwnCount rays;               ///< traced
-    OwnCount container_searches; ///< of these, those whose containers had to be looked for
-    OwnCount shared_shadings, patch_shadings; ///< surfaces that took a shared colour; of these,
-                                              ///< those for which it was worked out
-    integral::ErrorSums errors; ///< of the pixels whose halves were compared; to be read once the
-                                ///< thread is done
+    OwnCount rays;               ///< rays traced
+    OwnCount container_searches; ///< rays for which objects around their start were searched
+    OwnCount shared_shadings, patch_shadings; ///< ray hits that used a shared colour; and those of
+                                              ///< them for which it had to be computed
+    integral::ErrorSums errors; ///< errors of pixels by their two halves of samples; read only
+                                ///< after the thread has ended
 };
 
 /// The tallies of a render's threads.
 struct IntegralCounts
 {
     std::mutex mutex;
-    std::list<IntegralTally> tallies; ///< list: a thread keeps a reference to its own
-    int containers = 0;               ///< objects that rays may start inside of
-    int objects = 0;                  ///< of these many in the scene
+    std::list<IntegralTally> tallies; ///< a list, since each thread keeps a reference to its own
+    int containers = 0;               ///< number of objects inside which rays may start
+    int objects = 0;                  ///< number of objects in the scene
 };
 
-/// What a render's options say of the error estimate.
+/// The options of the error estimate.
 struct IntegralErrorOptions
 {
     bool wanted = true;
-    double share = 0; ///< of the lit pixels to audit; 0: 0.5% (5% for a picture), and at least 1000
+    double share = 0; ///< fraction of the lit pixels to audit; 0: the default, which is 0.005 (0.05
+                      ///< with an error picture), and at least 1000 pixels
     integral::OutputCurve output;
     std::string picture; ///< file of the error picture; empty: none
 };
 
-/// What a camera statement, or Integral_Camera=, says. It does not change once it is parsed; copies
-/// of a camera share it.
+/// The settings of a camera statement or of Integral_Camera=. They do not change after parsing, and
+/// copies of a camera share them.
 struct IntegralStatement
 {
-    bool integral = false; ///< false: only notes for Integral_Camera= to use
+    bool integral = false; ///< false: not integral; holds values in case Integral_Camera= makes it
+                           ///< so
     integral::CameraParameters parameters;
-    std::set<std::string> given;     ///< the words that have been given, to refuse a second
+    std::set<std::string> given;     ///< the words that have been given, to detect repetition
     double look_at_distance = 0;     ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0; ///< sheet distance / |direction|; 0: not known yet
-    std::shared_ptr<const integral::IntegralCamera> optics; ///< by the camera's last transform;
-                                                            ///< nothing: no frame size yet
+    std::shared_ptr<const integral::IntegralCamera> optics; ///< with the camera's final transform;
+                                                            ///< null until the frame size is known
 };
 
-/// A view that is being rendered: its optics, and what its threads share.
+/// A view that is being rendered: its optics and the data that its threads share.
 struct IntegralView
 {
     std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const integral::PixelSampler> sampler;
     std::shared_ptr<IntegralCounts> counts;
-    std::shared_ptr<IntegralShadingCache> shading_cache; ///< nothing: each ray's shading is its own
-    bool caches_dear_shading_only = false;               ///< if there is a cache
-    std::shared_ptr<IntegralSampling> sampling;          ///< nothing: no anti-aliasing
-    std::shared_ptr<IntegralAudit> audit;                ///< nothing: no audit estimates the error
-    std::shared_ptr<IntegralDepth> depth;                ///< nothing: no depth frame
+    std::shared_ptr<IntegralShadingCache> shading_cache; ///< null: rays do not share shading
+    bool caches_dear_shading_only = false;      ///< use the cache only where shading is expensive
+    std::shared_ptr<IntegralSampling> sampling; ///< null: no anti-aliasing
+    std::shared_ptr<IntegralAudit> audit;       ///< null: no audit
+    std::shared_ptr<IntegralDepth> depth;       ///< null: no depth frame
     IntegralErrorOptions error;
     pov_base::IntegralRows rows; ///< the rows that count
 };
 
-/// The statement's optics for a frame of width x height pixels, from the vectors of `camera`.
-/// Throws std::invalid_argument with a sentence for the user.
+/// The optics for a frame of width x height pixels, from the statement and the vectors of `camera`.
+/// Throws std::invalid_argument with a message for the user.
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera,
                                                                      int width, int height);
 
-/// To be called once a scene is parsed: chooses how its objects are bounded, where the options
-/// leave that open. A tree of the scene's space (+BM2) is left sooner than boxes in boxes by rays
-/// that start apart and go apart, as an integral camera's do; but it takes longer to build, and
-/// that has to pay. Other cameras get POV-Ray's own way.
+/// Chooses how the scene's objects are bounded if the options leave that open. Call it after the
+/// scene is parsed. For an integral camera, whose rays have many origins and directions, a BSP tree
+/// (+BM2) is faster to traverse than a hierarchy of bounding boxes, but takes longer to build; it
+/// is chosen if that pays. Other cameras get POV-Ray's default.
 void Choose_Integral_Bounding(SceneData& scene);
 
-/// To be called once a view's camera and size are settled: gives it optics and a sampler of its own
-/// and fresh counts, and announces its geometry to whoever writes the picture. No effect on other
+/// Gives a view's camera its optics, its sampler and new counts, and passes the geometry to the
+/// code that writes the picture. Call it when the camera and the size are final. No effect on other
 /// cameras.
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options);
 
-/// The tasks that a view is to run once it is rendered, `threads` of each kind: the depth frame and
-/// the audit.
+/// The number of tasks that a view must run after rendering: `threads` for a depth frame and
+/// `threads` for an audit.
 int Integral_Final_Tasks(const Camera& camera, int threads);
 RenderTask *New_Integral_Final_Task(ViewData *view, int index); ///< index from 0
 
-/// Adds the counts and the error to a view's statistics message, once it is rendered. No effect on
-/// other cameras.
+/// Adds the counts and the error to a view's statistics message. Call it after rendering. No effect
+/// on other cameras.
 void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics);
 
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Whether a point is inside of all parts of an intersection or difference. Simple parts are asked
-// before compound ones.
+// Tests whether a point is inside all parts of an intersection or difference, simple parts first.
 #ifndef POVRAY_BACKEND_INSIDEALL_H
 #define POVRAY_BACKEND_INSIDEALL_H
 
@@ -12,9 +11,9 @@
 namespace pov
 {
 
-/// Whether a point is inside of each of `parts`, `but` excepted (NULL: none). Compound parts are
-/// asked last: they are slow to answer, and most points are outside of a simple part already. A
-/// light counts as a part only if it has a looks_like.
+/// Whether a point is inside each of `parts` except `but` (NULL: no exception). Compound parts are
+/// tested last because they take longest, and most points are outside a simple part. A light counts
+/// as a part only if it has a looks_like.
 inline bool Inside_All(const std::vector<ObjectPtr>& parts, const ObjectBase *but,
                        const VECTOR point, TraceThreadData *thread)
 {

@@ -30,7 +30,7 @@ namespace pov_base
 namespace
 {
 
-/// How a file's samples encode linear light; `curve` may be empty: the format's own default.
+/// The encoding of a file's samples. If `curve` is null, the format's default.
 integral::Encoding Encoding_Of(const SimpleGammaCurvePtr& curve,
                                integral::Encoding::Kind by_default)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Writes a micro-image frame's geometry into its picture file, or beside it.
+// Writes a micro-image frame's geometry into its picture file, or into a JSON file in the same
+// folder.
 #ifndef POVRAY_BASE_INTEGRALMETADATA_H
 #define POVRAY_BASE_INTEGRALMETADATA_H
 
@@ -15,7 +16,8 @@ struct png_info_def;
 namespace pov_base
 {
 
-/// PNG: the document as iTXt chunk `integral`, the resolution as pHYs. Before png_write_info.
+/// PNG: the document as iTXt chunk `integral`, the resolution as pHYs. Call it before
+/// png_write_info.
 void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::WriteOptions& options);
 
 /// OpenEXR: the document as string attribute `integral`, the resolution as xDensity and pixel
@@ -24,7 +26,7 @@ void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::Writ
 void Set_Integral_EXR(Imf::Header& header);
 #endif
 
-/// Every other format, once the picture has been written: the document as FILE.json.
+/// Every other format: the document as FILE.json. Call it after the picture has been written.
 void Write_Integral_Companion(const UCS2String& file, int file_type,
                               const Image::WriteOptions& options);
 

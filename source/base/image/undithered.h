@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A pixel's light as whole numbers of a file, where nothing is dithered.
+// Encodes pixels as integers for a file faster if there is no dithering.
 #ifndef POVRAY_BASE_UNDITHERED_H
 #define POVRAY_BASE_UNDITHERED_H
 
@@ -10,9 +10,10 @@
 namespace pov_base
 {
 
-/// Encodes red, green and blue as whole numbers from 0 to `max`, the same as GetEncodedRGBValue's,
-/// if `dithering` is a NoDither; otherwise returns false and does nothing. It leaves out the
-/// rounding errors, which only a dithered neighbour needs and which take as long as the encoding.
+/// Encodes red, green and blue as integers from 0 to `max`, with the same result as
+/// GetEncodedRGBValue, if `dithering` is a NoDither; otherwise returns false and does nothing. It
+/// does not compute the rounding errors, which only dithering needs and which take as long as the
+/// encoding.
 template <class NoDither>
 inline bool Encode_Undithered(const DitherHandler& dithering, const GammaCurvePtr& gamma,
                               unsigned int max, float linear_red, float linear_green,

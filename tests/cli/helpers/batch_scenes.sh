@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# For test scripts (sourced, after tap.sh): small scenes for integral batch, in the current folder, and figures of its records.
+# For test scripts (sourced, after tap.sh): small scenes for integral batch, in the current folder,
+# and figures of its records.
 #
 #   batch_scenes            writes scenes/one.pov, two.pov, their colours.inc and picture.ppm
 #   starts OUTPUT           how often steps were begun, in all

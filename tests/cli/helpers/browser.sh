@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# For test scripts (sourced, after tap.sh): a Chromium without a window, driven through its own pipe (DevTools protocol).
+# For test scripts (sourced, after tap.sh): a Chromium without a window, driven through its own pipe
+# (DevTools protocol).
 #
 #   browser_starts                      false if there is none, or it does not start; $browser_trouble says why
 #   browse URL                          opens a page
@@ -50,7 +51,9 @@ browse() { ask Page.navigate "{\"url\": \"$1\"}"; }
 
 evaluate() {
     local text=${1//\\/\\\\}
-    ask Runtime.evaluate "{\"expression\": \"${text//\"/\\\"}\", \"awaitPromise\": true, \"returnByValue\": true}" || return 1
+    ask Runtime.evaluate \
+        "{\"expression\": \"${text//\"/\\\"}\", \"awaitPromise\": true, \"returnByValue\": true}" \
+        || return 1
     case $answer in *exceptionDetails*) echo "$answer"; return 1 ;; esac
     text=${answer#*\"value\":}
     text=${text%%\}*}
@@ -61,7 +64,8 @@ evaluate() {
 
 window() {
     browser_clip="{\"x\": 0, \"y\": 0, \"width\": $1, \"height\": $2, \"scale\": 1}"
-    ask Emulation.setDeviceMetricsOverride "{\"width\": $1, \"height\": $2, \"deviceScaleFactor\": 1, \"mobile\": ${3:-false}}"
+    ask Emulation.setDeviceMetricsOverride \
+        "{\"width\": $1, \"height\": $2, \"deviceScaleFactor\": 1, \"mobile\": ${3:-false}}"
 }
 
 screenshot() {

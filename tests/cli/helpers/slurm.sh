@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# For test scripts (sourced, after tests/tap.sh): a Slurm of one node, this machine, whose services listen on loopback alone, with
-# key, settings, state and logs in $scratch/slurm.
+# For test scripts (sourced, after tests/tap.sh): a Slurm of one node, this machine, whose services
+# listen on loopback alone, with key, settings, state and logs in $scratch/slurm.
 #
 #   start_slurm [NODE-OPTIONS]   starts munged, slurmctld and slurmd and waits until the node is idle; SLURM_CONF is set. Fails with
 #                                a reason in $slurm_reason where there are no such programs, or they do not start
@@ -31,7 +31,8 @@ until_it() {
 start_slurm() {
     local program user port host cores memory
     for program in munged slurmctld slurmd sbatch squeue scancel scontrol; do
-        command -v $program > /dev/null || { slurm_reason="there is no $program (packages slurm-wlm and munge)"; return 1; }
+        command -v $program > /dev/null || { \
+            slurm_reason="there is no $program (packages slurm-wlm and munge)"; return 1; }
     done
     user=$(id -un) host=$(hostname -s)
     port=$(free_port $((20000 + $$ % 20000)))
@@ -79,17 +80,21 @@ start_slurm() {
     trap 'stop_slurm; rm -rf "$scratch"' EXIT
     munged --foreground --force --key-file="$slurm/munge/key" --socket="$slurm/munge/socket" --pid-file="$slurm/munge/pid" \
         --log-file="$slurm/munge/log" --seed-file="$slurm/munge/seed" > "$slurm/log/munged" 2>&1 & slurm_services+=($!)
-    until_it 10 test -S "$slurm/munge/socket" || { slurm_reason="munged does not start: $(tail -1 "$slurm/log/munged")"; return 1; }
+    until_it 10 test -S "$slurm/munge/socket" ||
+        { slurm_reason="munged does not start: $(tail -1 "$slurm/log/munged")"; return 1; }
     slurmctld -D -f "$SLURM_CONF" > "$slurm/log/slurmctld.said" 2>&1 & slurm_services+=($!)
     slurmd -D -f "$SLURM_CONF" -N "$host" > "$slurm/log/slurmd.said" 2>&1 & slurm_services+=($!)
-    until_it 30 node_is_idle || { slurm_reason="its node does not become idle: $(cat "$slurm"/log/slurm*.said | grep -i error | tail -1)"; return 1; }
+    until_it 30 node_is_idle || { \
+        slurm_reason="its node does not become idle: $(cat "$slurm"/log/slurm*.said | grep -i error | tail -1)"; \
+        return 1; }
 }
 
 node_is_idle() { [ "$(sinfo -h -o %T)" = idle ]; }
 queue_is_empty() { [ -z "$(timeout 5 squeue -h)" ]; }
 has_ended() { ! kill -0 "$1" 2> /dev/null || [ "$(sed 's/.*) //; s/ .*//' "/proc/$1/stat" 2> /dev/null)" = Z ]; }
 
-# The tasks first: their ends are told to services that are still there. A service that does not end is killed.
+# The tasks first: their ends are told to services that are still there. A service that does not end
+# is killed.
 stop_slurm() {
     local service
     [ ${#slurm_services[@]} = 0 ] || {

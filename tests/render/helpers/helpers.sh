@@ -8,17 +8,20 @@ oracle=$BUILD/tests/oracle frames=$BUILD/tests/frames
 jobs=$((4 * $(nproc 2>/dev/null || echo 2))) # a render of a small frame mostly waits
 export scenes oracle frames scratch
 
-# render PROGRAM OUTPUT WIDTHxHEIGHT OPTION...: a frame without display; says what went wrong if it fails.
+# render PROGRAM OUTPUT WIDTHxHEIGHT OPTION...: a frame without display; says what went wrong if it
+# fails.
 render() {
     local program=$1 output=$2 size=$3 status=0
     shift 3
-    "$program" -D +WT1 "+L$scenes" "$@" "+O$output" "+W${size%x*}" "+H${size#*x}" > "$output.said" 2>&1 < /dev/null || status=$?
+    "$program" -D +WT1 "+L$scenes" "$@" "+O$output" "+W${size%x*}" "+H${size#*x}" > "$output.said" \
+        2>&1 < /dev/null || status=$?
     [ $status = 0 ] || { echo "$program $* fails ($status):"; grep -v '^$' "$output.said" | tail -8; return 1; }
     [ -s "$output" ] || { echo "$program $* writes no $output"; return 1; }
 }
 
-# oracle_frame OUTPUT MESH-CAMERA WIDTHxHEIGHT OPTION...: the unmodified program's frame of those rays (one row higher: see frames.h).
-# The scene includes camera.inc, which is taken from the folder that is made here. oracle_options: for the oracle alone.
+# oracle_frame OUTPUT MESH-CAMERA WIDTHxHEIGHT OPTION...: the unmodified program's frame of those
+# rays (one row higher: see frames.h). The scene includes camera.inc, which is taken from the folder
+# that is made here. oracle_options: for the oracle alone.
 oracle_frame() {
     local output=$1 camera=$2 size=$3
     shift 3
@@ -28,12 +31,14 @@ oracle_frame() {
     render "$PRISTINE" "$output" "${size%x*}x$((${size#*x} + 1))" "+L$output.camera" "$@" ${oracle_options:-}
 }
 
-# compare_with_oracle NAME SCENE WIDTHxHEIGHT "KEY=VALUE..." OPTION...: renders SCENE, which includes camera.inc, by our program and by
-# the oracle, and compares all pixels. The pixels which differ have to lie at an edge of what is seen. Leaves NAME.png.
+# compare_with_oracle NAME SCENE WIDTHxHEIGHT "KEY=VALUE..." OPTION...: renders SCENE, which
+# includes camera.inc, by our program and by the oracle, and compares all pixels. The pixels which
+# differ have to lie at an edge of what is seen. Leaves NAME.png.
 compare_with_oracle() { compare_with_parts "$1" "$2" "$3" "$4" 1 "" -- "${@:5}"; }
 
-# compare_with_parts NAME SCENE SIZE "KEY=VALUE..." WEIGHT "KEY=VALUE..." [WEIGHT "KEY=VALUE..."]... -- OPTION...: the same, where what
-# our frame ought to be is a mean of several of the oracle's frames, which differ by their own keys (see frames oracle).
+# compare_with_parts NAME SCENE SIZE "KEY=VALUE..." WEIGHT "KEY=VALUE..." [WEIGHT "KEY=VALUE..."]...
+# -- OPTION...: the same, where what our frame ought to be is a mean of several of the oracle's
+# frames, which differ by their own keys (see frames oracle).
 compare_with_parts() {
     local name=$1 scene=$2 size=$3 keys=$4 status=0 weights=() own=() parts=() k
     shift 4
@@ -41,7 +46,8 @@ compare_with_parts() {
     shift
     mkdir -p "$name.ours"
     "$oracle" camera size=$size $keys > "$name.ours/camera.inc" || return 1
-    render "$POVRAY" "$name.png" $size "+L$name.ours" "+I$scene" Integral_Audit=off "$@" || { cat "$name.ours/camera.inc"; return 1; }
+    render "$POVRAY" "$name.png" $size "+L$name.ours" "+I$scene" Integral_Audit=off "$@" ||
+        { cat "$name.ours/camera.inc"; return 1; }
     for k in "${!weights[@]}"; do
         "$oracle" mesh "$name$k" size=$size $keys ${own[k]} || return 1
         oracle_frame "$name-oracle$k.png" "$name$k.inc" $size "+I$scene" "$@" || return 1
@@ -62,7 +68,8 @@ compare_with_parts() {
     return $status
 }
 
-# later NAME COMMAND...: runs the check in the background, $jobs at a time; results prints them in order.
+# later NAME COMMAND...: runs the check in the background, $jobs at a time; results prints them in
+# order.
 later_names=()
 later() {
     local name=$1 number=${#later_names[@]}

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// World=1: a wall in the lenses' own plane, z = 0, in squares or stripes of the lenses' own cells (Pitch, in scene
-// units): every ray through
-// a lens sees that lens's colour. World=2: a sky whose colour depends on the direction alone: every lens's pixels show
-// the same.
+// World=1: a wall in the lenses' own plane, z = 0, in squares or stripes of the lenses' own cells
+// (Pitch, in scene units): every ray through a lens sees that lens's colour. World=2: a sky whose
+// colour depends on the direction alone: every lens's pixels show the same.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "camera.inc"

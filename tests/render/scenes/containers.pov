@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// straddle.inc, and objects that contain parts of the aperture: Nest says which. Millimetres; the aperture's centre is at the origin, the
-// sheet 25 mm before it. Declare=Rays=1: no picture, but groups.txt, which tells for each of the Pixels of rays.csv by a number (a bit an
-// object) which of the objects contain the place where its ray starts.
+// straddle.inc, and objects that contain parts of the aperture: Nest says which. Millimetres; the
+// aperture's centre is at the origin, the sheet 25 mm before it. Declare=Rays=1: no picture, but
+// groups.txt, which tells for each of the Pixels of rays.csv by a number (a bit an object) which of
+// the objects contain the place where its ray starts.
 #version 3.7;
 #declare Glass = 1; #declare Bubble = 2; #declare Halves = 3; #declare Clouds = 4; #declare Bodies = 5; #declare Solids = 6;
 global_settings { assumed_gamma 1 max_trace_level 8 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Things before, across and behind the sheet, whose colour tells their depth: green from 0 at -60 mm to 1 at 100 mm; red where
-// nothing is. In the world of straddle.pov: Scale scene units are a millimetre, turned by Turn.
+// Things before, across and behind the sheet, whose colour tells their depth: green from 0 at -60
+// mm to 1 at 100 mm; red where nothing is. In the world of straddle.pov: Scale scene units are a
+// millimetre, turned by Turn.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #ifndef (Scale) #declare Scale = 1; #end

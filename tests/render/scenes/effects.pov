@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// straddle.inc with what depends on where a ray starts and on the rest of POV-Ray: Effect says which. Millimetres; the aperture's
-// centre is at the origin and the sheet 25 mm before it, because a mesh_camera's location has to stay 0.
+// straddle.inc with what depends on where a ray starts and on the rest of POV-Ray: Effect says
+// which. Millimetres; the aperture's centre is at the origin and the sheet 25 mm before it, because
+// a mesh_camera's location has to stay 0.
 #version 3.7;
 #declare Fog = 1; #declare Media = 2; #declare Photons = 3; #declare Radiosity = 4; #declare Inside = 5;
 #declare Fading = 7; #declare Sky = 8; #declare Dull = 9;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Declare=Balls: so many, of glass and not, and a wall without end. The camera is camera.inc's, or without Integral=1 a perspective one.
+// Declare=Balls: so many, of glass and not, and a wall without end. The camera is camera.inc's, or
+// without Integral=1 a perspective one.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 #ifdef (Integral) #include "camera.inc" #else camera { location <0, 0, -300> look_at 0 angle 10 } #end

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Shows the picture frame.TYPE as it is, a pixel a pixel: what an unmodified POV-Ray reads in it. Declare=Type as below.
+// Shows the picture frame.TYPE as it is, a pixel a pixel: what an unmodified POV-Ray reads in it.
+// Declare=Type as below.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <0.5, 0.5, -1> direction z right x up y }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// straddle.inc by the camera in camera.inc, in the world that the declarations of the command line make: Scale scene units
-// are a millimetre, and the world is turned by Turn about each axis.
+// straddle.inc by the camera in camera.inc, in the world that the declarations of the command line
+// make: Scale scene units are a millimetre, and the world is turned by Turn about each axis.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 #ifndef (Scale) #declare Scale = 1; #end

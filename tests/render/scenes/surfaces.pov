@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Surfaces whose shading may be shared, and surfaces whose may not: Kind says which. About a sheet at z = 0,
-// millimetres. The
-// camera is in camera.inc. Light: 0 one point, 1 an area, 2 five points, 3 one point without shadows.
+// Surfaces whose shading may be shared, and surfaces whose may not: Kind says which. About a sheet
+// at z = 0, millimetres. The camera is in camera.inc. Light: 0 one point, 1 an area, 2 five points,
+// 3 one point without shadows.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5
   #ifdef (Radiosity) radiosity { count 60 error_bound 0.7 recursion_limit 1 pretrace_start 0.08 pretrace_end 0.04 }

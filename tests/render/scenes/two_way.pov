@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The thesis's forward and reversed tracing (3.6.1), literally, for an unmodified POV-Ray. Every line of rays.csv is a pixel's
-// path: the aperture point A, the point P on the sheet, the direction from A into the scene. From P the path is followed
-// towards the viewer, and of the surfaces in front of the sheet the furthest from it is looked for; there the direction is
-// reversed and the ray traced back into the scene. Where there is none, the ray is traced from the sheet forwards.
+// The thesis's forward and reversed tracing (3.6.1), literally, for an unmodified POV-Ray. Every
+// line of rays.csv is a pixel's path: the aperture point A, the point P on the sheet, the direction
+// from A into the scene. From P the path is followed towards the viewer, and of the surfaces in
+// front of the sheet the furthest from it is looked for; there the direction is reversed and the
+// ray traced back into the scene. Where there is none, the ray is traced from the sheet forwards.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 #declare Placement = transform { scale 1 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What stands for libFuzzer where there is none: runs a target on files and on mutations of them,
-// the same ones each time.
+// A replacement for libFuzzer on machines without it: runs a target on files and on mutations of
+// them, which are the same in every run.
 //   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of each
 // What a target fails on is written to the file FUZZ_FOUND. Without FUZZ_TARGET: see main.cpp.
 #include "tests/sanitized/fuzz/target.h"

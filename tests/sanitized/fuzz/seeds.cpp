@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Small files of every kind that is read: our own, and what other programs write.
+// Makes small files of every kind that the commands read: as we write them, and as other programs
+// do.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/base/file_bytes.h"

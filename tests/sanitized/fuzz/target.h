@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What is fuzzed: a table of targets (targets.cpp), and what its entries are made of.
+// The table of fuzz targets (targets.cpp) and the types of its entries.
 #ifndef INTEGRAL_TESTS_FUZZ_TARGET_H
 #define INTEGRAL_TESTS_FUZZ_TARGET_H
 

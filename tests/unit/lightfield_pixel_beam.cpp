@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The samples that anti-aliasing takes of a pixel's beam: they belong to the pixel's lens and are
+// well distributed over the pixel, the lens's cell, and what the beam covers at a depth.
+#include "tests/unit/optics_sheets.h"
+#include "tests/unit/pixel_origins.h"
+
+#include <algorithm>
+#include <limits>
+
+using namespace pixel_origins;
+
+BOOST_AUTO_TEST_SUITE(lightfield_pixel_beam)
+
+BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_the_pixel_s_lens_s)
+{
+    for (const Arrangement arrangement : arrangements)
+        for (const Subpixels subpixels : {Subpixels::none, Subpixels::rgb}) {
+            CameraParameters p = parameters_of(arrangement);
+            p.film.subpixels = subpixels;
+            const IntegralCamera camera = camera_of(p, 70, 50);
+            const PixelSampler sampler(camera, 1);
+            int whole_ones = 0, divided_ones = 0;
+            for_each_pixel(camera, false, [&](Vec2 centre) {
+                const PixelBeam beam = sampler.beam(centre, false, 20);
+                std::array<int, 3> taken{};
+                for (std::uint32_t index = 0; index < 16; ++index) {
+                    std::vector<PixelRay> rays;
+                    sampler.append_sample(beam, index, rays);
+                    for (const PixelRay& ray : rays) {
+                        const int channel = std::max(ray.channel, 0);
+                        const Vec2 at = centre + subpixel_shift(subpixels, centre, channel);
+                        const LensIndex lens = lens_at(camera, at);
+                        const Origin origin = origin_of(camera, at, ray.ray, lens);
+                        ++taken[channel];
+                        BOOST_TEST(std::fabs(origin.film.x) <=
+                                   (subpixels == Subpixels::none ? 0.5 : 1 / 6.0) + 1e-9);
+                        BOOST_TEST(std::fabs(origin.film.y) <= 0.5 + 1e-9);
+                        const auto mapped = camera.optics
+                                                .map(film_from_pixel(camera.film, at + origin.film),
+                                                     camera.mapping)
+                                                .ray;
+                        BOOST_TEST((mapped && mapped->lens == lens));
+                    }
+                }
+                int imaged = 0; // channels
+                for (int channel = 0; channel < (subpixels == Subpixels::none ? 1 : 3); ++channel) {
+                    const Vec2 at = centre + subpixel_shift(subpixels, centre, channel);
+                    imaged += camera.optics.map(film_from_pixel(camera.film, at), camera.mapping)
+                                  .ray.has_value();
+                }
+                BOOST_TEST(beam.number == imaged);
+                for (int k = 0; k < beam.number; ++k) {
+                    const int count = taken[std::max(beam.channels[k].channel, 0)];
+                    (beam.channels[k].whole ? whole_ones : divided_ones) += 1;
+                    if (beam.channels[k].whole)
+                        BOOST_TEST(count == 16);
+                    else
+                        BOOST_TEST(count < 17);
+                }
+            });
+            BOOST_TEST(whole_ones > 1000);
+            BOOST_TEST(divided_ones > 200);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
+{
+    for (const Arrangement arrangement : arrangements) {
+        const IntegralCamera camera = camera_of(parameters_of(arrangement));
+        const PixelSampler sampler(camera, 7);
+        int pixels = 0;
+        for_each_pixel(camera, true, [&](Vec2 centre) {
+            if (++pixels % 97)
+                return;
+            // Each prefix of 4^k points has each coordinate once in each of its 4^k parts: those of
+            // the cell at the sheet, those of the pixel far away. Of a hexagon, whose coordinates
+            // are not those of a square, the pixel's alone.
+            for (const bool far : {false, true})
+                for (const int count : {4, 16, 64}) {
+                    if (!far && arrangement == Arrangement::hexagonal)
+                        continue;
+                    std::vector<PixelRay> rays;
+                    const PixelBeam beam = sampler.beam(
+                        centre, false, far ? std::numeric_limits<double>::infinity() : 0);
+                    for (int index = 0; index < count; ++index)
+                        sampler.append_sample(beam, index, rays);
+                    BOOST_REQUIRE(int(rays.size()) == count);
+                    std::vector<int> dimensions = far ? std::vector{0, 1} : std::vector{2, 3};
+                    if (arrangement == Arrangement::lenticular && !far)
+                        dimensions = {1, 2}; // along the cylinder there is the pixel alone
+                    for (const int dimension : dimensions) {
+                        std::vector<int> parts(count);
+                        for (const Origin& at : origins(camera, centre, rays))
+                            ++parts[std::min(count - 1,
+                                             std::max(0, int(unit_of(at)[dimension] * count)))];
+                        BOOST_TEST(*std::max_element(parts.begin(), parts.end()) <=
+                                   2); // a rounding may move one over
+                        BOOST_TEST(std::count(parts.begin(), parts.end(), 1) >= count - 2);
+                    }
+                }
+        });
+        BOOST_TEST(pixels > 97);
+        const auto first = [&](Vec2 centre, bool alike, const PixelSampler& by) {
+            std::vector<PixelRay> rays;
+            by.append_sample(by.beam(centre, alike, 0), 0, rays); // at the sheet, where every pixel
+                                                                  // has the same share in what is
+                                                                  // seen
+            return origin_of(camera, centre, rays.at(0).ray, lens_at(camera, centre));
+        };
+        std::vector<Vec2> whole_ones;
+        for_each_pixel(camera, true, [&](Vec2 centre) { whole_ones.push_back(centre); });
+        const Vec2 here = whole_ones.at(100), there = whole_ones.at(101);
+        BOOST_TEST(first(here, false, sampler).film.x ==
+                   first(here, false, PixelSampler(camera, 7)).film.x);
+        BOOST_TEST(std::fabs(first(here, false, sampler).film.x -
+                             first(here, false, PixelSampler(camera, 8)).film.x) > 1e-6);
+        BOOST_TEST(std::fabs(first(here, false, sampler).film.x -
+                             first(there, false, sampler).film.x) > 1e-6);
+        BOOST_TEST(std::fabs(first(here, true, sampler).film.x -
+                             first(there, true, sampler).film.x) < 1e-6);
+    }
+}
+
+/// The mean squared error with which 16 samples of a beam tell how much of it lies on one side of a
+/// straight edge, seen at a depth, of many pixels and edges of all directions. The truth is 2048
+/// random rays'.
+static double error_of_edges(const IntegralCamera& camera, double depth, double aimed_at)
+{
+    const PixelSampler sampler(camera, 3);
+    double squares = 0;
+    int pixels = 0, judged = 0;
+    for_each_pixel(camera, true, [&](Vec2 centre) {
+        if (++pixels % 23)
+            return;
+        const auto seen = [&](const PixelRay& ray) {
+            const BeamRay& at = ray.ray;
+            const double way = (depth - at.point.z) / at.direction.z;
+            return Vec2{at.point.x + way * at.direction.x, at.point.y + way * at.direction.y};
+        };
+        std::vector<PixelRay> truth, samples;
+        for (int index = 0; index < 2048; ++index)
+            sampler.append_random_ray(centre, index, truth);
+        const PixelBeam beam = sampler.beam(centre, false, aimed_at);
+        for (int index = 0; index < 16; ++index)
+            sampler.append_sample(beam, index, samples);
+        const Vec2 middle = seen(truth[pixels % 64]);
+        const Vec2 direction{std::cos(pixels), std::sin(pixels)};
+        const auto part = [&](const std::vector<PixelRay>& rays) {
+            double within = 0;
+            for (const PixelRay& ray : rays)
+                within += dot(seen(ray) - middle, direction) > 0;
+            return within / rays.size();
+        };
+        const double error = part(samples) - part(truth);
+        squares += error * error;
+        ++judged;
+    });
+    BOOST_REQUIRE(judged > 100);
+    return squares / judged;
+}
+
+BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_what_the_beam_covers)
+{
+    struct Case {
+        Arrangement arrangement;
+        double slant;
+        bool mirrored;
+        double tall;
+    };
+    for (const Case c : {Case{Arrangement::lenticular, 0, false, 0},
+                         {Arrangement::lenticular, 80, false, 0},
+                         {Arrangement::lenticular, 0, false, 100},
+                         {Arrangement::square, 0, false, 0},
+                         {Arrangement::square, 85, false, 0},
+                         {Arrangement::square, 0, true, 0}}) {
+        CameraParameters p = parameters_of(c.arrangement);
+        p.sheet.slant = c.slant;
+        p.pseudoscopic = c.mirrored;
+        if (c.tall > 0)
+            p.capture_aperture = Vec2{100, c.tall};
+        const IntegralCamera camera = camera_of(p, 110, 90);
+        // The wrong side of the sheet is as wrong an aim as there is; but for a tall slit, which
+        // covers about as much there: not the sheet.
+        double well = 0, wrongly = 0;
+        for (const double depth : {-20.0, 15.0, 60.0}) {
+            well += error_of_edges(camera, depth, depth);
+            wrongly += error_of_edges(camera, depth, c.tall > 0 ? 0 : -depth);
+        }
+        BOOST_TEST_MESSAGE("squared error aimed well / wrongly: " << well / wrongly);
+        BOOST_TEST(well < (c.tall > 0 ? 0.9 : 0.8) * wrongly);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
