@@ -3,7 +3,7 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/cli/command.h"
-#include "integral/cli/lcd_image.h"
+#include "integral/cli/lcd_command.h"
 #include "integral/cli/print_options.h"
 #include "integral/base/file_bytes.h"
 #include "integral/cli/values.h"
@@ -53,16 +53,17 @@ void check_at(const std::string& place, const Command& command, const Check& che
 
 void check_panel(const BatchTarget& target, const std::string& panel)
 {
-    options::variables_map arguments;
+    LcdOptions lcd;
     check_at(target.options_place, lcd_command, [&] {
-        arguments = options_of(lcd_command, target, {"--panel", panel});
+        const auto arguments = options_of(lcd_command, target, {"--panel", panel});
         for (const char* option : {"list", "list-displays"})
             if (arguments[option].as<bool>())
                 throw UsageError(std::string("--") + option + " makes no image");
-        check_panel_options(arguments);
+        lcd = lcd_options(arguments);
+        check_panel_options(lcd);
     });
     check_at(target.place, lcd_command, [&] {
-        const Panel described = panel_of(arguments);
+        const Panel described = panel_of(lcd);
         if (described.calibration)
             for (const std::string& what : described.calibration->assumed)
                 say("batch", target.place + ": " + what);
@@ -110,7 +111,7 @@ double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel
             const BatchTarget target = called(manifest.panels);
             const auto arguments = options_of(lcd_command, target,
                                               {"--panel", file_of(manifest, target)});
-            const Panel panel = panel_of(arguments);
+            const Panel panel = panel_of(lcd_options(arguments));
             constexpr double views = 4; // of --size, in memory beside the image
             return double(panel.film.width) * panel.film.height +
                    views * area(arguments, "size", 0);

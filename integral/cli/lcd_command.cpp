@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral lcd: frames, quilts and views as a light-field panel's image; and pictures shown on a
 // display.
-#include "integral/cli/lcd_image.h"
-#include "integral/cli/lcd_show.h"
+#include "integral/cli/lcd_command.h"
+
+#include "integral/base/number_text.h"
 #include "integral/cli/picture_series.h"
 #include "integral/cli/progress.h"
+#include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/names.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,71 @@
 namespace integral {
 namespace {
 
+constexpr int largest_view_side = 32768;
+
+void add_panel_options(options::options_description& all)
+{
+    const auto value = [](const char* name) {
+        return options::value<std::string>()->value_name(name);
+    };
+    all.add_options()("output,o", value("FILE"),
+                      "the panel's image: .png, .tiff or .exr; of several frames or quilts files "
+                      "with numbers before the extension, or a folder "
+                      "that is there already, for files of the inputs' names")(
+        "panel", value("NAME|FILE.json"),
+        "the panel: one of --list, a description as --describe writes, or the calibration file of "
+        "a Looking Glass display")(
+        "views", value("CxR"),
+        "views of a quilt whose name does not tell, across and up, or how many to see a frame of "
+        "other geometry from (default: as many "
+        "as pixels are nearest to a lens's), or of a card (default: 8)")(
+        "blend", value("WAY")->default_value("linear"),
+        "between views: linear, or nearest, as displays' makers do")(
+        "sampling", value("WAY")->default_value("linear"),
+        "between pixels of a view: linear or nearest")(
+        "encoded", options::bool_switch(),
+        "blend the values as they are stored, as displays' own programs do; not linear light: "
+        "several times as fast, "
+        "edges between views a little darker")(
+        "size", value("WxH"),
+        "pixels of each view that is seen of a frame (default: 1000 on the longer side)")(
+        "viewing-distance", value("MM"),
+        "how far the viewers are from the panel (default: as the panel says)")(
+        "card", value("CARD"),
+        "a test card in place of INPUT: views (each its number and colour), crosstalk (one view "
+        "white), colours (red, green, blue and "
+        "white bands in one view), pitch (bars of lines about the calibrated pitch)")(
+        "view", options::value<int>()->value_name("K"),
+        "the view that --card crosstalk or colours lights, from 0, the leftmost (default: every "
+        "other; the middle one)")("list", options::bool_switch(),
+                                  "list the panels that are known by name")(
+        "describe", options::bool_switch(),
+        "print the panel's description, to be changed and given to --panel")(
+        "camera", options::bool_switch(),
+        "print what povray-integral needs to render for the panel: an INI file's lines");
+}
+
+void add_show_options(options::options_description& all)
+{
+    const auto value = [](const char* name) {
+        return options::value<std::string>()->value_name(name);
+    };
+    all.add_options()("show", value("DISPLAY"),
+                      "show the picture on this display, pixel for pixel: its number or name, or "
+                      "auto, the only one of the picture's size. "
+                      "Escape, q or Ctrl-C ends it")(
+        "play", options::bool_switch(),
+        "show all pictures one after another, on the display of --show (default auto); the space "
+        "bar pauses")(
+        "fps", value("N"),
+        "with --play: pictures a second (default 30); late ones are dropped and counted")(
+        "loop", options::bool_switch(), "with --play: begin again after the last")(
+        "seconds", value("S"), "with --show and --play: end by itself after so long")(
+        "list-displays", options::bool_switch(),
+        "list the displays: number, name, pixels, rate, place, and whether they show pictures as "
+        "they are");
+}
+
 options::options_description make_options()
 {
     options::options_description all("Options");
@@ -30,9 +96,72 @@ options::options_description make_options()
     return all;
 }
 
-void list_panels(const options::variables_map& arguments)
+Neighbours neighbours(const options::variables_map& arguments, const char* option)
 {
-    if (given(arguments, "json")) {
+    const std::string word = text_of(arguments, option);
+    if (word == "nearest")
+        return Neighbours::nearest;
+    if (word == "linear")
+        return Neighbours::linear;
+    throw UsageError(std::string("--") + option + " " + word + ": nearest or linear is expected");
+}
+
+PanelCard card_named(const std::string& word)
+{
+    if (word == "views")
+        return PanelCard::views;
+    if (word == "crosstalk")
+        return PanelCard::crosstalk;
+    if (word == "colours")
+        return PanelCard::colours;
+    if (word == "pitch")
+        return PanelCard::pitch;
+    throw UsageError("--card " + word + ": views, crosstalk, colours or pitch is expected");
+}
+
+/// A number above 0, `fallback` where the option was not given.
+double positive(const options::variables_map& arguments, const char* option, double most,
+                double fallback)
+{
+    if (!given(arguments, option))
+        return fallback;
+    const std::string form = "a number above 0 and up to " + with_digits(most, 10);
+    const double value = parse_number(option, text_of(arguments, option), form.c_str());
+    if (!(value > 0 && value <= most))
+        throw UsageError(std::string("--") + option + " " + text_of(arguments, option) + ": " +
+                         form + " is expected");
+    return value;
+}
+
+void read_image_options(const options::variables_map& arguments, LcdOptions& lcd)
+{
+    PanelImageOptions& image = lcd.image;
+    if (given(arguments, "views"))
+        image.views = parse_view_grid(text_of(arguments, "views"));
+    image.blend = {neighbours(arguments, "blend"), neighbours(arguments, "sampling")};
+    image.encoded = arguments["encoded"].as<bool>();
+    if (given(arguments, "size")) {
+        const PixelSize size = parse_size("size", text_of(arguments, "size"), largest_view_side);
+        image.width = size.width;
+        image.height = size.height;
+    }
+    if (given(arguments, "view"))
+        image.lit_view = arguments["view"].as<int>();
+    image.threads = in_range(arguments, "threads", 0, 1024);
+    image.panel_name = "--panel " + lcd.panel;
+    image.tell = [](const std::string& what) { say("lcd", what); };
+    image.progress = progress_bar;
+    if (given(arguments, "viewing-distance")) {
+        const std::string text = text_of(arguments, "viewing-distance");
+        lcd.viewing_distance = parse_number("viewing-distance", text, "a number of mm");
+        if (!(*lcd.viewing_distance >= 1 && *lcd.viewing_distance <= 1e6))
+            throw UsageError("--viewing-distance " + text + ": 1 to 1000000 mm is expected");
+    }
+}
+
+void list_panels(bool json)
+{
+    if (json) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
         for (const Panel& panel : known_panels())
             list.push_back({{"name", panel.name},
@@ -54,6 +183,54 @@ void list_panels(const options::variables_map& arguments)
                     panel.film.pixel_pitch.x, panel.sheet.pitch, panel.sheet.slant,
                     panel.aperture.distance);
     }
+}
+
+void list_displays(bool json)
+{
+    const Desktop desktop;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    int number = 0;
+    for (const Screen& screen : desktop.screens()) {
+        ++number;
+        if (json)
+            list.push_back({{"number", number},
+                            {"name", screen.name},
+                            {"width", screen.width},
+                            {"height", screen.height},
+                            {"rate", screen.rate},
+                            {"x", screen.x},
+                            {"y", screen.y},
+                            {"scaled", screen.scaled}});
+        else
+            std::cout << number << "  " << screen.name << "  "
+                      << size_text(screen.width, screen.height)
+                      << (screen.rate > 0 ? "  " + with_decimals(screen.rate, 2) + " Hz" : "")
+                      << "  at " << screen.x << "," << screen.y << "  "
+                      << (screen.scaled.empty() ? "pixel for pixel" : screen.scaled) << '\n';
+    }
+    if (json)
+        std::cout << list.dump(2) << '\n';
+}
+
+void print_report(const PlayReport& report, bool as_json)
+{
+    char text[300];
+    if (as_json) {
+        const nlohmann::ordered_json json = {{"shown", report.shown},
+                                             {"dropped", report.dropped},
+                                             {"seconds", report.seconds},
+                                             {"rate", report.rate},
+                                             {"worst_lateness_ms", 1000 * report.worst_lateness}};
+        std::cout << json.dump(2) << '\n';
+        return;
+    }
+    std::snprintf(text, sizeof text,
+                  "shown               %lld\n"
+                  "dropped             %lld\n"
+                  "rate                %.3f a second\n"
+                  "worst lateness      %.1f ms\n",
+                  report.shown, report.dropped, report.rate, 1000 * report.worst_lateness);
+    std::cout << text;
 }
 
 /// The path of one of several images.
@@ -86,45 +263,34 @@ void check_outputs(const std::string& output, const std::vector<std::vector<std:
     }
 }
 
-int make_images(const options::variables_map& arguments)
+/// Prints a result to standard output, or to -o's FILE whole.
+void print_result(const LcdOptions& lcd, const std::string& text)
 {
-    check_panel_options(arguments);
-    const Panel panel = panel_of(arguments);
-    if (panel.calibration)
-        for (const std::string& what : panel.calibration->assumed)
-            say("lcd", text_of(arguments, "panel") + ": " + what);
-    if (arguments["describe"].as<bool>()) {
-        print_result(arguments, to_json(panel));
-        return exit_done;
-    }
-    if (arguments["camera"].as<bool>()) {
-        print_result(arguments, "Width=" + std::to_string(panel.film.width) +
-                                    "\nHeight=" + std::to_string(panel.film.height) +
-                                    "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n");
-        return exit_done;
-    }
-    const std::string output = text_of(arguments, "output");
-    PanelImages images(arguments, panel);
-    const bool card = given(arguments, "card");
-    const auto groups = card ? std::vector<std::vector<std::string>>{{"card"}}
-                             : images.groups(inputs_of(arguments));
-    if (given(arguments, "show") && groups.size() > 1)
+    write_file(lcd.output.empty() ? "-" : lcd.output, text);
+}
+
+void make_images(const LcdOptions& lcd, const Panel& panel)
+{
+    PanelImages images(panel, lcd.image);
+    const auto groups = lcd.card ? std::vector<std::vector<std::string>>{{"--card"}}
+                                 : images.groups(lcd.inputs);
+    if (lcd.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
-    if (!output.empty() && card) {
-        format_for(output);
-        check_writable(output);
-    } else if (!output.empty()) {
-        check_outputs(output, groups);
+    if (!lcd.output.empty() && lcd.card) {
+        format_for(lcd.output);
+        check_writable(lcd.output);
+    } else if (!lcd.output.empty()) {
+        check_outputs(lcd.output, groups);
     }
     nlohmann::ordered_json report = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < groups.size(); ++k) {
         stop_if_interrupted();
         const auto begun = std::chrono::steady_clock::now();
-        Frame frame = card ? images.card() : images.image_of(groups[k]);
+        Frame frame = lcd.card ? images.card(*lcd.card) : images.image_of(groups[k]);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-        const std::string path = output.empty() ? ""
-                                 : card         ? output
-                                        : path_of(output, groups[k], int(k), int(groups.size()));
+        const std::string path = lcd.output.empty() || lcd.card
+                                     ? lcd.output
+                                     : path_of(lcd.output, groups[k], int(k), int(groups.size()));
         report.push_back({{"output", path},
                           {"width", frame.image.width},
                           {"height", frame.image.height},
@@ -132,53 +298,163 @@ int make_images(const options::variables_map& arguments)
                           {"seconds", taken.count()}});
         if (!path.empty())
             write_frame(path, frame);
-        if (given(arguments, "show"))
-            return show_picture(arguments, frame.image, card ? "--card" : groups[k][0]);
+        if (lcd.show)
+            return show_picture(frame.image, groups[k][0], lcd.showing);
     }
-    if (given(arguments, "json"))
+    if (lcd.json)
         std::cout << nlohmann::ordered_json{{"panel", panel.name}, {"images", report}}.dump(2)
                   << '\n';
-    return exit_done;
+}
+
+/// All that --panel does: makes images, or prints what the panel is.
+void use_panel(const LcdOptions& lcd)
+{
+    if (lcd.play || lcd.list_displays)
+        throw UsageError("--panel does not go with --play or --list-displays: make the images "
+                         "with -o, then play them");
+    if (lcd.has_fps || lcd.playing.loop)
+        throw UsageError(std::string(lcd.has_fps ? "--fps" : "--loop") + " is for --play");
+    if (lcd.has_seconds && !lcd.show)
+        throw UsageError("--seconds is for --show and --play");
+    check_panel_options(lcd);
+    const Panel panel = panel_of(lcd);
+    if (panel.calibration)
+        for (const std::string& what : panel.calibration->assumed)
+            say("lcd", lcd.panel + ": " + what);
+    if (lcd.describe)
+        return print_result(lcd, to_json(panel));
+    if (lcd.camera)
+        return print_result(lcd, "Width=" + std::to_string(panel.film.width) +
+                                     "\nHeight=" + std::to_string(panel.film.height) +
+                                     "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n");
+    make_images(lcd, panel);
+}
+
+/// Throws UsageError where the options of showing make no sense together.
+void check_show_options(const LcdOptions& lcd)
+{
+    if (lcd.list_displays && (lcd.play || lcd.show || !lcd.inputs.empty()))
+        throw UsageError("--list-displays stands alone");
+    if (!lcd.play && (lcd.has_fps || lcd.playing.loop))
+        throw UsageError(std::string(lcd.has_fps ? "--fps" : "--loop") + " is for --play");
+    if (!lcd.play && !lcd.show && lcd.has_seconds)
+        throw UsageError("--seconds is for --show and --play");
+    if ((lcd.play || lcd.show) && lcd.inputs.empty())
+        throw UsageError("a picture to show is missing");
+    if (lcd.show && !lcd.play && lcd.inputs.size() > 1)
+        throw UsageError("--show shows one picture; --play shows several one after another");
+    for (const std::string& input : lcd.inputs)
+        if (lcd.play && input == "-")
+            throw UsageError("--play reads files, not standard input");
+}
+
+/// All that is done without --panel.
+void use_display(const LcdOptions& lcd)
+{
+    if (!lcd.output.empty() || lcd.card || lcd.camera || lcd.describe)
+        throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
+    check_show_options(lcd);
+    if (lcd.list_displays)
+        return list_displays(lcd.json);
+    if (lcd.play) {
+        const PlayReport report = play_files(lcd.inputs, lcd.playing, lcd.showing);
+        if (report.shown > 0)
+            print_report(report, lcd.json);
+        if (report.interrupted)
+            throw Interrupted();
+        return;
+    }
+    if (!lcd.show)
+        throw UsageError("there is nothing to do; --panel NAME with -o FILE makes a panel's image, "
+                         "--show and --play show pictures");
+    const Image picture = read_views(lcd.inputs[0], false).image;
+    stop_if_interrupted();
+    show_picture(picture, lcd.inputs[0], lcd.showing);
 }
 
 int run(const options::variables_map& arguments)
 {
-    const auto inputs = inputs_of(arguments);
-    const bool makes = given(arguments, "panel");
-    if (arguments["list"].as<bool>()) {
-        if (!inputs.empty() || makes)
-            throw UsageError("--list stands alone");
-        list_panels(arguments);
-        return exit_done;
+    const LcdOptions lcd = lcd_options(arguments);
+    try {
+        if (lcd.list) {
+            if (!lcd.inputs.empty() || !lcd.panel.empty())
+                throw UsageError("--list stands alone");
+            list_panels(lcd.json);
+        } else if (!lcd.panel.empty()) {
+            use_panel(lcd);
+        } else {
+            use_display(lcd);
+        }
+    } catch (const RequestError& error) {
+        throw UsageError(error.what());
     }
-    if (makes) {
-        if (arguments["play"].as<bool>() || arguments["list-displays"].as<bool>())
-            throw UsageError("--panel does not go with --play or --list-displays: make the images "
-                             "with -o, then play them");
-        if (given(arguments, "fps") || arguments["loop"].as<bool>())
-            throw UsageError(std::string(given(arguments, "fps") ? "--fps" : "--loop") +
-                             " is for --play");
-        if (given(arguments, "seconds") && !given(arguments, "show"))
-            throw UsageError("--seconds is for --show and --play");
-        return make_images(arguments);
-    }
-    if (given(arguments, "output") || given(arguments, "card") || arguments["camera"].as<bool>() ||
-        arguments["describe"].as<bool>())
-        throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
-    check_show_options(arguments, int(inputs.size()));
-    if (arguments["list-displays"].as<bool>())
-        return list_displays(arguments);
-    if (arguments["play"].as<bool>())
-        return play_files(arguments, inputs);
-    if (!given(arguments, "show"))
-        throw UsageError("there is nothing to do; --panel NAME with -o FILE makes a panel's image, "
-                         "--show and --play show pictures");
-    const Image picture = read_views(inputs[0], false).image;
-    stop_if_interrupted();
-    return show_picture(arguments, picture, inputs[0]);
+    return exit_done;
 }
 
 } // namespace
+
+LcdOptions lcd_options(const options::variables_map& arguments)
+{
+    LcdOptions lcd;
+    lcd.inputs = inputs_of(arguments);
+    lcd.output = text_of(arguments, "output");
+    lcd.json = given(arguments, "json");
+    lcd.panel = text_of(arguments, "panel");
+    if (given(arguments, "card"))
+        lcd.card = card_named(text_of(arguments, "card"));
+    lcd.list = arguments["list"].as<bool>();
+    lcd.describe = arguments["describe"].as<bool>();
+    lcd.camera = arguments["camera"].as<bool>();
+    lcd.show = given(arguments, "show");
+    lcd.play = arguments["play"].as<bool>();
+    lcd.list_displays = arguments["list-displays"].as<bool>();
+    lcd.has_fps = given(arguments, "fps");
+    lcd.has_seconds = given(arguments, "seconds");
+    if (lcd.show)
+        lcd.showing.display = text_of(arguments, "show");
+    lcd.showing.seconds = positive(arguments, "seconds", 1e7, lcd.showing.seconds);
+    lcd.playing.rate = positive(arguments, "fps", 1000, lcd.playing.rate);
+    lcd.playing.loop = arguments["loop"].as<bool>();
+    read_image_options(arguments, lcd);
+    lcd.playing.threads = lcd.image.threads;
+    return lcd;
+}
+
+void check_panel_options(const LcdOptions& lcd)
+{
+    if (int(lcd.describe) + int(lcd.camera) + int(lcd.card.has_value()) > 1)
+        throw UsageError("--describe, --camera and --card do not go together");
+    if ((lcd.describe || lcd.camera || lcd.card) && !lcd.inputs.empty())
+        throw UsageError(std::string(lcd.describe ? "--describe"
+                                     : lcd.camera ? "--camera"
+                                                  : "--card") +
+                         " takes no INPUT");
+    if (lcd.panel.empty())
+        throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
+    if (!lcd.describe && !lcd.camera && lcd.output.empty() && !lcd.show)
+        throw UsageError("-o FILE is missing, or --show DISPLAY");
+    if (!lcd.describe && !lcd.camera && !lcd.card && lcd.inputs.empty())
+        throw UsageError("INPUT is missing: a frame, a quilt or views");
+    if (lcd.image.lit_view && lcd.card != PanelCard::crosstalk && lcd.card != PanelCard::colours)
+        throw UsageError("--view is for --card crosstalk and --card colours");
+}
+
+Panel panel_of(const LcdOptions& lcd)
+{
+    Panel panel;
+    try {
+        panel = find_panel(lcd.panel);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError("--panel " + lcd.panel + ": " + error.what());
+    }
+    if (!lcd.viewing_distance)
+        return panel;
+    try {
+        return seen_from(panel, *lcd.viewing_distance);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(lcd.panel + ": " + error.what());
+    }
+}
 
 const Command lcd_command = {
     "lcd",

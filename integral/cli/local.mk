@@ -16,13 +16,8 @@ build_bin_integral_SOURCES += \
   integral/cli/compare_suite.h \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
-  integral/cli/given_views.cpp \
-  integral/cli/given_views.h \
   integral/cli/lcd_command.cpp \
-  integral/cli/lcd_image.cpp \
-  integral/cli/lcd_image.h \
-  integral/cli/lcd_show.cpp \
-  integral/cli/lcd_show.h \
+  integral/cli/lcd_command.h \
   integral/cli/main.cpp \
   integral/cli/picture_series.cpp \
   integral/cli/picture_series.h \

@@ -72,4 +72,10 @@ PixelSize parse_size(const char* option, const std::string& text, int most, cons
     return size;
 }
 
+ViewGrid parse_view_grid(const std::string& text)
+{
+    const PixelSize size = parse_size("views", text, most_views_a_side, "CxR");
+    return {size.width, size.height};
+}
+
 } // namespace integral

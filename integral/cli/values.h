@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_CLI_VALUES_H
 #define INTEGRAL_CLI_VALUES_H
 
-#include "integral/optics/vec.h"
+#include "integral/lightfield/view_grid.h"
 
 #include <string>
 #include <vector>
@@ -28,6 +28,11 @@ struct PixelSize {
 /// WxH, each from 1 to `most`; `form` is what a complaint calls it.
 PixelSize parse_size(const char* option, const std::string& text, int most,
                      const char* form = "WxH");
+
+constexpr int most_views_a_side = 256;
+
+/// CxR views, the value of --views.
+ViewGrid parse_view_grid(const std::string& text);
 
 } // namespace integral
 

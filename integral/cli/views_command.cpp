@@ -3,12 +3,12 @@
 // of them.
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
-#include "integral/cli/given_views.h"
 #include "integral/cli/picture_series.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/cli/views_to_frame.h"
 #include "integral/io/image_file.h"
+#include "integral/output/given_views.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/parallel_views.h"
@@ -198,7 +198,7 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
     const bool eyes = arguments["eyes"].as<bool>(), files = arguments["files"].as<bool>(),
                animated = is_animation(output);
     const bool upright = !eyes && (animated || arguments["upright"].as<bool>());
-    const ViewGrid grid = given(arguments, "views") ? parse_view_grid(arguments)
+    const ViewGrid grid = given(arguments, "views") ? parse_view_grid(text_of(arguments, "views"))
                                                     : natural_views(metadata);
     if (!given(arguments, "views") &&
         (grid.columns > metadata.film.width || grid.rows > metadata.film.height))
@@ -243,7 +243,8 @@ int make_views(const options::variables_map& arguments, const std::string& outpu
         else
             write_quilt(path, frame, views, grid, of_views, threads);
     } else {
-        std::vector<Image> views = eyes ? views_of_eyes(frame, grid, size, threads)
+        std::vector<Image> views = eyes ? views_of_eyes(frame, grid, size.width, size.height,
+                                                        threads, progress_bar("views"))
                                         : upright_views(frame, grid, size, threads);
         if (eyes)
             of_views.quilt->eyes = EyeGrid{viewing_zone(metadata, metadata.aperture.distance),

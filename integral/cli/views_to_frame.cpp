@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/views_to_frame.h"
 
-#include "integral/cli/given_views.h"
 #include "integral/cli/progress.h"
+#include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/output/given_views.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/perspective_views.h"
 
 namespace integral {
 
+namespace {
+
+GivenViews read_views_given(const options::variables_map& arguments)
+{
+    ViewsRequest request;
+    if (given(arguments, "views"))
+        request.grid = parse_view_grid(text_of(arguments, "views"));
+    request.needs_geometry = !given(arguments, "sheet");
+    request.of_eyes = arguments["eyes"].as<bool>();
+    try {
+        return read_given_views(inputs_of(arguments), request);
+    } catch (const RequestError& error) {
+        throw UsageError(error.what());
+    }
+}
+
+} // namespace
+
 int frame_of_views(const options::variables_map& arguments, const std::string& output, int threads)
 {
     const auto inputs = inputs_of(arguments);
     check_writable(output);
-    const GivenViews given_views = read_given_views(arguments, inputs,
-                                                    arguments["eyes"].as<bool>());
+    const GivenViews given_views = read_views_given(arguments);
     const std::string sheet = text_of(arguments, "sheet");
     if (sheet.empty() && !given_views.metadata)
         throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "

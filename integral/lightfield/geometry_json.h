@@ -12,11 +12,15 @@ constexpr int largest_side = 1000000;                           // pixels
 constexpr double least_distance = 1e-2, largest_distance = 1e9; // mm, as make_camera allows
 constexpr double largest_extent = 1e30;                         // mm; an aperture's
 
-/// arrangement, pitch_mm, thickness_mm, ior, and if they are there slant_degrees and offset_mm.
-LensSheet sheet_from(const JsonObject& object);
+/// arrangement, pitch_mm, thickness_mm, ior, and if they are there slant_degrees and offset_mm. The
+/// pitch may be in a field of another name.
+LensSheet sheet_from(const JsonObject& object, const char* pitch_field = "pitch_mm");
+
+/// What pixel_pitch_mm may be: a list of two numbers, or one number for both, too.
+enum class PitchForm { pair, number_or_pair };
 
 /// pixel_pitch_mm, and if they are there width and height, subpixels.
-Film film_from(const JsonObject& object);
+Film film_from(const JsonObject& object, PitchForm form = PitchForm::pair);
 
 /// The field subpixels: a word for stripes, or an object of pattern and cells.
 Subpixels subpixels_from(const JsonObject& film);
@@ -24,6 +28,9 @@ Subpixels subpixels_from(const JsonObject& film);
 /// distance_mm, and if they are there width_mm, height_mm (null: no limit) and shape. Extents that
 /// are absent are those that fill the lens on the axis, or none where nothing does.
 Aperture aperture_from(const JsonObject& object, const LensSheet& sheet);
+
+/// The aperture at a distance which fills the lens on the axis, or without limits where none does.
+Aperture default_aperture(const LensSheet& sheet, double distance);
 
 /// The ranges of sheet and film are the scene language's: one list of them, in find_value_errors.
 void check_ranges(const LensSheet& sheet, const Film& film);

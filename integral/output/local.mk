@@ -8,11 +8,12 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/given_views.cpp \
+  integral/output/given_views.h \
   integral/output/interlace.cpp \
   integral/output/interlace.h \
+  integral/output/interlace_avx2.cpp \
   integral/output/interlace_avx2.h \
-  integral/output/interlace_rays.cpp \
-  integral/output/interlace_rays.h \
   integral/output/interlace_rows.cpp \
   integral/output/interlace_rows.h \
   integral/output/known_panels.cpp \
@@ -30,6 +31,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/panel.h \
   integral/output/panel_cards.cpp \
   integral/output/panel_cards.h \
+  integral/output/panel_images.cpp \
+  integral/output/panel_images.h \
+  integral/output/panel_mapping.cpp \
+  integral/output/panel_mapping.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
   integral/output/pitch_chart.cpp \
@@ -45,6 +50,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/screen_picture.cpp \
   integral/output/screen_picture.h \
   integral/output/screen_play.cpp \
+  integral/output/screen_show.cpp \
+  integral/output/screen_show.h \
   integral/output/screen_window.cpp \
   integral/output/screen_window.h \
   integral/output/screens.cpp \
