@@ -2,9 +2,9 @@
 // The loops of interlacing for processors with AVX2, for views of 8 bits. Where
 // INTEGRAL_HAS_AVX2 is not defined there are none.
 //
-// Measured for a panel of 3840 x 2160 on two cores (bench/interlace_speed): plain loops that gcc 12
-// turns into vectors for AVX-512 take 1.3 to 1.6 times as long, as fetching the samples, which is
-// most of the work, becomes no vector code; 60 images a second need these.
+// Plain loops in their place, which gcc 12 made vectors of for AVX-512, took 1.25 to 1.6 times the
+// earlier AVX2 loops' processor time on a busy machine (bench/interlace_speed): fetching the
+// samples, most of the work, becomes no vector code.
 #ifndef INTEGRAL_OUTPUT_INTERLACE_AVX2_H
 #define INTEGRAL_OUTPUT_INTERLACE_AVX2_H
 
