@@ -60,10 +60,10 @@ int main()
     for (std::uint8_t& sample : std::get<std::vector<std::uint8_t>>(quilt.samples))
         sample = std::uint8_t(random());
     const ViewPictures views(quilt, {8, 6});
-    const PublishedMapping published = published_mapping(calibration());
+    const PanelMapping published = mapping_of(calibration());
     const FrameMetadata own = geometry();
     const auto begun = std::chrono::steady_clock::now();
-    const RayMapping rays = *ray_mapping(own, {{own.aperture.width, 0}, own.aperture.distance});
+    const PanelMapping rays = *mapping_of(own, {{own.aperture.width, 0}, own.aperture.distance});
     const std::chrono::duration<double> table = std::chrono::steady_clock::now() - begun;
 
     Image panel = panel_image(views, width, height);
@@ -73,23 +73,17 @@ int main()
         {"copy in memory", [&] { std::memcpy(copy.data(), samples.data(), samples.size()); }}};
     for (const bool of_rays : {false, true})
         for (const Neighbours of_views : {Neighbours::nearest, Neighbours::linear})
-            for (const Neighbours of_pixels : {Neighbours::nearest, Neighbours::linear})
-                for (const bool portable : {false, true}) {
-                    const auto word = [](Neighbours n) {
-                        return n == Neighbours::linear ? "linear" : "nearest";
-                    };
-                    tasks.push_back(
-                        {std::string(of_rays ? "optics: " : "published: ") + word(of_views) +
-                             " views, " + word(of_pixels) + " pixels" +
-                             (portable ? ", portable" : ""),
-                         [&, of_rays, of_views, of_pixels, portable] {
-                             if (of_rays)
-                                 interlace(panel, views, rays, {of_views, of_pixels}, 0, portable);
-                             else
-                                 interlace(panel, views, published, {of_views, of_pixels}, 0,
-                                           portable);
-                         }});
-                }
+            for (const Neighbours of_pixels : {Neighbours::nearest, Neighbours::linear}) {
+                const auto word = [](Neighbours n) {
+                    return n == Neighbours::linear ? "linear" : "nearest";
+                };
+                const PanelMapping& mapping = of_rays ? rays : published;
+                tasks.push_back({std::string(of_rays ? "optics: " : "published: ") +
+                                     word(of_views) + " views, " + word(of_pixels) + " pixels",
+                                 [&, of_views, of_pixels] {
+                                     interlace(panel, views, mapping, {of_views, of_pixels});
+                                 }});
+            }
     for (int round = 0; round < 9; ++round)
         for (Task& task : tasks) {
             const auto start = std::chrono::steady_clock::now();

@@ -35,14 +35,13 @@ struct Unread {
     double pixels, samples;
 };
 
-Unread unread(const PublishedMapping& mapping, ViewGrid grid, int width, int height,
-              bool blend_views, bool blend_pixels)
+Unread unread(const PanelMapping& mapping, ViewGrid grid, int width, int height, bool blend_views,
+              bool blend_pixels)
 {
     const int count = grid.count();
     const auto pixel_step = [&](int place, int places, int pixels) {
         const auto phase = std::uint32_t((place + 0.5) / places * 4294967296.0);
-        return blend_pixels ? linear_step(phase, std::uint32_t(pixels))
-                            : nearest_step(phase, std::uint32_t(pixels));
+        return step_among(std::uint32_t(pixels), phase, blend_pixels);
     };
     std::vector<char> read(std::size_t(count) * width * height); // a bit for each channel
     for (int row = 0; row < mapping.height; ++row)
@@ -50,15 +49,15 @@ Unread unread(const PublishedMapping& mapping, ViewGrid grid, int width, int hei
             const Step x = pixel_step(column, mapping.width, width),
                        y = pixel_step(row, mapping.height, height);
             for (int channel = 0; channel < 3; ++channel) {
-                const std::uint32_t phase = mapping.of_columns[row % 4][3 * column + channel] +
-                                            mapping.of_rows[row];
-                const Step view = blend_views ? linear_step(phase, std::uint32_t(count))
-                                              : nearest_step(phase, std::uint32_t(count));
-                for (std::uint32_t v = 0; v <= (view.weight > 0); ++v)
-                    for (std::uint32_t j = 0; j <= (y.weight > 0); ++j)
-                        for (std::uint32_t i = 0; i <= (x.weight > 0); ++i)
-                            read[(std::size_t(view.index + v) * height + y.index + j) * width +
-                                 x.index + i] |= char(1 << channel);
+                const Step view = step_among(std::uint32_t(count),
+                                             mapping.across.row(row)[3 * column + channel],
+                                             blend_views);
+                for (std::uint32_t v = 0; v <= (weight_of(view) > 0); ++v)
+                    for (std::uint32_t j = 0; j <= (weight_of(y) > 0); ++j)
+                        for (std::uint32_t i = 0; i <= (weight_of(x) > 0); ++i)
+                            read[(std::size_t(index_of(view) + v) * height + index_of(y) + j) *
+                                     width +
+                                 index_of(x) + i] |= char(1 << channel);
             }
         }
     std::size_t pixels = 0, samples = 0;
@@ -78,7 +77,7 @@ int main()
                 "|---|---|---|---|---|---|---|\n");
     for (const Recommended& r : recommended) {
         const Panel panel = *panel_named(r.panel);
-        const PublishedMapping mapping = published_mapping(*panel.calibration);
+        const PanelMapping mapping = mapping_of(*panel.calibration);
         const int width = r.width / r.grid.columns, height = r.height / r.grid.rows;
         std::printf("| %s | %d x %d views, %d x %d | %.1f, %.1f million |", r.panel, r.grid.columns,
                     r.grid.rows, r.width, r.height, 1e-6 * width * height * r.grid.count(),

@@ -3,7 +3,7 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/cli/command.h"
-#include "integral/cli/lcd_image.h"
+#include "integral/cli/lcd_options.h"
 #include "integral/cli/print_options.h"
 #include "integral/cli/replay_options.h"
 #include "integral/cli/values.h"
@@ -43,10 +43,11 @@ template <class Options> Options options_of(const Command& command, const BatchT
     return read;
 }
 
-auto lcd_options_of(const BatchTarget& target, const std::string& panel)
+/// A panel's options as integral lcd reads them. Throws UsageError.
+LcdOptions lcd_options_of(const BatchTarget& target, const std::string& panel)
 {
-    auto read = read_arguments(lcd_command, line_of(target, {"--panel", panel}));
-    check_inputs(inputs_of(read), lcd_command);
+    LcdOptions read = read_options<LcdOptions>(line_of(target, {"--panel", panel}));
+    check_inputs(read.inputs, lcd_command);
     return read;
 }
 
@@ -68,15 +69,17 @@ void check_at(const std::string& place, const Command& command, const Check& che
 
 void check_panel(const BatchTarget& target, const std::string& panel)
 {
+    LcdRequest request;
     check_at(target.options_place, lcd_command, [&] {
-        const auto read = lcd_options_of(target, panel);
-        for (const char* option : {"list", "list-displays"})
-            if (read[option].template as<bool>())
-                throw UsageError(std::string("--") + option + " makes no image");
-        check_panel_options(read);
+        const LcdOptions read = lcd_options_of(target, panel);
+        if (read.list || read.list_displays)
+            throw UsageError(std::string("--") + (read.list ? "list" : "list-displays") +
+                             " makes no image");
+        request = lcd_request(read);
+        check_panel_request(request);
     });
     check_at(target.place, lcd_command, [&] {
-        const Panel described = panel_of(lcd_options_of(target, panel));
+        const Panel described = panel_of(request);
         if (described.calibration)
             for (const std::string& what : described.calibration->assumed)
                 say("batch", target.place + ": " + what);
@@ -103,10 +106,10 @@ double page_pixels(const BatchTarget& paper, Vec2 pixel_pitch)
 double panel_pixels(const BatchTarget& target, const std::string& file)
 {
     constexpr double views = 4; // of --size, in memory beside the image
-    const auto read = lcd_options_of(target, file);
-    const Panel panel = panel_of(read);
-    const double view = given(read, "size") ? area_of("size", text_of(read, "size"), 0) : 0;
-    return double(panel.film.width) * panel.film.height + views * view;
+    const LcdRequest request = lcd_request(lcd_options_of(target, file));
+    const Panel panel = panel_of(request);
+    return double(panel.film.width) * panel.film.height +
+           views * request.image.width * request.image.height;
 }
 
 double preview_pixels(const BatchTarget& preview)

@@ -37,7 +37,8 @@ void read_words(const options::options_description& described, const Words& word
 {
     options::variables_map arguments = parsed(described, words);
     options::notify(arguments); // fills the fields
-    inputs = inputs_of(arguments);
+    if (arguments.count("input"))
+        inputs = arguments["input"].as<Words>();
 }
 
 bool help_is_given(const Command& command, const CommonOptions& read)
@@ -66,41 +67,6 @@ std::string help_for(const Command& command)
 void print_result(const std::optional<std::string>& output, const std::string& text)
 {
     write_file(output && !output->empty() ? *output : "-", text);
-}
-
-options::variables_map read_arguments(const Command& command, const Words& words)
-{
-    return parsed(command.make_options(), words);
-}
-
-Words inputs_of(const options::variables_map& arguments)
-{
-    return given(arguments, "input") ? arguments["input"].as<Words>() : Words();
-}
-
-std::string text_of(const options::variables_map& arguments, const char* option)
-{
-    return given(arguments, option) ? arguments[option].as<std::string>() : "";
-}
-
-bool given(const options::variables_map& arguments, const char* option)
-{
-    return arguments.count(option) > 0;
-}
-
-int in_range(const options::variables_map& arguments, const char* option, int least, int most)
-{
-    const int value = arguments[option].as<int>();
-    if (value < least || value > most)
-        throw UsageError(std::string("--") + option + " " + std::to_string(value) +
-                         ": a whole number from " + std::to_string(least) + " to " +
-                         std::to_string(most) + " is expected");
-    return value;
-}
-
-void print_result(const options::variables_map& arguments, const std::string& text)
-{
-    print_result(text_of(arguments, "output"), text);
 }
 
 } // namespace integral

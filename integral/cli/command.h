@@ -138,6 +138,4 @@ void print_result(const std::optional<std::string>& output, const std::string& t
 
 } // namespace integral
 
-#include "integral/cli/unconverted.h"
-
 #endif

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral lcd: frames, quilts and views as a light-field panel's image; and pictures shown on a
 // display.
-#include "integral/cli/lcd_image.h"
-#include "integral/cli/lcd_show.h"
-#include "integral/cli/progress.h"
+#include "integral/base/number_text.h"
+#include "integral/cli/lcd_options.h"
 #include "integral/io/image_file.h"
 #include "integral/io/picture_series.h"
-#include "integral/lightfield/names.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,20 +17,9 @@
 namespace integral {
 namespace {
 
-options::options_description make_options()
+void list_panels(bool json)
 {
-    options::options_description all("Options");
-    add_panel_options(all);
-    add_show_options(all);
-    all.add_options()("threads", options::value<int>()->value_name("N")->default_value(0),
-                      "threads to work with (0: one per core)")("json", "print figures as JSON")(
-        "help", "print this");
-    return all;
-}
-
-void list_panels(const options::variables_map& arguments)
-{
-    if (given(arguments, "json")) {
+    if (json) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
         for (const Panel& panel : known_panels())
             list.push_back({{"name", panel.name},
@@ -54,6 +41,54 @@ void list_panels(const options::variables_map& arguments)
                     panel.film.pixel_pitch.x, panel.sheet.pitch, panel.sheet.slant,
                     panel.aperture.distance);
     }
+}
+
+void list_displays(bool json)
+{
+    const Desktop desktop;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    int number = 0;
+    for (const Screen& screen : desktop.screens()) {
+        ++number;
+        if (json)
+            list.push_back({{"number", number},
+                            {"name", screen.name},
+                            {"width", screen.width},
+                            {"height", screen.height},
+                            {"rate", screen.rate},
+                            {"x", screen.x},
+                            {"y", screen.y},
+                            {"scaled", screen.scaled}});
+        else
+            std::cout << number << "  " << screen.name << "  "
+                      << size_text(screen.width, screen.height)
+                      << (screen.rate > 0 ? "  " + with_decimals(screen.rate, 2) + " Hz" : "")
+                      << "  at " << screen.x << "," << screen.y << "  "
+                      << (screen.scaled.empty() ? "pixel for pixel" : screen.scaled) << '\n';
+    }
+    if (json)
+        std::cout << list.dump(2) << '\n';
+}
+
+void print_report(const PlayReport& report, bool as_json)
+{
+    char text[300];
+    if (as_json) {
+        const nlohmann::ordered_json json = {{"shown", report.shown},
+                                             {"dropped", report.dropped},
+                                             {"seconds", report.seconds},
+                                             {"rate", report.rate},
+                                             {"worst_lateness_ms", 1000 * report.worst_lateness}};
+        std::cout << json.dump(2) << '\n';
+        return;
+    }
+    std::snprintf(text, sizeof text,
+                  "shown               %lld\n"
+                  "dropped             %lld\n"
+                  "rate                %.3f a second\n"
+                  "worst lateness      %.1f ms\n",
+                  report.shown, report.dropped, report.rate, 1000 * report.worst_lateness);
+    std::cout << text;
 }
 
 /// The path of one of several images.
@@ -86,45 +121,28 @@ void check_outputs(const std::string& output, const std::vector<std::vector<std:
     }
 }
 
-int make_images(const options::variables_map& arguments)
+void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 {
-    check_panel_options(arguments);
-    const Panel panel = panel_of(arguments);
-    if (panel.calibration)
-        for (const std::string& what : panel.calibration->assumed)
-            say("lcd", text_of(arguments, "panel") + ": " + what);
-    if (arguments["describe"].as<bool>()) {
-        print_result(arguments, to_json(panel));
-        return exit_done;
-    }
-    if (arguments["camera"].as<bool>()) {
-        print_result(arguments, "Width=" + std::to_string(panel.film.width) +
-                                    "\nHeight=" + std::to_string(panel.film.height) +
-                                    "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n");
-        return exit_done;
-    }
-    const std::string output = text_of(arguments, "output");
-    PanelImages images(arguments, panel);
-    const bool card = given(arguments, "card");
-    const auto groups = card ? std::vector<std::vector<std::string>>{{"card"}}
-                             : images.groups(inputs_of(arguments));
-    if (given(arguments, "show") && groups.size() > 1)
+    PanelImages images(panel, lcd.image);
+    const auto groups = lcd.card ? std::vector<std::vector<std::string>>{{"--card"}}
+                                 : images.groups(o.inputs);
+    if (lcd.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
-    if (!output.empty() && card) {
-        format_for(output);
-        check_writable(output);
-    } else if (!output.empty()) {
-        check_outputs(output, groups);
+    if (!lcd.output.empty() && lcd.card) {
+        format_for(lcd.output);
+        check_writable(lcd.output);
+    } else if (!lcd.output.empty()) {
+        check_outputs(lcd.output, groups);
     }
     nlohmann::ordered_json report = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < groups.size(); ++k) {
         stop_if_interrupted();
         const auto begun = std::chrono::steady_clock::now();
-        Frame frame = card ? images.card() : images.image_of(groups[k]);
+        Frame frame = lcd.card ? images.card(*lcd.card) : images.image_of(groups[k]);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-        const std::string path = output.empty() ? ""
-                                 : card         ? output
-                                        : path_of(output, groups[k], int(k), int(groups.size()));
+        const std::string path = lcd.output.empty() || lcd.card
+                                     ? lcd.output
+                                     : path_of(lcd.output, groups[k], int(k), int(groups.size()));
         report.push_back({{"output", path},
                           {"width", frame.image.width},
                           {"height", frame.image.height},
@@ -132,50 +150,97 @@ int make_images(const options::variables_map& arguments)
                           {"seconds", taken.count()}});
         if (!path.empty())
             write_frame(path, frame);
-        if (given(arguments, "show"))
-            return show_picture(arguments, frame.image, card ? "--card" : groups[k][0]);
+        if (lcd.show)
+            return show_picture(frame.image, groups[k][0], lcd.showing);
     }
-    if (given(arguments, "json"))
+    if (o.json)
         std::cout << nlohmann::ordered_json{{"panel", panel.name}, {"images", report}}.dump(2)
                   << '\n';
-    return exit_done;
 }
 
-int run(const options::variables_map& arguments)
+/// All that --panel does: makes images, or prints what the panel is.
+void use_panel(const LcdOptions& o, const LcdRequest& lcd)
 {
-    const auto inputs = inputs_of(arguments);
-    const bool makes = given(arguments, "panel");
-    if (arguments["list"].as<bool>()) {
-        if (!inputs.empty() || makes)
-            throw UsageError("--list stands alone");
-        list_panels(arguments);
-        return exit_done;
-    }
-    if (makes) {
-        if (arguments["play"].as<bool>() || arguments["list-displays"].as<bool>())
-            throw UsageError("--panel does not go with --play or --list-displays: make the images "
-                             "with -o, then play them");
-        if (given(arguments, "fps") || arguments["loop"].as<bool>())
-            throw UsageError(std::string(given(arguments, "fps") ? "--fps" : "--loop") +
-                             " is for --play");
-        if (given(arguments, "seconds") && !given(arguments, "show"))
-            throw UsageError("--seconds is for --show and --play");
-        return make_images(arguments);
-    }
-    if (given(arguments, "output") || given(arguments, "card") || arguments["camera"].as<bool>() ||
-        arguments["describe"].as<bool>())
+    if (o.play || o.list_displays)
+        throw UsageError("--panel does not go with --play or --list-displays: make the images "
+                         "with -o, then play them");
+    if (o.fps || o.loop)
+        throw UsageError(std::string(o.fps ? "--fps" : "--loop") + " is for --play");
+    if (o.seconds && !o.show)
+        throw UsageError("--seconds is for --show and --play");
+    check_panel_request(lcd);
+    const Panel panel = panel_of(lcd);
+    if (panel.calibration)
+        for (const std::string& what : panel.calibration->assumed)
+            say("lcd", lcd.panel + ": " + what);
+    if (lcd.describe)
+        return print_result(o.output, to_json(panel));
+    if (lcd.camera)
+        return print_result(o.output, "Width=" + std::to_string(panel.film.width) +
+                                          "\nHeight=" + std::to_string(panel.film.height) +
+                                          "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n");
+    make_images(o, lcd, panel);
+}
+
+/// Throws UsageError where the options of showing make no sense together.
+void check_show_options(const LcdOptions& o)
+{
+    if (o.list_displays && (o.play || o.show || !o.inputs.empty()))
+        throw UsageError("--list-displays stands alone");
+    if (!o.play && (o.fps || o.loop))
+        throw UsageError(std::string(o.fps ? "--fps" : "--loop") + " is for --play");
+    if (!o.play && !o.show && o.seconds)
+        throw UsageError("--seconds is for --show and --play");
+    if ((o.play || o.show) && o.inputs.empty())
+        throw UsageError("a picture to show is missing");
+    if (o.show && !o.play && o.inputs.size() > 1)
+        throw UsageError("--show shows one picture; --play shows several one after another");
+    for (const std::string& input : o.inputs)
+        if (o.play && input == "-")
+            throw UsageError("--play reads files, not standard input");
+}
+
+/// All that is done without --panel.
+void use_display(const LcdOptions& o, const LcdRequest& lcd)
+{
+    if (o.output || o.card || o.camera || o.describe)
         throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
-    check_show_options(arguments, int(inputs.size()));
-    if (arguments["list-displays"].as<bool>())
-        return list_displays(arguments);
-    if (arguments["play"].as<bool>())
-        return play_files(arguments, inputs);
-    if (!given(arguments, "show"))
+    check_show_options(o);
+    if (o.list_displays)
+        return list_displays(o.json);
+    if (o.play) {
+        const PlayReport report = play_files(o.inputs, lcd.playing, lcd.showing);
+        if (report.shown > 0)
+            print_report(report, o.json);
+        if (report.interrupted)
+            throw Interrupted();
+        return;
+    }
+    if (!o.show)
         throw UsageError("there is nothing to do; --panel NAME with -o FILE makes a panel's image, "
                          "--show and --play show pictures");
-    const Image picture = read_views(inputs[0], false).image;
+    const Image picture = read_views(o.inputs[0], false).image;
     stop_if_interrupted();
-    return show_picture(arguments, picture, inputs[0]);
+    show_picture(picture, o.inputs[0], lcd.showing);
+}
+
+int run(const LcdOptions& o)
+{
+    const LcdRequest request = lcd_request(o);
+    try {
+        if (o.list) {
+            if (!o.inputs.empty() || o.panel)
+                throw UsageError("--list stands alone");
+            list_panels(o.json);
+        } else if (o.panel) {
+            use_panel(o, request);
+        } else {
+            use_display(o, request);
+        }
+    } catch (const RequestError& error) {
+        throw UsageError(error.what());
+    }
+    return exit_done;
 }
 
 } // namespace
@@ -211,7 +276,7 @@ const Command lcd_command = {
     "how late.\n",
     0,
     std::numeric_limits<int>::max(),
-    make_options,
-    run_from_map<run>};
+    described<LcdOptions>,
+    run_with<LcdOptions, run>};
 
 } // namespace integral

@@ -10,13 +10,9 @@ build_bin_integral_SOURCES += \
   integral/cli/compare_command.cpp \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
-  integral/cli/given_views.cpp \
-  integral/cli/given_views.h \
   integral/cli/lcd_command.cpp \
-  integral/cli/lcd_image.cpp \
-  integral/cli/lcd_image.h \
-  integral/cli/lcd_show.cpp \
-  integral/cli/lcd_show.h \
+  integral/cli/lcd_options.cpp \
+  integral/cli/lcd_options.h \
   integral/cli/main.cpp \
   integral/cli/print_chart.cpp \
   integral/cli/print_chart.h \
@@ -32,7 +28,6 @@ build_bin_integral_SOURCES += \
   integral/cli/series_options.cpp \
   integral/cli/series_options.h \
   integral/cli/sheet_command.cpp \
-  integral/cli/unconverted.h \
   integral/cli/values.cpp \
   integral/cli/values.h \
   integral/cli/views_command.cpp

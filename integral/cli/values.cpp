@@ -94,4 +94,10 @@ int in_range(const char* option, int value, int least, int most)
     return value;
 }
 
+ViewGrid parse_view_grid(const std::string& text)
+{
+    const PixelSize size = parse_size("views", text, most_views_a_side, "CxR");
+    return {size.width, size.height};
+}
+
 } // namespace integral

@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_CLI_VALUES_H
 #define INTEGRAL_CLI_VALUES_H
 
-#include "integral/optics/vec.h"
+#include "integral/lightfield/view_grid.h"
 
 #include <initializer_list>
 #include <optional>
@@ -51,6 +51,11 @@ const char* first_given(std::initializer_list<GivenOption> all);
 
 /// A whole number from `least` to `most`.
 int in_range(const char* option, int value, int least, int most);
+
+constexpr int most_views_a_side = 256;
+
+/// CxR views, the value of --views.
+ViewGrid parse_view_grid(const std::string& text);
 
 } // namespace integral
 

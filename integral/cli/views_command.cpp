@@ -3,11 +3,11 @@
 // of them.
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
-#include "integral/cli/given_views.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/series_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/output/given_views.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/parallel_views.h"
@@ -173,7 +173,8 @@ void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
 void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, PixelSize size,
                    bool of_eyes, int threads)
 {
-    std::vector<Image> views = of_eyes ? views_of_eyes(frame, grid, size, threads)
+    std::vector<Image> views = of_eyes ? views_of_eyes(frame, grid, size.width, size.height,
+                                                       threads, progress_bar("views"))
                                        : upright_views(frame, grid, size.width, size.height,
                                                        threads, progress_bar("views"));
     if (is_animation(output.path))
@@ -227,17 +228,27 @@ int make_views(const ViewsOptions& o, const std::string& name, int threads)
     return exit_done;
 }
 
+/// The views of --to-frame.
+GivenViews given_views(const ViewsOptions& o)
+{
+    ViewsRequest request;
+    if (o.views)
+        request.grid = parse_view_grid(*o.views);
+    request.needs_geometry = !o.sheet;
+    request.of_eyes = o.eyes;
+    try {
+        return read_given_views(o.inputs, request);
+    } catch (const RequestError& error) {
+        throw UsageError(error.what());
+    }
+}
+
 /// --to-frame: the frame that shows the views of a quilt, or of files.
 int make_frame(const ViewsOptions& o, const std::string& output, int threads)
 {
     const std::string& input = o.inputs[0];
     check_writable(output);
-    ViewsSaid said;
-    if (o.views)
-        said.grid = parse_view_grid(*o.views);
-    said.ignore_documents = o.sheet.has_value();
-    said.eyes = o.eyes;
-    const GivenViews given = read_given_views(o.inputs, said);
+    const GivenViews given = given_views(o);
     const std::string sheet = o.sheet.value_or("");
     if (sheet.empty() && !given.metadata)
         throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "

@@ -47,11 +47,11 @@ void check_ranges(const LensSheet& sheet, const Film& film)
         throw std::invalid_argument(errors.front());
 }
 
-LensSheet sheet_from(const JsonObject& object)
+LensSheet sheet_from(const JsonObject& object, const char* pitch_field)
 {
     LensSheet sheet;
     sheet.arrangement = kind_at<Arrangement>(object, "arrangement");
-    sheet.pitch = number_at(object, "pitch_mm", 0, largest_figure);
+    sheet.pitch = number_at(object, pitch_field, 0, largest_figure);
     sheet.thickness = number_at(object, "thickness_mm", 0, largest_figure);
     sheet.ior = number_at(object, "ior", 0, largest_figure);
     if (object.has("slant_degrees"))
@@ -86,26 +86,39 @@ Subpixels subpixels_from(const JsonObject& film)
     return subpixels;
 }
 
-Film film_from(const JsonObject& object)
+Film film_from(const JsonObject& object, PitchForm form)
 {
     Film film;
     if (object.has("width") || object.has("height")) {
         film.width = side_at(object, "width");
         film.height = side_at(object, "height");
     }
-    film.pixel_pitch = vec2_at(object, "pixel_pitch_mm", 0, largest_figure);
+    const char* const field = "pixel_pitch_mm";
+    if (form == PitchForm::number_or_pair && object.at(field).is_number()) {
+        const double pitch = number_at(object, field, 0, largest_figure);
+        film.pixel_pitch = {pitch, pitch};
+    } else {
+        film.pixel_pitch = vec2_at(object, field, 0, largest_figure);
+    }
     if (object.has("subpixels"))
         film.subpixels = subpixels_from(object);
     return film;
 }
 
-Aperture aperture_from(const JsonObject& object, const LensSheet& sheet)
+Aperture default_aperture(const LensSheet& sheet, double distance)
 {
+    const auto filling = filling_aperture(sheet, distance);
     Aperture aperture;
-    aperture.distance = number_at(object, "distance_mm", least_distance, largest_distance);
-    const auto filling = filling_aperture(sheet, aperture.distance);
+    aperture.distance = distance;
     aperture.width = filling ? filling->width : infinity;
     aperture.height = filling ? filling->height : infinity;
+    return aperture;
+}
+
+Aperture aperture_from(const JsonObject& object, const LensSheet& sheet)
+{
+    Aperture aperture = default_aperture(
+        sheet, number_at(object, "distance_mm", least_distance, largest_distance));
     if (object.has("width_mm"))
         aperture.width = extent_at(object, "width_mm");
     if (object.has("height_mm"))

@@ -13,11 +13,15 @@ constexpr int largest_side = 1000000;                           // pixels
 constexpr double least_distance = 1e-2, largest_distance = 1e9; // mm, as make_camera allows
 constexpr double largest_extent = 1e30;                         // mm, of an aperture
 
-/// Fields: arrangement, pitch_mm, thickness_mm, ior; optional: slant_degrees, offset_mm.
-LensSheet sheet_from(const JsonObject& object);
+/// Fields: arrangement, pitch_mm, thickness_mm, ior; optional: slant_degrees, offset_mm. The pitch
+/// may be in a field of another name.
+LensSheet sheet_from(const JsonObject& object, const char* pitch_field = "pitch_mm");
+
+/// What pixel_pitch_mm may be: a list of two numbers, or also one number for both directions.
+enum class PitchForm { pair, number_or_pair };
 
 /// Fields: pixel_pitch_mm; optional: width and height, subpixels.
-Film film_from(const JsonObject& object);
+Film film_from(const JsonObject& object, PitchForm form = PitchForm::pair);
 
 /// The field subpixels: a word for stripes, or an object of pattern and cells.
 Subpixels subpixels_from(const JsonObject& film);
@@ -25,6 +29,10 @@ Subpixels subpixels_from(const JsonObject& film);
 /// Fields: distance_mm; optional: width_mm, height_mm (null: no limit) and shape. An absent extent
 /// is the one whose image fills the lens on the axis, or no limit if no extent does.
 Aperture aperture_from(const JsonObject& object, const LensSheet& sheet);
+
+/// The aperture at a distance (mm) whose image fills the lens on the axis; without limits where
+/// none does.
+Aperture default_aperture(const LensSheet& sheet, double distance);
 
 /// Throws unless sheet and film are within the scene language's ranges (find_value_errors).
 void check_ranges(const LensSheet& sheet, const Film& film);

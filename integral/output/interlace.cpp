@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/interlace.h"
 
-#include "integral/lightfield/eye_place.h"
-#include "integral/output/interlace_rays.h"
 #include "integral/output/interlace_rows.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
@@ -15,34 +13,8 @@
 namespace integral {
 namespace {
 
-constexpr double whole_range = 4294967296.0; // 2^32
 constexpr int channels = 3;
 constexpr int rows_a_block = 32;
-
-/// Bytes from view to view where rows of all views lie close together: an odd number of the cache's
-/// lines, so that what all of them show at one place does not meet in a few of its sets.
-std::size_t spread(std::size_t bytes) { return ((bytes + 63) / 64 | 1) * 64; }
-
-/// A part of a range, modulo 1.
-std::uint32_t phase_of(double part)
-{
-    return std::uint32_t(std::uint64_t(std::llround((part - std::floor(part)) * whole_range)));
-}
-
-/// The middle of a pixel in a picture that is `count` of them wide.
-std::uint32_t middle_phase(int pixel, int count, bool flip)
-{
-    return phase_of((flip ? count - pixel - 0.5 : pixel + 0.5) / count);
-}
-
-/// The phase of the middle of one of RayMapping's parts.
-std::uint32_t phase_of_part(std::uint16_t part) { return part * 65536u + 32768u; }
-
-Step step_of(Neighbours neighbours, std::uint32_t phase, int count)
-{
-    return neighbours == Neighbours::linear ? linear_step(phase, std::uint32_t(count))
-                                            : nearest_step(phase, std::uint32_t(count));
-}
 
 void check_image(const Image& image)
 {
@@ -50,7 +22,7 @@ void check_image(const Image& image)
         throw std::invalid_argument("views of three channels of 8 or 16 bits are expected");
 }
 
-/// Work on blocks of rows, so that what is made for one row serves the next.
+/// Calls work(first, end) for blocks of rows: what is prepared for one row serves the next ones.
 void for_each_block(int height, int threads, const std::function<void(int first, int end)>& work)
 {
     for_each_row((height + rows_a_block - 1) / rows_a_block, threads, [&](int block) {
@@ -58,80 +30,7 @@ void for_each_block(int height, int threads, const std::function<void(int first,
     });
 }
 
-void check_panel(const Image& panel, const ViewPictures& views, int width, int height)
-{
-    if (panel.width != width || panel.height != height || panel.channels != channels ||
-        panel.samples.index() != views.form->samples.index())
-        throw std::invalid_argument(
-            "the panel's image is not of the views' form and the panel's size");
-}
-
 } // namespace
-
-PublishedMapping published_mapping(const LookingGlassCalibration& calibration)
-{
-    PublishedMapping mapping;
-    mapping.width = calibration.width;
-    mapping.height = calibration.height;
-    mapping.flip_x = calibration.flip_x;
-    mapping.flip_y = calibration.flip_y;
-    const int kinds = int(mapping.of_columns.size());
-    for (int kind = 0; kind < kinds; ++kind)
-        for (int column = 0; column < mapping.width; ++column)
-            for (int channel = 0; channel < channels; ++channel)
-                mapping.of_columns[kind].push_back(
-                    phase_of(view_of_subpixel(calibration, column, kind, channel)));
-    for (int row = 0; row < mapping.height; ++row)
-        mapping.of_rows.push_back(phase_of(view_of_subpixel(calibration, 0, row, 0) -
-                                           view_of_subpixel(calibration, 0, row % kinds, 0)));
-    return mapping;
-}
-
-std::optional<RayMapping> ray_mapping(const FrameMetadata& geometry, EyeGrid eyes, int threads,
-                                      const Progress& progress)
-{
-    const Film& film = geometry.film;
-    const SheetOptics optics(geometry.sheet, geometry.aperture);
-    RayMapping mapping;
-    mapping.width = film.width;
-    mapping.height = film.height;
-    mapping.round_lenses = geometry.sheet.arrangement != Arrangement::lenticular;
-    const std::size_t count = std::size_t(film.width) * film.height * channels;
-    mapping.across.resize(count);
-    mapping.x.resize(count);
-    mapping.y.resize(count);
-    mapping.y_of_rows.resize(film.height);
-    if (mapping.round_lenses)
-        mapping.up.resize(count);
-    const auto part = [](double at) {
-        return std::uint16_t(
-            std::clamp(std::floor(at * RayMapping::parts), 0.0, double(RayMapping::last)));
-    };
-    const auto row = [&](int y) {
-        std::uint16_t least = RayMapping::last, greatest = 0;
-        for (int x = 0; x < film.width; ++x)
-            for (int channel = 0; channel < channels; ++channel) {
-                const std::size_t i = (std::size_t(y) * film.width + x) * channels + channel;
-                const auto seen = eye_place(
-                    optics, eyes,
-                    film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel)));
-                mapping.across[i] = seen ? part(seen->eye.x) : std::uint16_t(RayMapping::empty);
-                if (!seen)
-                    continue;
-                const Vec2 at = pixel_from_film(film, seen->place);
-                mapping.x[i] = part(at.x / film.width);
-                mapping.y[i] = part(at.y / film.height);
-                least = std::min(least, mapping.y[i]);
-                greatest = std::max(greatest, mapping.y[i]);
-                if (mapping.round_lenses)
-                    mapping.up[i] = part(seen->eye.y);
-            }
-        mapping.y_of_rows[y] = {std::min(least, greatest), greatest};
-    };
-    if (!for_each_row(film.height, threads, row, progress))
-        return std::nullopt;
-    return mapping;
-}
 
 ViewPictures::ViewPictures(const Image& quilt, ViewGrid views)
     : grid(views),
@@ -178,204 +77,204 @@ Image panel_image(const ViewPictures& views, int width, int height)
 
 namespace {
 
-template <class Sample>
-void interlace_as(Image& panel, const ViewPictures& views, const PublishedMapping& mapping,
-                  Blend blend, int threads, bool portable)
-{
-    const int count = views.grid.count(), samples = panel.width * channels;
-    const std::size_t view_samples = std::size_t(views.width) * channels,
-                      view_step = spread(view_samples * sizeof(Sample)) / sizeof(Sample);
-    std::vector<std::uint32_t> places(samples), weights(samples);
-    for (int i = 0; i < samples; ++i) {
-        const Step step = step_of(
-            blend.pixels, middle_phase(i / channels, panel.width, mapping.flip_x), views.width);
-        places[i] = step.index * channels + i % channels;
-        weights[i] = step.weight << 16 | (256 - step.weight);
-    }
-    std::vector<Sample>& image = std::get<std::vector<Sample>>(panel.samples);
-    for_each_block(panel.height, threads, [&](int first, int end) {
-        // A row of each view, one after the other: what a row of the panel is made of lies close
-        // together. Weights of 0 may read one view farther.
-        std::vector<Sample> rows((count + 1) * view_step + 2 * channels);
-        Step made{0, 0};
-        bool any = false;
-        for (int y = first; y < end; ++y) {
-            const Step step = step_of(blend.pixels, middle_phase(y, panel.height, mapping.flip_y),
-                                      views.height);
-            if (!any || step.index != made.index || step.weight != made.weight)
-                for (int view = 0; view < count; ++view) {
-                    const Sample* above = views.first<Sample>(view) + step.index * views.row_step;
-                    Sample* row = rows.data() + view * view_step;
-                    if (step.weight == 0)
-                        std::memcpy(row, above, view_samples * sizeof(Sample));
-                    else
-                        (portable ? blend_rows_portably<Sample>
-                                  : blend_rows<Sample>)(row, above, above + views.row_step,
-                                                        view_samples, step.weight);
-                }
-            any = true;
-            made = step;
-            const InterlacedRow<Sample> row{
-                image.data() + std::size_t(y) * samples,
-                samples,
-                mapping.of_columns[y % mapping.of_columns.size()].data(),
-                mapping.of_rows[y],
-                rows.data(),
-                std::uint32_t(view_step),
-                std::uint32_t(count),
-                places.data(),
-                weights.data()};
-            (portable ? interlace_row_portably<Sample>
-                      : interlace_row<Sample>)(row, blend.views == Neighbours::linear,
-                                               blend.pixels == Neighbours::linear);
-        }
-    });
-}
-
-/// The rows of the views that rows of a panel show through lenticular lenses, close together.
-class RayLines {
+/// Rows of all views' pictures, brought close together as interlace_row reads them.
+template <class Sample> class KeptRows {
 public:
-    RayLines(const ViewPictures& views, const RayMapping& mapping, Blend blend)
+    KeptRows(const ViewPictures& views, bool in_pairs, bool one_at_a_time)
         : views_(views),
-          mapping_(mapping),
-          blend_(blend),
-          line_step_(std::size_t(views.grid.count()) * view_bytes()),
-          lines_(lines_kept * line_step_ + view_bytes() + 8)
+          in_pairs_(in_pairs),
+          places_(one_at_a_time ? 1 : int(rows_kept)),
+          view_step_(spread(std::size_t(views.width) * channels * (in_pairs ? 2 : 1))),
+          row_step_(view_step_ * views.grid.count()),
+          samples_((one_at_a_time ? 1 : rows_kept) * row_step_ + view_step_ + 8)
     {
-        made_.fill(-1);
+        kept_.fill(-1);
     }
 
-    /// The first samples of the panel's row y, as many as are returned.
-    int make(std::uint8_t* samples, int y)
+    /// Whether interlace_row can count the places in rows of so large views: 31 bits.
+    static bool can_hold(const ViewPictures& views)
     {
-        const auto index = [&](std::uint16_t part) {
-            return int(step_of(blend_.pixels, phase_of_part(part), views_.height).index);
-        };
-        const int first = index(mapping_.y_of_rows[y][0]), last = index(mapping_.y_of_rows[y][1]);
-        if (last - first >= int(lines_kept))
-            return 0;
-        for (int k = first; k <= last; ++k)
-            keep(k);
-        const int count = mapping_.width * channels;
-        const std::size_t i = std::size_t(y) * count;
-        return interlace_ray_row(
-            {samples, count, &mapping_.across[i], &mapping_.x[i], &mapping_.y[i],
-             std::uint32_t(views_.grid.count()), std::uint32_t(views_.width),
-             std::uint32_t(views_.height), std::uint32_t(first), std::uint32_t(last), lines_.data(),
-             view_bytes(), line_step_},
-            blend_.views == Neighbours::linear, blend_.pixels == Neighbours::linear);
+        return (2.0 * views.width * channels + 128) * (views.grid.count() + 1) * rows_kept <
+                   0x7fffff00 &&
+               views.width < 32768;
+    }
+
+    /// Makes sure that row k of the views is there.
+    void keep(int k)
+    {
+        if (kept_[k % places_] == k)
+            return;
+        kept_[k % places_] = k;
+        const std::size_t count = std::size_t(views_.width) * channels;
+        const std::size_t below = k + 1 < views_.height ? views_.row_step : 0;
+        for (int view = 0; view < views_.grid.count(); ++view) {
+            const Sample* row = views_.first<Sample>(view) + k * views_.row_step;
+            Sample* to = samples_.data() + k % places_ * row_step_ + view * view_step_;
+            if (in_pairs_)
+                pair_rows(to, row, row + below, count);
+            else
+                std::memcpy(to, row, count * sizeof(Sample));
+        }
+    }
+
+    /// Rows first to last, which are kept.
+    ViewRows<Sample> rows(int first, int last) const
+    {
+        if (first == last)
+            return {samples_.data() + first % places_ * row_step_, std::uint32_t(view_step_), 0};
+        return {samples_.data(), std::uint32_t(view_step_), std::uint32_t(row_step_)};
     }
 
 private:
-    std::size_t view_bytes() const
+    /// Samples from view to view: they take an odd number of the cache's lines, so that one place
+    /// in all views does not fall into a few of the cache's sets.
+    static std::size_t spread(std::size_t samples)
     {
-        return spread(std::size_t(views_.width) * channels *
-                      (blend_.pixels == Neighbours::linear ? 2 : 1));
-    }
-
-    void keep(int k)
-    {
-        if (made_[k % lines_kept] == k)
-            return;
-        made_[k % lines_kept] = k;
-        const std::size_t below = k + 1 < views_.height ? views_.row_step : 0;
-        for (int view = 0; view < views_.grid.count(); ++view) {
-            const std::uint8_t* row = views_.first<std::uint8_t>(view) + k * views_.row_step;
-            std::uint8_t* to = lines_.data() + k % lines_kept * line_step_ + view * view_bytes();
-            if (blend_.pixels == Neighbours::linear)
-                make_ray_line(to, row, row + below, std::size_t(views_.width) * channels);
-            else
-                std::memcpy(to, row, std::size_t(views_.width) * channels);
-        }
+        return ((samples * sizeof(Sample) + 63) / 64 | 1) * 64 / sizeof(Sample);
     }
 
     const ViewPictures& views_;
-    const RayMapping& mapping_;
-    const Blend blend_;
-    const std::size_t line_step_;
-    std::vector<std::uint8_t> lines_;
-    std::array<int, lines_kept> made_;
+    const bool in_pairs_;
+    const int places_; ///< row k is at place k % places_
+    const std::size_t view_step_, row_step_;
+    std::vector<Sample> samples_;
+    std::array<int, rows_kept> kept_;
+};
+
+/// Interlaces one panel image.
+template <class Sample> class Interlacer {
+public:
+    Interlacer(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend)
+        : samples_(std::get<std::vector<Sample>>(panel.samples)),
+          views_(views),
+          mapping_(mapping),
+          blending_{blend.views == Neighbours::linear, blend.pixels == Neighbours::linear,
+                    mapping.y.columns == 1},
+          views_up_(mapping.up.rows > 0 ? views.grid.rows : 1),
+          views_across_(views.grid.count() / views_up_)
+    {
+        for (int view = 0; view < views.grid.count(); ++view)
+            first_.push_back(views.first<Sample>(view));
+        if (mapping.x.rows == 1)
+            for (int i = 0; i < mapping.width * channels; ++i)
+                x_of_all_.push_back(
+                    step_among(std::uint32_t(views.width), mapping.x.row(0)[i], blending_.pixels));
+    }
+
+    /// Rows [first, end) of the panel.
+    void make_rows(int first, int end) const
+    {
+        std::optional<KeptRows<Sample>> kept;
+        if (views_up_ == 1 && KeptRows<Sample>::can_hold(views_))
+            kept.emplace(views_, blending_.pixels, mapping_.y.columns == 1);
+        for (int y = first; y < end; ++y) {
+            const PanelRow row = row_of_panel(y);
+            Sample* const samples = samples_.data() + std::size_t(y) * row.count;
+            if (!kept || !make_of_kept_rows(samples, row, *kept))
+                make_one_by_one(samples, row, y);
+        }
+    }
+
+private:
+    PanelRow row_of_panel(int y) const
+    {
+        const auto axis = [&](const PhaseTable& table, int parts) {
+            return RowAxis{table.row(y), std::uint32_t(parts)};
+        };
+        return {mapping_.width * channels,
+                axis(mapping_.across, views_across_),
+                axis(mapping_.x, views_.width),
+                axis(mapping_.y, views_.height),
+                x_of_all_.empty() ? nullptr : x_of_all_.data(),
+                mapping_.has_unseen};
+    }
+
+    /// Returns whether it has: not where the panel's row shows more rows of pixels than are kept.
+    bool make_of_kept_rows(Sample* samples, const PanelRow& row, KeptRows<Sample>& kept) const
+    {
+        const PhaseRow& phases = row.y.phases;
+        const Range range = range_of(phases.high, phases.is_one ? 1 : row.count);
+        const auto pixel_row = [&](std::uint16_t high) {
+            const PhaseRow one{&high, phases.low, phases.shift, true};
+            return int(index_of(step_among(row.y.parts, one[0], blending_.pixels)));
+        };
+        const int first = pixel_row(range.least), last = pixel_row(range.greatest);
+        if (last - first >= int(rows_kept))
+            return false;
+        for (int k = first; k <= last; ++k)
+            kept.keep(k);
+        interlace_row(samples, row, kept.rows(first, last), blending_);
+        return true;
+    }
+
+    /// Straight from the views' pictures: for round lenses, and what cannot be made of kept rows.
+    void make_one_by_one(Sample* samples, const PanelRow& row, int y) const
+    {
+        for (int i = 0; i < row.count; ++i) {
+            const std::uint32_t phase = row.across.phases[i];
+            if (row.has_unseen && phase == PanelMapping::unseen) {
+                samples[i] = 0;
+                continue;
+            }
+            const Step up = views_up_ == 1 ? 0
+                                           : step_among(std::uint32_t(views_up_),
+                                                        mapping_.up.row(y)[i], blending_.views);
+            samples[i] = sample(step_among(row.across.parts, phase, blending_.views), up,
+                                step_among(row.x.parts, row.x.phases[i], blending_.pixels),
+                                step_among(row.y.parts, row.y.phases[i], blending_.pixels),
+                                i % channels);
+        }
+    }
+
+    Sample sample(Step across, Step up, Step x, Step y, int channel) const
+    {
+        const std::size_t place = index_of(y) * views_.row_step + index_of(x) * channels + channel;
+        const std::size_t right = weight_of(x) ? channels : 0, // no farther than the picture
+            below = weight_of(y) ? views_.row_step : 0;
+        const auto pixel = [&](int view) {
+            const Sample* at = first_[std::size_t(view)] + place;
+            return blend_pixels(at[0], at[below], at[right], at[below + right], x, y,
+                                blending_.rounds_rows);
+        };
+        const auto line = [&](std::uint32_t row) { // 2^24 times the value
+            const int view = int(row) * views_across_ + int(index_of(across));
+            return blend(pixel(view), pixel(view + (weight_of(across) ? 1 : 0)), across);
+        };
+        const std::uint32_t row = index_of(up);
+        const std::uint64_t sum = blend(line(row), line(row + (weight_of(up) ? 1 : 0)), up);
+        return Sample((sum + (std::uint64_t(1) << 31)) >> 32);
+    }
+
+    std::vector<Sample>& samples_;
+    const ViewPictures& views_;
+    const PanelMapping& mapping_;
+    const Blending blending_;
+    const int views_up_, views_across_;
+    std::vector<const Sample*> first_; ///< of each view
+    std::vector<Step> x_of_all_; ///< across a view's picture, where all rows have the same; else
+                                 ///< empty
 };
 
 template <class Sample>
-void interlace_as(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend,
-                  int threads, bool portable)
+void interlace_as(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend,
+                  int threads)
 {
-    const ViewGrid grid = mapping.round_lenses ? views.grid : ViewGrid{views.grid.count(), 1};
-    std::vector<const Sample*> begin;
-    for (int view = 0; view < grid.count(); ++view)
-        begin.push_back(views.first<Sample>(view));
-    std::vector<Sample>& image = std::get<std::vector<Sample>>(panel.samples);
-    const std::size_t samples = std::size_t(panel.width) * channels;
-    const auto make = [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) {
-            if (mapping.across[i] == RayMapping::empty) {
-                image[i] = 0;
-                continue;
-            }
-            const Step x = step_of(blend.pixels, phase_of_part(mapping.x[i]), views.width),
-                       y = step_of(blend.pixels, phase_of_part(mapping.y[i]), views.height);
-            const std::size_t place = y.index * views.row_step + x.index * channels + i % channels;
-            const std::size_t right = x.weight ? channels : 0,
-                              below = y.weight ? views.row_step : 0; // no farther than the picture
-            const auto pixel = [&](const Sample* view) {             // 2^16 times the value
-                const Sample* at = view + place;
-                return (at[0] * (256 - x.weight) + at[right] * x.weight) *
-                           std::uint64_t(256 - y.weight) +
-                       (at[below] * (256 - x.weight) + at[below + right] * x.weight) *
-                           std::uint64_t(y.weight);
-            };
-            const Step across = step_of(blend.views, phase_of_part(mapping.across[i]),
-                                        grid.columns);
-            const std::uint32_t next = across.weight ? 1 : 0;
-            const auto line = [&](std::uint32_t row) { // 2^24 times the value
-                const Sample* const* view = begin.data() + row * grid.columns + across.index;
-                const std::uint64_t left = pixel(view[0]);
-                return next ? left * (256 - across.weight) + pixel(view[1]) * across.weight
-                            : left * 256;
-            };
-            const Step up = mapping.round_lenses
-                                ? step_of(blend.views, phase_of_part(mapping.up[i]), grid.rows)
-                                : Step{0, 0};
-            std::uint64_t sum = line(up.index) * (256 - up.weight);
-            if (up.weight)
-                sum += line(up.index + 1) * up.weight;
-            image[i] = Sample((sum + (std::uint64_t(1) << 31)) >> 32);
-        }
-    };
-    for_each_block(panel.height, threads, [&](int first, int end) {
-        if constexpr (sizeof(Sample) == 1)
-            if (!portable && !mapping.round_lenses &&
-                has_ray_loop(grid.count(), views.width, views.height,
-                             spread(std::size_t(views.width) * channels * 2))) {
-                RayLines lines(views, mapping, blend);
-                for (int y = first; y < end; ++y)
-                    make(y * samples + lines.make(image.data() + y * samples, y),
-                         (y + 1) * samples);
-                return;
-            }
-        make(first * samples, end * samples);
-    });
+    const Interlacer<Sample> interlacer(panel, views, mapping, blend);
+    for_each_block(panel.height, threads,
+                   [&](int first, int end) { interlacer.make_rows(first, end); });
 }
 
 } // namespace
 
-void interlace(Image& panel, const ViewPictures& views, const PublishedMapping& mapping,
-               Blend blend, int threads, bool portable)
+void interlace(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend,
+               int threads)
 {
-    check_panel(panel, views, mapping.width, mapping.height);
-    sample_bits(panel) == 8
-        ? interlace_as<std::uint8_t>(panel, views, mapping, blend, threads, portable)
-        : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads, portable);
-}
-
-void interlace(Image& panel, const ViewPictures& views, const RayMapping& mapping, Blend blend,
-               int threads, bool portable)
-{
-    check_panel(panel, views, mapping.width, mapping.height);
-    sample_bits(panel) == 8
-        ? interlace_as<std::uint8_t>(panel, views, mapping, blend, threads, portable)
-        : interlace_as<std::uint16_t>(panel, views, mapping, blend, threads, portable);
+    if (panel.width != mapping.width || panel.height != mapping.height ||
+        panel.channels != channels || panel.samples.index() != views.form->samples.index())
+        throw std::invalid_argument(
+            "the panel's image is not of the views' form and the panel's size");
+    (sample_bits(panel) == 8 ? interlace_as<std::uint8_t>
+                             : interlace_as<std::uint16_t>)(panel, views, mapping, blend, threads);
 }
 
 } // namespace integral

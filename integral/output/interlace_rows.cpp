@@ -3,211 +3,125 @@
 
 #include "integral/output/interlace_avx2.h"
 
+#include <algorithm>
+
 namespace integral {
 namespace {
 
-template <bool blend_views, bool blend_pixels, class Sample>
-void plain_samples(const InterlacedRow<Sample>& row, int first)
+/// Where a phase is among `parts` equal parts of the range, in 2^-16 of a part.
+std::uint64_t place_among(std::uint32_t phase, std::uint32_t parts)
 {
+    return std::uint64_t(phase) * parts >> 16;
+}
+
+/// One sample, of one or two views.
+template <class Sample>
+Sample sample_of(const Sample* view, std::uint32_t view_step, Step across, Step x, Step y,
+                 Blending blending)
+{
+    const auto pixel = [&](const Sample* at) -> std::uint64_t { // 2^16 times the value
+        return blending.pixels
+                   ? blend_pixels(at[0], at[1], at[6], at[7], x, y, blending.rounds_rows)
+                   : std::uint64_t(at[0]) << 16;
+    };
+    const std::uint64_t sum = blending.views ? blend(pixel(view), pixel(view + view_step), across)
+                                             : pixel(view) << 8;
+    return Sample((sum + (1 << 23)) >> 24);
+}
+
+/// The samples from `first` on.
+template <class Sample>
+void plain_row(Sample* samples, const PanelRow& row, const ViewRows<Sample>& rows,
+               Blending blending, int first)
+{
+    const std::uint32_t samples_a_place = blending.pixels ? 2 : 1;
     for (int i = first; i < row.count; ++i) {
-        const std::uint32_t phase = row.phases[i] + row.phase;
-        const Step view = blend_views ? linear_step(phase, row.view_count)
-                                      : nearest_step(phase, row.view_count);
-        const Sample* left = row.views + std::size_t(view.index) * row.view_step + row.places[i];
-        const std::uint32_t weight = blend_pixels ? row.weights[i] >> 16 : 0;
-        const auto across = [&](const Sample* at) {
-            return at[0] * (256 - weight) + at[3] * weight;
-        }; // 256 times the value
-        if (!blend_views && !blend_pixels)
-            row.samples[i] = left[0];
-        else if (!blend_views)
-            row.samples[i] = Sample((across(left) + 128) >> 8);
-        else if (!blend_pixels)
-            row.samples[i] = Sample(
-                (left[0] * (256 - view.weight) + left[row.view_step] * view.weight + 128) >> 8);
-        else
-            row.samples[i] = Sample((across(left) * std::uint64_t(256 - view.weight) +
-                                     across(left + row.view_step) * std::uint64_t(view.weight) +
-                                     32768) >>
-                                    16);
+        const std::uint32_t phase = row.across.phases[i];
+        if (row.has_unseen && phase == PanelMapping::unseen) {
+            samples[i] = 0;
+            continue;
+        }
+        const Step across = step_among(row.across.parts, phase, blending.views),
+                   x = step_among(row.x.parts, row.x.phases[i], blending.pixels),
+                   y = step_among(row.y.parts, row.y.phases[i], blending.pixels);
+        const std::size_t place = std::size_t(index_of(across)) * rows.view_step +
+                                  samples_a_place * (3 * index_of(x) + i % 3) +
+                                  index_of(y) % rows_kept * std::size_t(rows.row_step);
+        samples[i] = sample_of(rows.samples + place, rows.view_step, across, x, y, blending);
     }
 }
 
 template <class Sample>
-void plain_row(const InterlacedRow<Sample>& row, bool blend_views, bool blend_pixels, int first)
+void plain_pairs(Sample* to, const Sample* row, const Sample* below, std::size_t first,
+                 std::size_t count)
 {
-    if (blend_views)
-        blend_pixels ? plain_samples<true, true>(row, first)
-                     : plain_samples<true, false>(row, first);
-    else
-        blend_pixels ? plain_samples<false, true>(row, first)
-                     : plain_samples<false, false>(row, first);
-}
-
-template <class Sample>
-void plain_blend(Sample* to, const Sample* a, const Sample* b, std::size_t first, std::size_t count,
-                 std::uint32_t weight)
-{
-    for (std::size_t i = first; i < count; ++i)
-        to[i] = Sample((a[i] * (256 - weight) + b[i] * weight + 128) >> 8);
-}
-
-#ifdef INTEGRAL_HAS_AVX2
-
-/// Of four bytes the first and the last, weighed: 256 times the value.
-__attribute__((target("avx2"))) inline __m256i ends_of(__m256i four, __m256i weights)
-{
-    const __m256i ends = _mm256_setr_epi8(0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15, -1,
-                                          0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15,
-                                          -1);
-    return _mm256_madd_epi16(_mm256_shuffle_epi8(four, ends), weights);
-}
-
-/// Eight samples at a time; returns how many are done.
-template <bool blend_views, bool blend_pixels>
-__attribute__((target("avx2"))) int fast_samples(const InterlacedRow<std::uint8_t>& row)
-{
-    const std::uint32_t *const phases = row.phases, *const places = row.places,
-                               *const weights = row.weights;
-    const std::uint8_t *const views = row.views, *const next_views = views + row.view_step;
-    std::uint8_t* const samples = row.samples;
-    const int samples_count = row.count;
-    const __m256i row_phase = _mm256_set1_epi32(int(row.phase)),
-                  count = _mm256_set1_epi32(int(row.view_count)),
-                  view_step = _mm256_set1_epi32(int(row.view_step));
-    const __m256i shift = _mm256_set1_epi64x(0x80800000), whole = _mm256_set1_epi32(256),
-                  last = _mm256_set1_epi32(int(row.view_count << 8));
-    int i = 0;
-    for (; i + 8 <= samples_count; i += 8) {
-        const __m256i phase = _mm256_add_epi32(vector(phases + i), row_phase);
-        const __m256i even = _mm256_mul_epu32(phase, count),
-                      odd = _mm256_mul_epu32(_mm256_srli_epi64(phase, 32), count);
-        __m256i view, step;
-        if (blend_views) {
-            // 256 times the next view, and its weight; none beyond the outermost.
-            step = _mm256_blend_epi32(_mm256_srli_epi64(_mm256_add_epi64(even, shift), 24),
-                                      _mm256_slli_epi64(_mm256_add_epi64(odd, shift), 8), 0xaa);
-            step = _mm256_sub_epi32(_mm256_min_epu32(_mm256_max_epu32(step, whole), last), whole);
-            view = _mm256_srli_epi32(step, 8);
-        } else {
-            view = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa);
-        }
-        const EightPlaces at(
-            _mm256_add_epi32(_mm256_mullo_epi32(view, view_step), vector(places + i)));
-        __m128i result;
-        if (blend_pixels) {
-            const __m256i pixel_weights = vector(weights + i),
-                          left = ends_of(at.fours(views), pixel_weights);
-            if (blend_views) {
-                // Both by 16 bits with a sign: less 128 times 256.
-                const __m256i right = ends_of(at.fours(next_views), pixel_weights),
-                              both = _mm256_blend_epi16(left, _mm256_slli_epi32(right, 16), 0xaa);
-                const __m256i sum = _mm256_madd_epi16(
-                    _mm256_xor_si256(both, _mm256_set1_epi16(short(0x8000))), pairs_of<0>(step));
-                result = bytes_of<2>(_mm256_add_epi32(sum, _mm256_set1_epi32(0x808000)));
-            } else {
-                result = bytes_of<1>(_mm256_add_epi32(left, _mm256_set1_epi32(128)));
-            }
-        } else {
-            result = at.bytes(views);
-            if (blend_views) {
-                const __m256i both = _mm256_cvtepu8_epi16(
-                    _mm_unpacklo_epi8(result, at.bytes(next_views)));
-                result = bytes_of<1>(_mm256_add_epi32(_mm256_madd_epi16(both, pairs_of<0>(step)),
-                                                      _mm256_set1_epi32(128)));
-            }
-        }
-        _mm_storel_epi64(reinterpret_cast<__m128i*>(samples + i), result);
+    for (std::size_t i = first; i < count; ++i) {
+        to[2 * i] = row[i];
+        to[2 * i + 1] = below[i];
     }
-    return i;
 }
-
-/// For weights from 1 to 255.
-__attribute__((target("avx2"))) std::size_t fast_blend(std::uint8_t* to, const std::uint8_t* a,
-                                                       const std::uint8_t* b, std::size_t count,
-                                                       std::uint32_t weight)
-{
-    // Bytes are taken from -128 on, for products of unsigned weights and signed values; the sum,
-    // 256 times the value, just fits.
-    const __m256i weights = _mm256_set1_epi16(short((256 - weight) | weight << 8)),
-                  sign = _mm256_set1_epi8(char(128)), half = _mm256_set1_epi16(128);
-    std::size_t i = 0;
-    for (; i + 32 <= count; i += 32) {
-        const __m256i left = _mm256_xor_si256(vector(a + i), sign),
-                      right = _mm256_xor_si256(vector(b + i), sign);
-        const __m256i low = _mm256_maddubs_epi16(weights, _mm256_unpacklo_epi8(left, right));
-        const __m256i high = _mm256_maddubs_epi16(weights, _mm256_unpackhi_epi8(left, right));
-        const __m256i both = _mm256_packs_epi16(_mm256_srai_epi16(_mm256_add_epi16(low, half), 8),
-                                                _mm256_srai_epi16(_mm256_add_epi16(high, half), 8));
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to + i), _mm256_xor_si256(both, sign));
-    }
-    return i;
-}
-
-#endif
 
 } // namespace
 
-template <class Sample>
-void interlace_row_portably(const InterlacedRow<Sample>& row, bool blend_views, bool blend_pixels)
+Step nearest_step(std::uint32_t phase, std::uint32_t parts)
 {
-    plain_row(row, blend_views, blend_pixels, 0);
+    return Step(place_among(phase, parts) >> 16) << 8;
 }
 
-template <class Sample>
-void blend_rows_portably(Sample* to, const Sample* a, const Sample* b, std::size_t count,
-                         std::uint32_t weight)
+Step linear_step(std::uint32_t phase, std::uint32_t parts)
 {
-    plain_blend(to, a, b, 0, count, weight);
+    // Half a part less, and half a weight more for rounding; and one part more, which keeps what is
+    // before the first middle above 0 until it is cut off.
+    const Step step = Step((place_among(phase, parts) + 0x8080) >> 8);
+    return std::min(std::max(step, Step(256)), parts << 8) - 256;
 }
 
-template <>
-void interlace_row(const InterlacedRow<std::uint8_t>& row, bool blend_views, bool blend_pixels)
+Range range_of(const std::uint16_t* numbers, int count)
 {
-    int done = 0;
 #ifdef INTEGRAL_HAS_AVX2
-    // Places are counted by 31 bits there, views by 23.
-    if (has_avx2() && (std::uint64_t(row.view_count) + 1) * row.view_step < 0x7fffffff &&
-        row.view_count < (1u << 23)) {
-        if (blend_views)
-            done = blend_pixels ? fast_samples<true, true>(row) : fast_samples<true, false>(row);
-        else
-            done = blend_pixels ? fast_samples<false, true>(row) : fast_samples<false, false>(row);
-    }
+    if (has_avx2())
+        return fast_range(numbers, count);
 #endif
-    plain_row(row, blend_views, blend_pixels, done);
+    const auto [least, greatest] = std::minmax_element(numbers, numbers + count);
+    return {*least, *greatest};
 }
 
 template <>
-void blend_rows(std::uint8_t* to, const std::uint8_t* a, const std::uint8_t* b, std::size_t count,
-                std::uint32_t weight)
+void pair_rows(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* below,
+               std::size_t count)
 {
     std::size_t done = 0;
 #ifdef INTEGRAL_HAS_AVX2
-    if (has_avx2() && weight > 0)
-        done = fast_blend(to, a, b, count, weight);
+    if (has_avx2())
+        done = fast_pairs(to, row, below, count);
 #endif
-    plain_blend(to, a, b, done, count, weight);
+    plain_pairs(to, row, below, done, count);
 }
 
 template <>
-void interlace_row(const InterlacedRow<std::uint16_t>& row, bool blend_views, bool blend_pixels)
+void pair_rows(std::uint16_t* to, const std::uint16_t* row, const std::uint16_t* below,
+               std::size_t count)
 {
-    plain_row(row, blend_views, blend_pixels, 0);
+    plain_pairs(to, row, below, 0, count);
 }
 
 template <>
-void blend_rows(std::uint16_t* to, const std::uint16_t* a, const std::uint16_t* b,
-                std::size_t count, std::uint32_t weight)
+void interlace_row(std::uint8_t* samples, const PanelRow& row, const ViewRows<std::uint8_t>& rows,
+                   Blending blending)
 {
-    plain_blend(to, a, b, 0, count, weight);
+    int done = 0;
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        done = fast_row(samples, row, rows, blending);
+#endif
+    plain_row(samples, row, rows, blending, done);
 }
 
-template void interlace_row_portably(const InterlacedRow<std::uint8_t>&, bool, bool);
-template void interlace_row_portably(const InterlacedRow<std::uint16_t>&, bool, bool);
-template void blend_rows_portably(std::uint8_t*, const std::uint8_t*, const std::uint8_t*,
-                                  std::size_t, std::uint32_t);
-template void blend_rows_portably(std::uint16_t*, const std::uint16_t*, const std::uint16_t*,
-                                  std::size_t, std::uint32_t);
+template <>
+void interlace_row(std::uint16_t* samples, const PanelRow& row, const ViewRows<std::uint16_t>& rows,
+                   Blending blending)
+{
+    plain_row(samples, row, rows, blending, 0);
+}
 
 } // namespace integral

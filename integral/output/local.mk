@@ -12,11 +12,12 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/device_text.h \
   integral/output/frame_print.cpp \
   integral/output/frame_print.h \
+  integral/output/given_views.cpp \
+  integral/output/given_views.h \
   integral/output/interlace.cpp \
   integral/output/interlace.h \
+  integral/output/interlace_avx2.cpp \
   integral/output/interlace_avx2.h \
-  integral/output/interlace_rays.cpp \
-  integral/output/interlace_rays.h \
   integral/output/interlace_rows.cpp \
   integral/output/interlace_rows.h \
   integral/output/known_panels.cpp \
@@ -34,6 +35,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/panel.h \
   integral/output/panel_cards.cpp \
   integral/output/panel_cards.h \
+  integral/output/panel_images.cpp \
+  integral/output/panel_images.h \
+  integral/output/panel_mapping.cpp \
+  integral/output/panel_mapping.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
   integral/output/pitch_chart.cpp \
@@ -51,6 +56,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/screen_picture.cpp \
   integral/output/screen_picture.h \
   integral/output/screen_play.cpp \
+  integral/output/screen_show.cpp \
+  integral/output/screen_show.h \
   integral/output/screen_window.cpp \
   integral/output/screen_window.h \
   integral/output/screens.cpp \

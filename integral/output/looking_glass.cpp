@@ -169,10 +169,10 @@ LookingGlassCalibration calibration_from(const JsonObject& file)
 
 } // namespace
 
-LookingGlassCalibration looking_glass_from_json(const std::string& text)
+LookingGlassCalibration looking_glass_from_json(const Json& document)
 {
     std::vector<Json> found;
-    collect(parse_json(text), 0, found);
+    collect(document, 0, found);
     if (found.empty())
         throw NoCalibration();
     if (found.size() > 1)
@@ -184,7 +184,7 @@ LookingGlassCalibration looking_glass_from_json(const std::string& text)
     return calibration_from({found.front(), ""});
 }
 
-std::string to_json(const LookingGlassCalibration& calibration)
+Json json_of(const LookingGlassCalibration& calibration)
 {
     Json file = {{"configVersion", calibration.version},
                  {"serial", calibration.serial},
@@ -216,7 +216,7 @@ std::string to_json(const LookingGlassCalibration& calibration)
             file["subpixelCells"].push_back(cell);
         }
     }
-    return text_of(file);
+    return file;
 }
 
 double view_of_subpixel(const LookingGlassCalibration& calibration, int column, int row,

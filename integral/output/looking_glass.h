@@ -4,6 +4,7 @@
 #ifndef INTEGRAL_OUTPUT_LOOKING_GLASS_H
 #define INTEGRAL_OUTPUT_LOOKING_GLASS_H
 
+#include "integral/base/json.h"
 #include "integral/optics/subpixels.h"
 
 #include <stdexcept>
@@ -18,10 +19,10 @@ struct LookingGlassCalibration {
     std::string version, serial; ///< configVersion, serial
     double pitch = 0; ///< micro-images per inch, across the lenses: seen from where the views meet,
                       ///< so a little fewer than the lenses; > 0
-    double slope = 0;      ///< of the lenses, height by width: positive where they lean to the left
-                           ///< going up; not 0
-    double center = 0;     ///< phase of the mapping, in micro-images
-    double view_cone = 40; ///< viewCone: degrees that the views span, left to right
+    double slope = 0; ///< of the lenses, height by width: positive where they lean to the left
+                      ///< going up; not 0
+    double center = 0;          ///< phase of the mapping, in micro-images
+    double view_cone = 40;      ///< viewCone: degrees that the views span, left to right
     double vertical_angle = 0;  ///< verticalAngle, degrees: for cameras, no part of the mapping
     double fringe = 0;          ///< no part of the mapping either
     double dpi = 0;             ///< DPI: pixels per inch, both ways
@@ -52,10 +53,10 @@ struct NoCalibration : std::invalid_argument {
 /// that it may lack have the defaults above; what they decide is then in `assumed`. Throws
 /// std::invalid_argument naming the field, or where there are several displays' calibrations;
 /// NoCalibration where there is none.
-LookingGlassCalibration looking_glass_from_json(const std::string& text);
+LookingGlassCalibration looking_glass_from_json(const Json& document);
 
 /// A document that looking_glass_from_json reads back to the same doubles.
-std::string to_json(const LookingGlassCalibration& calibration);
+Json json_of(const LookingGlassCalibration& calibration);
 
 /// The published mapping: in [0, 1) from the leftmost view to the rightmost, for a colour (0 red, 1
 /// green, 2 blue) of the pixel of a column and a row, counted from the top left of the image that

@@ -2,6 +2,8 @@
 #include "integral/output/panel.h"
 
 #include "integral/base/constants.h"
+#include "integral/base/file_bytes.h"
+#include "integral/base/number_text.h"
 #include "integral/lightfield/geometry_json.h"
 
 #include <cmath>
@@ -22,11 +24,15 @@ bool fills_lenses(const Panel& panel)
            panel.aperture.height == filling->height && panel.aperture.shape == filling->shape;
 }
 
-/// The zone that the lenses fill at a distance, or no limit where nothing does.
+/// The zone that the lenses fill at a distance, or no limit where nothing does. Throws
+/// std::invalid_argument where no frame could have that distance.
 Aperture zone_at(double distance, const LensSheet& sheet)
 {
-    const Json object = {{"distance_mm", distance}};
-    return aperture_from({object, "aperture"}, sheet);
+    if (!(distance >= least_distance && distance <= largest_distance))
+        refuse("aperture.distance_mm", "is " + with_digits(distance, 6) + ", and must be within " +
+                                           with_digits(least_distance, 6) + " and " +
+                                           with_digits(largest_distance, 6));
+    return default_aperture(sheet, distance);
 }
 
 /// The field mirrored: x, y or xy.
@@ -47,11 +53,9 @@ void read_pixels(const JsonObject& object, Panel& panel)
     refuse_others(object, {"name", "width", "height", "pixel_pitch_mm", "subpixels", "mirrored"});
     if (object.has("name"))
         panel.name = string_at(object, "name");
-    object.at("width");
-    Json film = object.json;
-    if (object.at("pixel_pitch_mm").is_number())
-        film["pixel_pitch_mm"] = Json::array({film["pixel_pitch_mm"], film["pixel_pitch_mm"]});
-    panel.film = film_from({film, object.path});
+    object.at("width"); // which a frame's film may lack
+    object.at("pixel_pitch_mm");
+    panel.film = film_from(object, PitchForm::number_or_pair);
     read_mirrored(object, panel);
 }
 
@@ -65,9 +69,7 @@ LensSheet read_sheet(const JsonObject& object, double distance)
     if (object.has("pitch_mm"))
         refuse(object.path_of("micro_image_pitch_mm"),
                "cannot stand beside pitch_mm: one follows from the other");
-    Json json = object.json;
-    json["pitch_mm"] = number_at(object, "micro_image_pitch_mm", 0, largest_figure);
-    LensSheet sheet = sheet_from({json, object.path});
+    LensSheet sheet = sheet_from(object, "micro_image_pitch_mm");
     check_ranges(sheet, {1, 1, {1, 1}});
     sheet.pitch /= 1 + sheet.thickness / (sheet.ior * distance);
     return sheet;
@@ -76,7 +78,7 @@ LensSheet read_sheet(const JsonObject& object, double distance)
 LookingGlassCalibration read_calibration(const JsonObject& document)
 {
     try {
-        return looking_glass_from_json(document.at("calibration").dump());
+        return looking_glass_from_json(document.at("calibration"));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(std::string("calibration: ") + error.what());
     }
@@ -199,13 +201,46 @@ Panel panel_from_json(const std::string& text)
         if (json.is_object() && json.contains(field))
             return read_document({json, ""});
     try {
-        return panel_from(looking_glass_from_json(text));
+        return panel_from(looking_glass_from_json(json));
     } catch (const NoCalibration&) {
         throw std::invalid_argument(std::string("holds neither a panel's description: an object "
                                                 "with panel, sheet and viewing_distance_mm, "
                                                 "nor a Looking Glass calibration: ") +
                                     NoCalibration::wanted);
     }
+}
+
+Panel find_panel(const std::string& name)
+{
+    if (const auto known = panel_named(name))
+        return *known;
+    if (extension_of(name) != "json")
+        throw std::invalid_argument(
+            "no panel has this name; --list tells those that are known, and "
+            "a description's name ends in .json");
+    const std::string bytes = read_file(name);
+    try {
+        return panel_from_json(bytes);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(name + ": " + error.what());
+    }
+}
+
+Panel seen_from(const Panel& panel, double distance)
+{
+    Panel seen = panel;
+    if (panel.calibration) {
+        const Panel made = panel_from(*panel.calibration, distance, panel.sheet.ior);
+        seen.sheet = made.sheet;
+        seen.aperture = made.aperture;
+        return seen;
+    }
+    const auto filling = filling_aperture(panel.sheet, distance);
+    if (!filling)
+        throw std::invalid_argument(
+            "no zone fills its lenses; a description with an aperture would do");
+    seen.aperture = *filling;
+    return seen;
 }
 
 std::string to_json(const Panel& panel)
@@ -218,7 +253,7 @@ std::string to_json(const Panel& panel)
     Json document = {
         {"panel", pixels}, {"sheet", json_of(panel.sheet)}, {"aperture", json_of(panel.aperture)}};
     if (panel.calibration)
-        document["calibration"] = parse_json(to_json(*panel.calibration));
+        document["calibration"] = json_of(*panel.calibration);
     return text_of(document);
 }
 

@@ -56,6 +56,14 @@ const std::vector<Panel>& known_panels();
 /// A panel of known_panels by its name; nothing for another name.
 std::optional<Panel> panel_named(const std::string& name);
 
+/// The panel of that name, or the one that a file whose name ends in .json describes. Throws
+/// std::invalid_argument for other names, InputError for a file that cannot be used.
+Panel find_panel(const std::string& name);
+
+/// The panel for eyes at another distance, mm: the zone is what its lenses fill there. Throws
+/// std::invalid_argument where nothing fills them.
+Panel seen_from(const Panel& panel, double distance);
+
 /// A panel description: a document of our own, or a Looking Glass calibration, told apart by their
 /// fields. The document is
 ///

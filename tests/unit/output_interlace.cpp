@@ -117,12 +117,11 @@ BOOST_AUTO_TEST_CASE(phases_are_those_of_the_published_mapping)
     all.push_back(calibration(7680, 4320));
     double worst = 0;
     for (const LookingGlassCalibration& c : all) {
-        const PublishedMapping mapping = published_mapping(c);
+        const PanelMapping mapping = mapping_of(c);
         for (int row = 0; row<c.height; row += c.height> 1000 ? 97 : 1)
             for (int column = 0; column < c.width; ++column)
                 for (int channel = 0; channel < 3; ++channel) {
-                    const std::uint32_t phase = mapping.of_columns[row % 4][3 * column + channel] +
-                                                mapping.of_rows[row];
+                    const std::uint32_t phase = mapping.across.row(row)[3 * column + channel];
                     worst = std::max(worst, away(phase / 4294967296.0,
                                                  view_of_subpixel(c, column, row, channel)));
                 }
@@ -144,7 +143,7 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
                 const ViewPictures views(quilt, grid);
                 BOOST_TEST(views.width == width);
                 Image panel = panel_image(views, c.width, c.height);
-                interlace(panel, views, published_mapping(c), blend, 2);
+                interlace(panel, views, mapping_of(c), blend, 2);
                 const auto& got = std::get<std::vector<std::uint8_t>>(panel.samples);
                 double worst = 0;
                 int wrong = 0;
@@ -181,25 +180,79 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
             }
 }
 
-BOOST_AUTO_TEST_CASE(the_fast_loop_is_the_plain_one)
+namespace {
+
+template <class Sample> const std::vector<Sample>& samples_of(const Image& image)
+{
+    return std::get<std::vector<Sample>>(image.samples);
+}
+
+std::uint64_t between(std::uint64_t a, std::uint64_t b, Step step)
+{
+    return a * (256 - weight_of(step)) + b * weight_of(step);
+}
+
+/// The image of views on one line, 8 bits, in whole numbers: what the interlacer, whichever loops
+/// it takes, must give to the bit.
+std::vector<std::uint8_t> image_in_whole_numbers(const ViewPictures& views,
+                                                 const PanelMapping& mapping, Blend blend)
+{
+    const bool of_views = blend.views == Neighbours::linear,
+               of_pixels = blend.pixels == Neighbours::linear;
+    std::vector<std::uint8_t> image;
+    for (int row = 0; row < mapping.height; ++row)
+        for (int i = 0; i < 3 * mapping.width; ++i) {
+            const std::uint32_t phase = mapping.across.row(row)[i];
+            if (mapping.has_unseen && phase == PanelMapping::unseen) {
+                image.push_back(0);
+                continue;
+            }
+            const Step across = step_among(std::uint32_t(views.grid.count()), phase, of_views),
+                       x = step_among(std::uint32_t(views.width), mapping.x.row(row)[i], of_pixels),
+                       y = step_among(std::uint32_t(views.height), mapping.y.row(row)[i],
+                                      of_pixels);
+            const auto column = [&](const std::uint8_t* at) {
+                const std::uint64_t sum = between(at[0], at[weight_of(y) ? views.row_step : 0], y);
+                return mapping.y.columns == 1 ? (sum + 128) / 256 * 256 : sum;
+            };
+            const auto view = [&](std::uint32_t k) {
+                const std::uint8_t* at = views.first<std::uint8_t>(int(k)) +
+                                         index_of(y) * views.row_step + index_of(x) * 3 + i % 3;
+                return between(column(at), column(at + (weight_of(x) ? 3 : 0)), x);
+            };
+            const std::uint32_t k = index_of(across);
+            image.push_back(std::uint8_t(
+                (between(view(k), view(k + (weight_of(across) ? 1 : 0)), across) + (1 << 23)) >>
+                24));
+        }
+    return image;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(all_loops_give_the_same_bits)
 {
     for (const LookingGlassCalibration& c : displays())
         for (const Blend& blend : blends)
             for (const int count : {1, 2, 45}) {
                 const Image quilt = noise<std::uint8_t>(count * 37, 23, unsigned(count));
                 const ViewPictures views(quilt, {count, 1});
-                Image fast = panel_image(views, c.width, c.height), plain = fast;
-                interlace(fast, views, published_mapping(c), blend, 2);
-                interlace(plain, views, published_mapping(c), blend, 1, true);
-                BOOST_TEST((fast.samples == plain.samples));
+                const PanelMapping mapping = mapping_of(c);
+                Image panel = panel_image(views, c.width, c.height);
+                interlace(panel, views, mapping, blend, 2);
+                BOOST_TEST((samples_of<std::uint8_t>(panel) ==
+                            image_in_whole_numbers(views, mapping, blend)));
             }
-    for (const std::uint32_t weight : {0u, 1u, 128u, 200u, 255u}) {
-        const auto a = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 1).samples),
-                   b = std::get<std::vector<std::uint8_t>>(noise<std::uint8_t>(101, 1, 2).samples);
-        std::vector<std::uint8_t> fast(a.size()), plain(a.size());
-        blend_rows(fast.data(), a.data(), b.data(), a.size(), weight);
-        blend_rows_portably(plain.data(), a.data(), b.data(), a.size(), weight);
-        BOOST_TEST(fast == plain, boost::test_tools::per_element());
+    for (const int count : {1, 31, 101}) {
+        const Image a = noise<std::uint8_t>(count, 1, 1), b = noise<std::uint8_t>(count, 1, 2);
+        std::vector<std::uint8_t> pairs(6 * std::size_t(count)), want;
+        pair_rows(pairs.data(), samples_of<std::uint8_t>(a).data(),
+                  samples_of<std::uint8_t>(b).data(), 3 * std::size_t(count));
+        for (int i = 0; i < 3 * count; ++i) {
+            want.push_back(samples_of<std::uint8_t>(a)[i]);
+            want.push_back(samples_of<std::uint8_t>(b)[i]);
+        }
+        BOOST_TEST(pairs == want, boost::test_tools::per_element());
     }
 }
 
@@ -222,32 +275,31 @@ std::vector<FrameMetadata> lens_panels()
     return all;
 }
 
-BOOST_AUTO_TEST_CASE(the_fast_loop_of_the_optics_is_the_plain_one)
+BOOST_AUTO_TEST_CASE(all_loops_of_the_optics_give_the_same_bits)
 {
     int fast_rows = 0, seen = 0, dark = 0;
     for (const FrameMetadata& m : lens_panels()) {
-        const auto mapping = ray_mapping(m, {{m.aperture.width, m.aperture.height}, 400}, 2);
+        const auto mapping = mapping_of(m, {{m.aperture.width, m.aperture.height}, 400}, 2);
         BOOST_REQUIRE(mapping);
+        const bool round = m.sheet.arrangement != Arrangement::lenticular;
         for (int y = 0; y < m.film.height; ++y) {
-            fast_rows += mapping->y_of_rows[y][1] - mapping->y_of_rows[y][0] < 65535 / 23;
-            for (std::size_t i = std::size_t(y) * m.film.width * 3;
-                 i < std::size_t(y + 1) * m.film.width * 3; ++i) {
-                const bool empty = mapping->across[i] == RayMapping::empty;
-                if (!empty && (mapping->y[i] < mapping->y_of_rows[y][0] ||
-                               mapping->y[i] > mapping->y_of_rows[y][1]))
-                    BOOST_TEST_ERROR("row " << y << ": y is past the row's");
-                ++(empty ? dark : seen);
-            }
+            const std::uint16_t* const ys = mapping->y.row(y).high;
+            const Range range = range_of(ys, 3 * m.film.width);
+            BOOST_TEST(range.least == *std::min_element(ys, ys + 3 * m.film.width));
+            BOOST_TEST(range.greatest == *std::max_element(ys, ys + 3 * m.film.width));
+            fast_rows += range.greatest - range.least < 65535 / 23;
+            for (int i = 0; i < 3 * m.film.width; ++i)
+                ++(mapping->across.row(y)[i] == PanelMapping::unseen ? dark : seen);
         }
         for (const Blend& blend : blends)
             for (const int count : {1, 2, 45})
                 for (const int height : {1, 23, 400}) { // 400: more rows than the fast loop keeps
                     const Image quilt = noise<std::uint8_t>(count * 37, height, unsigned(count));
                     const ViewPictures views(quilt, {count, 1});
-                    Image fast = panel_image(views, m.film.width, m.film.height), plain = fast;
-                    interlace(fast, views, *mapping, blend, 2);
-                    interlace(plain, views, *mapping, blend, 1, true);
-                    if (fast.samples != plain.samples)
+                    Image panel = panel_image(views, m.film.width, m.film.height);
+                    interlace(panel, views, *mapping, blend, 2);
+                    if (!round && samples_of<std::uint8_t>(panel) !=
+                                      image_in_whole_numbers(views, *mapping, blend))
                         BOOST_TEST_ERROR(m.film.width << " wide, slant " << m.sheet.slant << ", "
                                                       << count << " views of 37x" << height
                                                       << ": they differ");
@@ -260,22 +312,22 @@ BOOST_AUTO_TEST_CASE(the_fast_loop_of_the_optics_is_the_plain_one)
 
 BOOST_AUTO_TEST_CASE(weights_between_views)
 {
-    BOOST_TEST(linear_step(0, 4).index == 0u);
-    BOOST_TEST(linear_step(0, 4).weight == 0u);
-    BOOST_TEST(linear_step(0x20000000, 4).weight == 0u); // the middle of the first of four
-    BOOST_TEST(linear_step(0x40000000, 4).weight == 128u);
-    BOOST_TEST(linear_step(0x60000000, 4).index == 1u);
-    BOOST_TEST(linear_step(0xffffffff, 4).index == 3u);
-    BOOST_TEST(linear_step(0xffffffff, 4).weight == 0u);
-    BOOST_TEST(nearest_step(0xffffffff, 7).index == 6u);
+    BOOST_TEST(index_of(linear_step(0, 4)) == 0u);
+    BOOST_TEST(weight_of(linear_step(0, 4)) == 0u);
+    BOOST_TEST(weight_of(linear_step(0x20000000, 4)) == 0u); // the middle of the first of four
+    BOOST_TEST(weight_of(linear_step(0x40000000, 4)) == 128u);
+    BOOST_TEST(index_of(linear_step(0x60000000, 4)) == 1u);
+    BOOST_TEST(index_of(linear_step(0xffffffff, 4)) == 3u);
+    BOOST_TEST(weight_of(linear_step(0xffffffff, 4)) == 0u);
+    BOOST_TEST(index_of(nearest_step(0xffffffff, 7)) == 6u);
     for (std::uint64_t phase = 0; phase < 0x100000000; phase += 0x10001)
         for (const std::uint32_t count : {1u, 3u, 48u}) {
             const Step step = linear_step(std::uint32_t(phase), count);
             const double want = std::clamp(phase / 4294967296.0 * count - 0.5, 0.0, count - 1.0);
-            if (std::fabs(step.index + step.weight / 256.0 - want) > 0.502 / 256 ||
-                step.index >= count || (step.index == count - 1 && step.weight))
-                BOOST_TEST_ERROR("phase " << phase << " of " << count << ": " << step.index << " + "
-                                          << step.weight << "/256, wanted " << want);
+            if (std::fabs(index_of(step) + weight_of(step) / 256.0 - want) > 0.502 / 256 ||
+                index_of(step) >= count || (index_of(step) == count - 1 && weight_of(step)))
+                BOOST_TEST_ERROR("phase " << phase << " of " << count << ": " << index_of(step)
+                                          << " + " << weight_of(step) << "/256, wanted " << want);
         }
 }
 
@@ -292,8 +344,8 @@ BOOST_AUTO_TEST_CASE(sixteen_bits)
         const ViewPictures of_wide(wide, {6, 1}), of_narrow(narrow, {6, 1});
         Image a = panel_image(of_wide, c.width, c.height),
               b = panel_image(of_narrow, c.width, c.height);
-        interlace(a, of_wide, published_mapping(c), blend);
-        interlace(b, of_narrow, published_mapping(c), blend);
+        interlace(a, of_wide, mapping_of(c), blend);
+        interlace(b, of_narrow, mapping_of(c), blend);
         double worst = 0;
         for (std::size_t i = 0; i < std::get<0>(b.samples).size(); ++i)
             worst = std::max(
@@ -311,15 +363,14 @@ BOOST_AUTO_TEST_CASE(a_quilt_and_its_views_are_the_same)
         for (int column = 0; column < 4; ++column)
             views.push_back(part_of(quilt, column * 20, 60 - (row + 1) * 20, 20, 20));
     Image a = panel_image(ViewPictures(quilt, {4, 3}), 50, 40), b = a;
-    interlace(a, ViewPictures(quilt, {4, 3}), published_mapping(c));
-    interlace(b, ViewPictures(views, {4, 3}), published_mapping(c));
+    interlace(a, ViewPictures(quilt, {4, 3}), mapping_of(c));
+    interlace(b, ViewPictures(views, {4, 3}), mapping_of(c));
     BOOST_TEST((a.samples == b.samples));
     BOOST_CHECK_THROW(ViewPictures(quilt, {81, 1}), std::invalid_argument);
     BOOST_CHECK_THROW(ViewPictures(views, {5, 3}), std::invalid_argument);
     BOOST_CHECK_THROW(ViewPictures(make_image<float>(8, 8, 3, {}), {1, 1}), std::invalid_argument);
-    BOOST_CHECK_THROW(
-        interlace(a, ViewPictures(quilt, {4, 3}), published_mapping(calibration(51, 40))),
-        std::invalid_argument);
+    BOOST_CHECK_THROW(interlace(a, ViewPictures(quilt, {4, 3}), mapping_of(calibration(51, 40))),
+                      std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
@@ -350,7 +401,7 @@ BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
                     views.push_back(view);
                 }
                 const auto want = frame_from_perspective_views(views, m, grid, eyes, 1);
-                const auto mapping = ray_mapping(m, eyes, 2);
+                const auto mapping = mapping_of(m, eyes, 2);
                 BOOST_REQUIRE(want);
                 BOOST_REQUIRE(mapping);
                 const ViewPictures pictures(views, grid);
@@ -372,7 +423,7 @@ BOOST_AUTO_TEST_CASE(what_no_eye_sees_is_black)
     m.sheet = {Arrangement::lenticular, 1, 3, 1.5, 0, {}};
     m.film = {120, 3, {0.1, 0.1}};
     m.aperture = {400, 20, 0, ApertureShape::rectangle}; // underfill
-    const auto mapping = ray_mapping(m, {{20, 0}, 400});
+    const auto mapping = mapping_of(m, {{20, 0}, 400});
     Image white = make_image<std::uint8_t>(4, 4, 3, {});
     std::get<0>(white.samples).assign(48, 255);
     Image got = panel_image(ViewPictures(white, {1, 1}), 120, 3);

@@ -18,11 +18,16 @@ BOOST_AUTO_TEST_SUITE(output_looking_glass)
 
 namespace {
 
+LookingGlassCalibration calibration_in(const std::string& text)
+{
+    return looking_glass_from_json(parse_json(text));
+}
+
 /// The message with which a file is refused; "" if it is not.
 std::string refusal(const std::string& text)
 {
     try {
-        looking_glass_from_json(text);
+        calibration_in(text);
     } catch (const std::invalid_argument& error) {
         return error.what();
     }
@@ -92,7 +97,7 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
         R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": 44.5, "slope": -6.9, "center": 0.25,
         "fringe": 0.5, "viewCone": 51, "invView": 0, "verticalAngle": 3, "DPI": 283, "screenW": 2160, "screenH": 3840,
         "flipImageX": 1, "flipImageY": 1, "flipSubp": 1, "somethingNew": 7})";
-    const LookingGlassCalibration calibration = looking_glass_from_json(plain);
+    const LookingGlassCalibration calibration = calibration_in(plain);
     BOOST_TEST(calibration.version == "3.0");
     BOOST_TEST(calibration.serial == "LKG-X1");
     BOOST_TEST(calibration.pitch == 44.5);
@@ -115,12 +120,12 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
         "center": {"value": 0.25}, "fringe": {"value": 0.5}, "viewCone": {"value": 51}, "invView": {"value": 0.0},
         "verticalAngle": {"value": 3}, "DPI": {"value": 283.0}, "screenW": {"value": 2160.0}, "screenH": {"value": 3840.0},
         "flipImageX": {"value": 1.0}, "flipImageY": {"value": 1.0}, "flipSubp": {"value": 1}, "subpixelCells": []})";
-    check_equal(looking_glass_from_json(nested), calibration);
+    check_equal(calibration_in(nested), calibration);
 
     // What the makers' programs wrap around it
     const std::string text = nested;
     check_equal(
-        looking_glass_from_json(
+        calibration_in(
             R"({"version": "2.3", "devices": [{"hwid": "LKG-X1", "index": 0, "calibration": )" +
             text + R"(, "defaultQuilt": {"tileX": 8, "tileY": 6}}]})"),
         calibration);
@@ -128,7 +133,7 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
     for (const char c : text)
         quoted += c == '"' ? std::string("\\\"") : c == '\n' ? std::string(" ") : std::string(1, c);
     check_equal(
-        looking_glass_from_json(
+        calibration_in(
             R"({"name": "available_output_devices", "payload": {"value": {"0": {"type": "VARIANT_MAP", "value":
         {"calibration": {"name": "calibration", "type": "WSTRING", "value": ")" +
             quoted + R"("}, "hwid": {"value": "LKG-X1"}}},
@@ -138,7 +143,7 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
 
 BOOST_AUTO_TEST_CASE(fields_that_older_files_lack)
 {
-    const LookingGlassCalibration calibration = looking_glass_from_json(
+    const LookingGlassCalibration calibration = calibration_in(
         R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600, "viewCone": null})");
     check_equal(calibration, [] {
         LookingGlassCalibration expected;
@@ -157,7 +162,7 @@ BOOST_AUTO_TEST_CASE(what_a_file_should_say_and_does_not_is_told)
         const std::string file =
             R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600)" +
             more + "}";
-        for (const std::string& what : looking_glass_from_json(file).assumed)
+        for (const std::string& what : calibration_in(file).assumed)
             all += what + "\n";
         return all;
     };
@@ -168,7 +173,7 @@ BOOST_AUTO_TEST_CASE(what_a_file_should_say_and_does_not_is_told)
     const std::string one = cone + R"(, "subpixelCells": [)" + cell + "]",
                       two = cone + R"(, "subpixelCells": [)" + cell + ", " + cell + "]";
     for (const Device& device : variants())
-        BOOST_TEST(looking_glass_from_json(file_of(device, {})).assumed.empty(), device.name);
+        BOOST_TEST(calibration_in(file_of(device, {})).assumed.empty(), device.name);
     BOOST_TEST(told(cone + R"(, "flipImageY": 1, "invView": 1)") == "");
     BOOST_TEST(
         told(cone + R"(, "flipSubp": 1)").find("flipSubp is 1, as in no published calibration") ==
@@ -245,8 +250,8 @@ BOOST_AUTO_TEST_CASE(inv_view_is_told_and_changes_nothing)
     // A display of the third generation, LKG-J00133, has invView 0. The makers' shaders do not read
     // it.
     for (const Device& device : devices()) {
-        const LookingGlassCalibration plain = looking_glass_from_json(file_of(device, {})),
-                                      with_0 = looking_glass_from_json(
+        const LookingGlassCalibration plain = calibration_in(file_of(device, {})),
+                                      with_0 = calibration_in(
                                           file_of(device, {false, false, false, false}));
         BOOST_TEST(!with_0.inverted_views);
         BOOST_REQUIRE(with_0.assumed.size() == 1u);
@@ -308,9 +313,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_shader)
     for (const Device& device : variants())
         for (int bits = 0; bits < 16; ++bits) {
             const Flips flips{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
-            const LookingGlassCalibration calibration = looking_glass_from_json(
-                file_of(device, flips));
-            check_equal(looking_glass_from_json(to_json(calibration)), calibration);
+            const LookingGlassCalibration calibration = calibration_in(file_of(device, flips));
+            check_equal(looking_glass_from_json(json_of(calibration)), calibration);
             // What single precision leaves of the phase, whose largest part is pitch (u + v tilt):
             // some eight roundings
             const double phases = device.pitch * device.width / device.dpi *

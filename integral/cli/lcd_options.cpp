@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/lcd_options.h"
+
+#include "integral/base/number_text.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/values.h"
+
+namespace integral {
+namespace {
+
+constexpr int largest_view_side = 32768; // pixels
+
+Neighbours neighbours(const char* option, const std::string& word)
+{
+    if (word == "nearest")
+        return Neighbours::nearest;
+    if (word == "linear")
+        return Neighbours::linear;
+    throw UsageError(std::string("--") + option + " " + word + ": nearest or linear is expected");
+}
+
+PanelCard card_named(const std::string& word)
+{
+    if (word == "views")
+        return PanelCard::views;
+    if (word == "crosstalk")
+        return PanelCard::crosstalk;
+    if (word == "colours")
+        return PanelCard::colours;
+    if (word == "pitch")
+        return PanelCard::pitch;
+    throw UsageError("--card " + word + ": views, crosstalk, colours or pitch is expected");
+}
+
+/// Reads a number above 0 and up to `most` into `value`, if the option was given.
+void read_positive(const char* option, const std::optional<std::string>& text, double most,
+                   double& value)
+{
+    if (!text)
+        return;
+    const std::string form = "a number above 0 and up to " + with_digits(most, 10);
+    value = parse_number(option, *text, form.c_str());
+    if (!(value > 0 && value <= most))
+        throw UsageError(std::string("--") + option + " " + *text + ": " + form + " is expected");
+}
+
+PanelImageOptions image_options(const LcdOptions& o)
+{
+    PanelImageOptions image;
+    if (o.views)
+        image.views = parse_view_grid(*o.views);
+    image.blend = {neighbours("blend", o.blend), neighbours("sampling", o.sampling)};
+    image.encoded = o.encoded;
+    if (o.size) {
+        const PixelSize size = parse_size("size", *o.size, largest_view_side);
+        image.width = size.width;
+        image.height = size.height;
+    }
+    image.lit_view = o.view;
+    image.threads = in_range("threads", o.threads, 0, 1024);
+    image.panel_name = "--panel " + o.panel.value_or("");
+    image.tell = [](const std::string& what) { say("lcd", what); };
+    image.progress = progress_bar;
+    return image;
+}
+
+} // namespace
+
+void declare(options::options_description& all, LcdOptions& o)
+{
+    all.add_options()("output,o", fills(o.output, "FILE"),
+                      "the panel's image: .png, .tiff or .exr; of several frames or quilts files "
+                      "with numbers before the extension, or a folder "
+                      "that is there already, for files of the inputs' names");
+    all.add_options()(
+        "panel", fills(o.panel, "NAME|FILE.json"),
+        "the panel: one of --list, a description as --describe writes, or the calibration file of "
+        "a Looking Glass display");
+    all.add_options()(
+        "views", fills(o.views, "CxR"),
+        "views of a quilt whose name does not tell, across and up, or how many to see a frame of "
+        "other geometry from (default: as many "
+        "as pixels are nearest to a lens's), or of a card (default: 8)");
+    all.add_options()("blend", fills(o.blend, "WAY")->default_value(o.blend),
+                      "between views: linear, or nearest, as displays' makers do");
+    all.add_options()("sampling", fills(o.sampling, "WAY")->default_value(o.sampling),
+                      "between pixels of a view: linear or nearest");
+    all.add_options()(
+        "encoded", sets(o.encoded),
+        "blend the values as they are stored, as displays' own programs do; not linear light: "
+        "several times as fast, "
+        "edges between views a little darker");
+    all.add_options()(
+        "size", fills(o.size, "WxH"),
+        "pixels of each view that is seen of a frame (default: 1000 on the longer side)");
+    all.add_options()("viewing-distance", fills(o.viewing_distance, "MM"),
+                      "how far the viewers are from the panel (default: as the panel says)");
+    all.add_options()(
+        "card", fills(o.card, "CARD"),
+        "a test card in place of INPUT: views (each its number and colour), crosstalk (one view "
+        "white), colours (red, green, blue and "
+        "white bands in one view), pitch (bars of lines about the calibrated pitch)");
+    all.add_options()(
+        "view", fills(o.view, "K"),
+        "the view that --card crosstalk or colours lights, from 0, the leftmost (default: every "
+        "other; the middle one)");
+    all.add_options()("list", sets(o.list), "list the panels that are known by name");
+    all.add_options()("describe", sets(o.describe),
+                      "print the panel's description, to be changed and given to --panel");
+    all.add_options()(
+        "camera", sets(o.camera),
+        "print what povray-integral needs to render for the panel: an INI file's lines");
+    all.add_options()("show", fills(o.show, "DISPLAY"),
+                      "show the picture on this display, pixel for pixel: its number or name, or "
+                      "auto, the only one of the picture's size. "
+                      "Escape, q or Ctrl-C ends it");
+    all.add_options()(
+        "play", sets(o.play),
+        "show all pictures one after another, on the display of --show (default auto); the space "
+        "bar pauses");
+    all.add_options()(
+        "fps", fills(o.fps, "N"),
+        "with --play: pictures a second (default 30); late ones are dropped and counted");
+    all.add_options()("loop", sets(o.loop), "with --play: begin again after the last");
+    all.add_options()("seconds", fills(o.seconds, "S"),
+                      "with --show and --play: end by itself after so long");
+    all.add_options()(
+        "list-displays", sets(o.list_displays),
+        "list the displays: number, name, pixels, rate, place, and whether they show pictures as "
+        "they are");
+    all.add_options()("threads", fills(o.threads, "N")->default_value(o.threads),
+                      "threads to work with (0: one per core)");
+    all.add_options()("json", sets(o.json), "print figures as JSON");
+    all.add_options()("help", sets(o.help), "print this");
+}
+
+LcdRequest lcd_request(const LcdOptions& o)
+{
+    LcdRequest request;
+    request.panel = o.panel.value_or("");
+    request.output = o.output.value_or("");
+    request.has_inputs = !o.inputs.empty();
+    if (o.card)
+        request.card = card_named(*o.card);
+    request.describe = o.describe;
+    request.camera = o.camera;
+    request.show = o.show.has_value();
+    request.showing.display = o.show.value_or(request.showing.display);
+    read_positive("seconds", o.seconds, 1e7, request.showing.seconds);
+    read_positive("fps", o.fps, 1000, request.playing.rate);
+    request.playing.loop = o.loop;
+    request.image = image_options(o);
+    request.playing.threads = request.image.threads;
+    if (o.viewing_distance) {
+        const double distance = parse_number("viewing-distance", *o.viewing_distance,
+                                             "a number of mm");
+        if (!(distance >= 1 && distance <= 1e6))
+            throw UsageError("--viewing-distance " + *o.viewing_distance +
+                             ": 1 to 1000000 mm is expected");
+        request.viewing_distance = distance;
+    }
+    return request;
+}
+
+void check_panel_request(const LcdRequest& lcd)
+{
+    if (int(lcd.describe) + int(lcd.camera) + int(lcd.card.has_value()) > 1)
+        throw UsageError("--describe, --camera and --card do not go together");
+    if ((lcd.describe || lcd.camera || lcd.card) && lcd.has_inputs)
+        throw UsageError(std::string(lcd.describe ? "--describe"
+                                     : lcd.camera ? "--camera"
+                                                  : "--card") +
+                         " takes no INPUT");
+    if (lcd.panel.empty())
+        throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
+    if (!lcd.describe && !lcd.camera && lcd.output.empty() && !lcd.show)
+        throw UsageError("-o FILE is missing, or --show DISPLAY");
+    if (!lcd.describe && !lcd.camera && !lcd.card && !lcd.has_inputs)
+        throw UsageError("INPUT is missing: a frame, a quilt or views");
+    if (lcd.image.lit_view && lcd.card != PanelCard::crosstalk && lcd.card != PanelCard::colours)
+        throw UsageError("--view is for --card crosstalk and --card colours");
+}
+
+Panel panel_of(const LcdRequest& lcd)
+{
+    Panel panel;
+    try {
+        panel = find_panel(lcd.panel);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError("--panel " + lcd.panel + ": " + error.what());
+    }
+    if (!lcd.viewing_distance)
+        return panel;
+    try {
+        return seen_from(panel, *lcd.viewing_distance);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(lcd.panel + ": " + error.what());
+    }
+}
+
+} // namespace integral

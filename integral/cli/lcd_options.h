@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The options of integral lcd. A batch reads and checks them before it begins.
+#ifndef INTEGRAL_CLI_LCD_OPTIONS_H
+#define INTEGRAL_CLI_LCD_OPTIONS_H
+
+#include "integral/cli/command.h"
+#include "integral/output/panel_images.h"
+#include "integral/output/screen_show.h"
+
+#include <optional>
+#include <string>
+
+namespace integral {
+
+struct LcdOptions : CommonOptions {
+    std::optional<std::string> output, panel, views, size, viewing_distance, card, show, fps,
+        seconds;
+    std::string blend = "linear", sampling = "linear";
+    std::optional<int> view;
+    bool encoded = false, list = false, describe = false, camera = false, play = false,
+         loop = false, list_displays = false, json = false;
+    int threads = 0;
+};
+
+void declare(options::options_description& all, LcdOptions& o);
+
+/// What a line asks for, as values.
+struct LcdRequest {
+    std::string panel, output; ///< empty: not given
+    bool has_inputs = false;
+    std::optional<double> viewing_distance; ///< mm
+    PanelImageOptions image;
+    std::optional<PanelCard> card;
+    bool describe = false, camera = false, show = false;
+    ShowOptions showing;
+    PlayOptions playing;
+};
+
+/// Throws UsageError for values that make no sense.
+LcdRequest lcd_request(const LcdOptions& o);
+
+/// Throws UsageError where options of making a panel's image do not go together.
+void check_panel_request(const LcdRequest& request);
+
+/// The panel of --panel, seen from --viewing-distance. Throws UsageError, InputError.
+Panel panel_of(const LcdRequest& request);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/output/given_views.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/io/image_file.h"
+#include "integral/output/quilt.h"
+#include "integral/replay/arrange.h"
+
+#include <iterator>
+#include <map>
+
+namespace integral {
+
+namespace {
+
+GivenViews read_quilt(const std::string& input, const ViewsRequest& request)
+{
+    Views quilt = read_views(input, request.needs_geometry);
+    const auto named = grid_in_name(input);
+    GivenViews all{{}, {}, quilt.metadata};
+    if (request.grid)
+        all.grid = *request.grid;
+    else if (quilt.metadata)
+        all.grid = quilt.metadata->quilt->grid;
+    else if (named)
+        all.grid = *named;
+    else
+        throw RequestError(input +
+                           ": its name does not end in _qsCxRaASPECT; --views CxR would tell");
+    const ViewGrid grid = all.grid;
+    if (quilt.metadata) {
+        const ViewGrid held = quilt.metadata->quilt->grid;
+        if (held.columns != grid.columns || held.rows != grid.rows)
+            throw RequestError(input + ": it says that it holds " + std::to_string(held.columns) +
+                               "x" + std::to_string(held.rows) + " views; leave --views out");
+    }
+    if (quilt.metadata && quilt.metadata->quilt->view && grid.count() > 1)
+        throw RequestError(input + ": it is view " + std::to_string(*quilt.metadata->quilt->view) +
+                           " of " + std::to_string(grid.count()) +
+                           "; give the files of all of them");
+    // A quilt of perspective views may have pixels left over, as 5 x 9 views in 4096 x 4096 pixels;
+    // a parallel view has one pixel for each lens.
+    const auto divides = [&](int side, int views) {
+        return views >= 1 && (request.of_eyes ? side >= views : side % views == 0);
+    };
+    if (!divides(quilt.image.width, grid.columns) || !divides(quilt.image.height, grid.rows))
+        throw RequestError(input + ": " + std::to_string(quilt.image.width) + "x" +
+                           std::to_string(quilt.image.height) + " pixels are not " +
+                           std::to_string(grid.columns) + "x" + std::to_string(grid.rows) +
+                           " equal views");
+    all.views = views_of_quilt(quilt.image, grid);
+    return all;
+}
+
+bool of_one_kind(const QuiltRecord& a, const QuiltRecord& b)
+{
+    return a.grid.columns == b.grid.columns && a.grid.rows == b.grid.rows &&
+           a.eyes.has_value() == b.eyes.has_value();
+}
+
+/// Files that say which view each is; or, where they do not, in the order in which they are given.
+GivenViews read_files(const std::vector<std::string>& inputs, const ViewsRequest& request)
+{
+    GivenViews all;
+    std::map<int, Image> by_number;
+    for (const std::string& input : inputs) {
+        stop_if_interrupted();
+        Views file = read_views(input, request.needs_geometry);
+        if (file.metadata && all.metadata &&
+            !of_one_kind(*file.metadata->quilt, *all.metadata->quilt))
+            throw RequestError(input + ": it is a view of another set than the files before it");
+        const bool numbered = file.metadata && file.metadata->quilt->view;
+        const int number = numbered ? *file.metadata->quilt->view : int(by_number.size());
+        if (!by_number.emplace(number, std::move(file.image)).second)
+            throw RequestError(input + ": another file is view " + std::to_string(number) +
+                               " as well");
+        if (file.metadata)
+            all.metadata = file.metadata;
+    }
+    all.grid = request.grid   ? *request.grid
+               : all.metadata ? all.metadata->quilt->grid
+                              : ViewGrid{int(inputs.size()), 1};
+    if (int(by_number.size()) != all.grid.count() ||
+        by_number.rbegin()->first != all.grid.count() - 1)
+        throw RequestError(std::to_string(inputs.size()) + " files are not the " +
+                           std::to_string(all.grid.columns) + "x" + std::to_string(all.grid.rows) +
+                           " views; --views CxR would tell how many there are");
+    for (auto& [number, image] : by_number)
+        all.views.push_back(std::move(image));
+    return all;
+}
+
+} // namespace
+
+GivenViews read_given_views(const std::vector<std::string>& inputs, const ViewsRequest& request)
+{
+    return inputs.size() == 1 ? read_quilt(inputs[0], request) : read_files(inputs, request);
+}
+
+std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, int width, int height,
+                                 int threads, const Progress& progress)
+{
+    View view;
+    view.width = width;
+    view.height = height;
+    const Eye middle = centre_eye(*frame.metadata);
+    auto pictures = replay_each(
+        frame, view,
+        eye_grid(middle, grid.columns, grid.rows, viewing_zone(*frame.metadata, middle.distance)),
+        threads, progress);
+    if (!pictures)
+        throw Interrupted();
+    std::vector<Image> views; // by number: the bottom row first
+    for (int row = grid.rows; row-- > 0;)
+        std::move(pictures->begin() + row * grid.columns,
+                  pictures->begin() + (row + 1) * grid.columns, std::back_inserter(views));
+    return views;
+}
+
+} // namespace integral

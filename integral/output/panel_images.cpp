@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/output/panel_images.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
+#include "integral/io/image_file.h"
+#include "integral/output/panel_cards.h"
+#include "integral/output/quilt.h"
+#include "integral/replay/arrange.h"
+#include "integral/replay/parallel_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+constexpr int card_views = 8, longer_side_of_a_view = 1000;
+constexpr double most_samples = 1e9;
+
+bool close(double a, double b)
+{
+    return std::fabs(a - b) <= 1e-9 * std::max({1.0, std::fabs(a), std::fabs(b)});
+}
+
+/// What a frame has in common with those that are rendered for a panel.
+struct Likeness {
+    bool lenses, size, pixel_pitch, colours;
+
+    /// Whether its pixels are the panel's, under the same lenses.
+    bool all() const { return lenses && size && pixel_pitch && colours; }
+    /// Whether it seems to have been meant for the panel, before one of the two was changed.
+    bool nearly() const { return pixel_pitch && (lenses || (size && colours)); }
+};
+
+Likeness likeness(const FrameMetadata& frame, const FrameMetadata& panel)
+{
+    const LensSheet &a = frame.sheet, &b = panel.sheet;
+    const Film &ours = frame.film, &theirs = panel.film;
+    return {a.arrangement == b.arrangement && close(a.pitch, b.pitch) &&
+                close(a.thickness, b.thickness) && close(a.ior, b.ior) && close(a.slant, b.slant) &&
+                close(a.offset.x, b.offset.x) && close(a.offset.y, b.offset.y),
+            ours.width == theirs.width && ours.height == theirs.height,
+            close(ours.pixel_pitch.x, theirs.pixel_pitch.x) &&
+                close(ours.pixel_pitch.y, theirs.pixel_pitch.y),
+            same_layout(ours.subpixels, theirs.subpixels)};
+}
+
+/// What keeps a frame that seems to have been meant for the panel from being passed through;
+/// nothing of other frames.
+std::optional<std::string> near_miss(const FrameMetadata& frame, const FrameMetadata& panel)
+{
+    const Likeness like = likeness(frame, panel);
+    if (!like.nearly())
+        return std::nullopt;
+    if (!like.size)
+        return "it has " + size_text(frame.film.width, frame.film.height) +
+               " pixels and the panel " + size_text(panel.film.width, panel.film.height);
+    return like.lenses ? "its pixels' colours lie otherwise" : "its lenses are not the panel's";
+}
+
+/// Three channels of 8 or 16 bits over black; `linear`: 16 bits of linear light, to be blended.
+Image prepared(const Image& view, bool linear)
+{
+    const Encoding light{Encoding::Kind::linear, 1}, encoding = linear ? light
+                                                                : sample_bits(view) > 16
+                                                                    ? Encoding()
+                                                                    : view.encoding;
+    const int bits = linear || sample_bits(view) > 8 ? 16 : 8;
+    if (view.channels == 3)
+        return converted(view, bits, encoding, false);
+    Image opaque = bits == 8 ? make_image<std::uint8_t>(view.width, view.height, 3, encoding)
+                             : make_image<std::uint16_t>(view.width, view.height, 3, encoding);
+    const LinearReader reader(view);
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            Color c = reader(x, y);
+            c.a = 1;
+            store_linear(opaque, x, y, c);
+        }
+    return opaque;
+}
+
+Image mirrored(const Image& image, bool in_x, bool in_y)
+{
+    Image turned = image;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            store_pixel(turned, in_x ? image.width - 1 - x : x, in_y ? image.height - 1 - y : y,
+                        stored_pixel(image, x, y));
+    return turned;
+}
+
+bool alike(double a, double b) { return a == b || std::fabs(a - b) <= 0.01 * b; }
+
+/// The eyes that views of a frame have, where the panel is as large as that frame's film. Nothing
+/// of a smaller or larger one: its views are spread over the panel's own zone, as their pictures
+/// are over the panel.
+std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame, EyeGrid eyes)
+{
+    if (alike(frame.film.width * frame.film.pixel_pitch.x, panel.width * panel.pixel_pitch.x) &&
+        alike(frame.film.height * frame.film.pixel_pitch.y, panel.height * panel.pixel_pitch.y))
+        return eyes;
+    return std::nullopt;
+}
+
+/// What to say of a frame that was rendered for the panel, but for eyes elsewhere; nothing where
+/// they are the panel's.
+std::optional<std::string> other_zone(const Aperture& frame, const Aperture& panel)
+{
+    if (alike(frame.distance, panel.distance) && alike(frame.width, panel.width))
+        return std::nullopt;
+    const auto mm = [](double length) { return with_decimals(length, 0) + " mm"; };
+    return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " + mm(frame.width) +
+           " wide; the panel's are " + mm(panel.distance) + " away in " + mm(panel.width) +
+           ", and near the ends see neighbouring views; the scene's location and angle decide "
+           "(guide, Panels)";
+}
+
+const char* name_of(PanelCard card)
+{
+    switch (card) {
+    case PanelCard::views: return "views";
+    case PanelCard::crosstalk: return "crosstalk";
+    case PanelCard::colours: return "colours";
+    case PanelCard::pitch: break;
+    }
+    return "pitch";
+}
+
+bool has_round_lenses(const FrameMetadata& geometry)
+{
+    return geometry.sheet.arrangement != Arrangement::lenticular;
+}
+
+} // namespace
+
+PanelImages::PanelImages(const Panel& panel, PanelImageOptions options)
+    : panel_(panel), options_(std::move(options)), geometry_(frame_geometry(panel))
+{
+    if (double(panel.film.width) * panel.film.height * 3 > most_samples)
+        throw RequestError(options_.panel_name +
+                           ": it has more pixels than this program makes at once");
+    if (panel_.calibration)
+        mapping_ = mapping_of(*panel_.calibration);
+}
+
+std::vector<std::vector<std::string>> PanelImages::groups(
+    const std::vector<std::string>& inputs) const
+{
+    if (inputs.size() == 1)
+        return {inputs};
+    // A file of one view says so, and so do quilts and frames: what says nothing is taken for a
+    // view.
+    const Views first = read_views(inputs[0], false);
+    const bool one_view = first.metadata && first.metadata->quilt->view;
+    bool alone = first.metadata || grid_in_name(inputs[0]);
+    if (!first.metadata && !alone)
+        alone = read_frame(inputs[0]).metadata.has_value();
+    if (one_view || !alone)
+        return {inputs};
+    std::vector<std::vector<std::string>> each;
+    for (const std::string& input : inputs)
+        each.push_back({input});
+    return each;
+}
+
+Image PanelImages::as_sent(const Image& upright) const
+{
+    return panel_.mirrored_x || panel_.mirrored_y
+               ? mirrored(upright, panel_.mirrored_x, panel_.mirrored_y)
+               : upright;
+}
+
+/// `zone`: where the eyes are, if not where the panel says.
+Frame PanelImages::finished(Image image, std::optional<Aperture> zone) const
+{
+    Frame frame{std::move(image), std::nullopt};
+    if (panel_.mirrored_x || panel_.mirrored_y)
+        return frame;
+    FrameMetadata geometry = geometry_;
+    geometry.aperture = zone.value_or(panel_.aperture);
+    geometry.encoding = frame.image.encoding;
+    set_metadata(frame, geometry);
+    return frame;
+}
+
+/// Makes mapping_ that for eyes: nothing for the panel's own.
+void PanelImages::map_through_lenses(std::optional<EyeGrid> eyes)
+{
+    if (!eyes && !(std::isfinite(panel_.aperture.width) && std::isfinite(panel_.aperture.height)))
+        throw RequestError(options_.panel_name +
+                           ": no zone, however wide, fills its lenses; give aperture in its "
+                           "description, or check thickness and pitch: they may be swapped");
+    const double distance = panel_.aperture.distance;
+    const EyeGrid wanted = eyes.value_or(EyeGrid{viewing_zone(geometry_, distance), distance});
+    if (mapped_eyes_ && wanted.zone.x == mapped_eyes_->zone.x &&
+        wanted.zone.y == mapped_eyes_->zone.y && wanted.distance == mapped_eyes_->distance)
+        return;
+    mapped_eyes_.reset();
+    mapping_ = mapping_of(geometry_, wanted, options_.threads, options_.progress("panel"));
+    if (!mapping_)
+        throw Interrupted();
+    mapped_eyes_ = wanted;
+}
+
+Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
+                              Blend blend)
+{
+    views_ = grid.count();
+    const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
+    const bool light = blends && !options_.encoded;
+    const Encoding encoding = sample_bits(views[0]) > 16 ? Encoding() : views[0].encoding;
+    const int bits = std::min(16, sample_bits(views[0]));
+    for (Image& view : views) {
+        view = prepared(view, light);
+        stop_if_interrupted();
+    }
+    const ViewPictures pictures(views, grid);
+    Image image = panel_image(pictures, panel_.film.width, panel_.film.height);
+    if (!panel_.calibration) {
+        map_through_lenses(eyes);
+        if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
+            throw RequestError("round lenses show views across and up; " +
+                               size_text(grid.columns, grid.rows) + " are given");
+    }
+    interlace(image, pictures, *mapping_, blend, options_.threads);
+    if (!panel_.calibration) // whose mapping is that of the image as it is sent
+        image = as_sent(image);
+    return light ? converted(image, bits, encoding, false) : image;
+}
+
+/// The frame that a group is, with its metadata; nothing where it is of views.
+std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& group) const
+{
+    const std::string& name = group[0];
+    if (group.size() > 1 || grid_in_name(name) || read_views(name, true).metadata)
+        return std::nullopt;
+    Frame frame = read_frame(name);
+    if (frame.metadata)
+        return frame;
+    if (!options_.views)
+        throw RequestError(name + ": it says neither a frame's geometry nor its views; "
+                                  "--views CxR would tell the views of a quilt");
+    return std::nullopt;
+}
+
+Frame PanelImages::image_of_views(const std::vector<std::string>& group)
+{
+    ViewsRequest request;
+    request.grid = options_.views;
+    request.of_eyes = true;
+    GivenViews views = read_given_views(group, request);
+    if (views.metadata && !views.metadata->quilt->eyes)
+        throw RequestError(group[0] +
+                           ": it holds parallel views; a panel shows those of eyes (integral "
+                           "views --eyes), or the frame (integral views --to-frame)");
+    std::optional<EyeGrid> eyes;
+    if (views.metadata)
+        eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
+    return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend));
+}
+
+/// A frame that was rendered for the panel is passed through.
+Frame PanelImages::native_image(const std::string& name, const Frame& frame)
+{
+    views_ = 0;
+    if (const auto what = other_zone(frame.metadata->aperture, panel_.aperture))
+        options_.tell(name + ": " + *what);
+    return finished(as_sent(prepared(frame.image, false)), frame.metadata->aperture);
+}
+
+Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
+{
+    const FrameMetadata& metadata = *frame.metadata;
+    if (likeness(metadata, geometry_).all())
+        return native_image(name, frame);
+    const ViewGrid grid = options_.views.value_or(natural_views(geometry_));
+    if (grid.rows > 1 && !(has_round_lenses(geometry_) && has_round_lenses(metadata)))
+        throw RequestError("--views " + size_text(grid.columns, grid.rows) +
+                           ": lenticular lenses show nothing new from above: one row is expected");
+    if (const auto what = near_miss(metadata, geometry_))
+        options_.tell(name + ": it is nearly a frame of this panel's own, but " + *what +
+                      ": the image is made of " + counted(grid.count(), "view") +
+                      " of it; --camera says what to render for the panel");
+    View view;
+    set_view_size(view, geometry_.film, longer_side_of_a_view);
+    if (options_.width > 0) {
+        view.width = options_.width;
+        view.height = options_.height;
+    }
+    const double distance = metadata.aperture.distance;
+    const auto eyes = eyes_before(panel_.film, metadata,
+                                  {viewing_zone(metadata, distance), distance});
+    return finished(interlaced(views_of_eyes(frame, grid, view.width, view.height, options_.threads,
+                                             options_.progress("views")),
+                               grid, eyes, options_.blend));
+}
+
+Frame PanelImages::image_of(const std::vector<std::string>& group)
+{
+    try {
+        const auto frame = read_frame_of(group);
+        stop_if_interrupted();
+        return frame ? image_of_frame(group[0], *frame) : image_of_views(group);
+    } catch (const RequestError&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw RequestError(group[0] + ": " + error.what());
+    }
+}
+
+Frame PanelImages::image_of_card(PanelCard card)
+{
+    if (card == PanelCard::pitch)
+        return finished(as_sent(pitch_card(panel_)));
+    const ViewGrid grid = options_.views.value_or(
+        has_round_lenses(geometry_) ? ViewGrid{4, 4} : ViewGrid{card_views, 1});
+    const int count = grid.count();
+    const auto lit = options_.lit_view;
+    if (lit && (*lit < 0 || *lit >= count))
+        throw RequestError("--view " + std::to_string(*lit) + ": a whole number from 0 to " +
+                           std::to_string(count - 1) + " is expected");
+    const double aspect = panel_.film.width * panel_.film.pixel_pitch.x /
+                          (panel_.film.height * panel_.film.pixel_pitch.y);
+    auto views = card == PanelCard::views       ? view_number_card(count, aspect)
+                 : card == PanelCard::crosstalk ? crosstalk_card(count, lit)
+                                                : colour_card(count, lit.value_or(count / 2));
+    return finished(interlaced(std::move(views), grid, std::nullopt,
+                               {Neighbours::nearest, Neighbours::nearest}));
+}
+
+Frame PanelImages::card(PanelCard card)
+{
+    try {
+        return image_of_card(card);
+    } catch (const RequestError&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw RequestError(std::string("--card ") + name_of(card) + ": " + error.what());
+    }
+}
+
+} // namespace integral

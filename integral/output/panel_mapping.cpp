@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/output/panel_mapping.h"
+
+#include "integral/lightfield/eye_place.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+constexpr double whole_range = 4294967296.0; // 2^32
+constexpr int channels = 3;
+
+/// The phase of a place that is given as a part of the range, modulo 1.
+std::uint32_t phase_of(double part)
+{
+    return std::uint32_t(std::uint64_t(std::llround((part - std::floor(part)) * whole_range)));
+}
+
+/// The phase of the middle of a pixel in a picture that is `count` of them wide.
+std::uint32_t middle_phase(int pixel, int count, bool flip)
+{
+    return phase_of((flip ? count - pixel - 0.5 : pixel + 0.5) / count);
+}
+
+void append(PhaseTable& table, std::uint32_t phase)
+{
+    table.high.push_back(std::uint16_t(phase >> 16));
+    table.low.push_back(std::uint16_t(phase));
+}
+
+/// A table of 16-bit phases, one for each subpixel of a film.
+PhaseTable table_for(const Film& film)
+{
+    PhaseTable table;
+    table.rows = film.height;
+    table.columns = film.width * channels;
+    table.high.resize(std::size_t(table.rows) * table.columns);
+    return table;
+}
+
+/// The upper 16 bits of the phase of a part of a range. What is beyond the range's ends is taken to
+/// be at them; 65535, which marks what is unseen, becomes 65534.
+std::uint16_t high_phase(double part)
+{
+    return std::uint16_t(std::clamp(std::floor(part * 65536), 0.0, 65534.0));
+}
+
+} // namespace
+
+PhaseRow PhaseTable::row(int y) const
+{
+    const std::size_t at = std::size_t(y % rows) * columns;
+    return {high.data() + at, low.empty() ? nullptr : low.data() + at, shift.empty() ? 0 : shift[y],
+            columns == 1};
+}
+
+PanelMapping mapping_of(const LookingGlassCalibration& calibration)
+{
+    // Each phase is worked out in double precision by view_of_subpixel: no error adds up along a
+    // row. Patterns of subpixel cells repeat after four rows at most.
+    constexpr int kinds_of_rows = 4;
+    PanelMapping mapping;
+    mapping.width = calibration.width;
+    mapping.height = calibration.height;
+    const int columns = calibration.width * channels;
+    mapping.across.rows = kinds_of_rows;
+    mapping.across.columns = columns;
+    for (int kind = 0; kind < kinds_of_rows; ++kind)
+        for (int i = 0; i < columns; ++i)
+            append(mapping.across,
+                   phase_of(view_of_subpixel(calibration, i / channels, kind, i % channels)));
+    for (int row = 0; row < calibration.height; ++row)
+        mapping.across.shift.push_back(
+            phase_of(view_of_subpixel(calibration, 0, row, 0) -
+                     view_of_subpixel(calibration, 0, row % kinds_of_rows, 0)));
+    mapping.x.rows = 1;
+    mapping.x.columns = columns;
+    for (int i = 0; i < columns; ++i)
+        append(mapping.x, middle_phase(i / channels, calibration.width, calibration.flip_x));
+    mapping.y.rows = calibration.height;
+    mapping.y.columns = 1;
+    for (int row = 0; row < calibration.height; ++row)
+        append(mapping.y, middle_phase(row, calibration.height, calibration.flip_y));
+    return mapping;
+}
+
+std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid eyes, int threads,
+                                       const Progress& progress)
+{
+    const Film& film = geometry.film;
+    const SheetOptics optics(geometry.sheet, geometry.aperture);
+    const bool round_lenses = geometry.sheet.arrangement != Arrangement::lenticular;
+    PanelMapping mapping;
+    mapping.width = film.width;
+    mapping.height = film.height;
+    mapping.has_unseen = true;
+    for (PhaseTable* table : {&mapping.across, &mapping.x, &mapping.y})
+        *table = table_for(film);
+    if (round_lenses)
+        mapping.up = table_for(film);
+    const auto row = [&](int y) {
+        const std::size_t begin = std::size_t(y) * film.width * channels,
+                          end = begin + std::size_t(film.width) * channels;
+        std::uint16_t least_y = 65535;
+        for (std::size_t i = begin; i < end; ++i) {
+            const int x = int((i - begin) / channels), channel = int((i - begin) % channels);
+            const auto seen = eye_place(
+                optics, eyes,
+                film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel)));
+            mapping.across.high[i] = seen ? high_phase(seen->eye.x)
+                                          : std::uint16_t(PanelMapping::unseen >> 16);
+            if (!seen)
+                continue;
+            const Vec2 at = pixel_from_film(film, seen->place);
+            mapping.x.high[i] = high_phase(at.x / film.width);
+            mapping.y.high[i] = high_phase(at.y / film.height);
+            least_y = std::min(least_y, mapping.y.high[i]);
+            if (round_lenses)
+                mapping.up.high[i] = high_phase(seen->eye.y);
+        }
+        // Unseen subpixels must not make the interlacer fetch rows of pixels that none else shows.
+        for (std::size_t i = begin; i < end; ++i)
+            if (mapping.across.high[i] == PanelMapping::unseen >> 16)
+                mapping.y.high[i] = least_y;
+    };
+    if (!for_each_row(film.height, threads, row, progress))
+        return std::nullopt;
+    return mapping;
+}
+
+} // namespace integral

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Which view and which place of its picture each subpixel of a panel shows: the one form into which
+// both a display's calibration and the optics of a lens sheet are brought before interlacing.
+#ifndef INTEGRAL_OUTPUT_PANEL_MAPPING_H
+#define INTEGRAL_OUTPUT_PANEL_MAPPING_H
+
+#include "integral/base/parallel.h"
+#include "integral/lightfield/frame_metadata.h"
+#include "integral/lightfield/view_grid.h"
+#include "integral/output/looking_glass.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace integral {
+
+/// Phases of the subpixels of a row.
+struct PhaseRow {
+    const std::uint16_t *high, *low; ///< as in PhaseTable; low may be null
+    std::uint32_t shift;
+    bool is_one; ///< the first phase is that of all subpixels
+
+    std::uint32_t operator[](int subpixel) const
+    {
+        const int i = is_one ? 0 : subpixel;
+        return (std::uint32_t(high[i]) << 16) + (low ? low[i] : 32768u) + shift;
+    }
+};
+
+/// Phases of a panel's subpixels. A phase is a place in a range in units of 2^-32 of the range, so
+/// that sums wrap around by themselves.
+struct PhaseTable {
+    int rows = 0;    ///< row y of the panel uses row y % rows of the table; 0: there is no table
+    int columns = 0; ///< phases in a row: one for each subpixel, or one for the whole row
+    std::vector<std::uint16_t> high;  ///< the phases' upper 16 bits, row by row
+    std::vector<std::uint16_t> low;   ///< their lower 16 bits; empty: 32768 for all
+    std::vector<std::uint32_t> shift; ///< added to all phases of a row of the panel; empty: 0
+
+    /// The phases of a row of the panel.
+    PhaseRow row(int y) const;
+};
+
+/// Subpixels are numbered along a row: red, green and blue of the leftmost pixel, and so on.
+struct PanelMapping {
+    int width = 0, height = 0; ///< of the panel, pixels
+    PhaseTable across;         ///< from where in the viewing zone a subpixel is seen, from its left
+    PhaseTable up;             ///< likewise from below; without rows: views differ across alone
+    PhaseTable x, y;           ///< which place of the picture it shows, from the left and the top
+    bool has_unseen = false;   ///< subpixels whose phase across is `unseen` are seen by no eye
+
+    static constexpr std::uint32_t unseen = 0xffff8000u;
+};
+
+/// The mapping that a display's maker publishes.
+PanelMapping mapping_of(const LookingGlassCalibration& calibration);
+
+/// The mapping through the lenses of a panel that has the geometry of a frame. It takes 16 bits a
+/// subpixel for each of across, x and y, and up where lenses are round. `threads` and `progress` as
+/// in for_each_row; nothing where `progress` stopped the work.
+std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid eyes, int threads = 0,
+                                       const Progress& progress = {});
+
+} // namespace integral
+
+#endif
