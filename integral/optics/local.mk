@@ -8,6 +8,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/beam.h \
   integral/optics/camera.cpp \
   integral/optics/camera.h \
+  integral/optics/camera_parameters.cpp \
+  integral/optics/camera_parameters.h \
+  integral/optics/coverage.cpp \
+  integral/optics/coverage.h \
   integral/optics/film.h \
   integral/optics/lens_mapping.cpp \
   integral/optics/lens_mapping.h \
