@@ -19,6 +19,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/lens_model.h \
   integral/optics/lens_sheet.cpp \
   integral/optics/lens_sheet.h \
+  integral/optics/lens_surface.cpp \
   integral/optics/lens_surface.h \
   integral/optics/pixel_run.cpp \
   integral/optics/pixel_run.h \
