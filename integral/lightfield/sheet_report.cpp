@@ -5,6 +5,7 @@
 #include "integral/lightfield/names.h"
 #include "integral/lightfield/sampling_forecast.h"
 #include "integral/lightfield/sheet_figures.h"
+#include "integral/optics/coverage.h"
 
 #include <algorithm>
 #include <cmath>

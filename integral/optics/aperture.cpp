@@ -33,6 +33,16 @@ bool within_ellipse(const Aperture& aperture, Vec2 point)
 
 bool slit_is_horizontal(const LensSheet& sheet) { return std::fabs(sheet.slant) <= 45; }
 
+double extent_along_slit(const LensSheet& sheet, Vec2 extent)
+{
+    return slit_is_horizontal(sheet) ? extent.x : extent.y;
+}
+
+double extent_across_slit(const LensSheet& sheet, Vec2 extent)
+{
+    return slit_is_horizontal(sheet) ? extent.y : extent.x;
+}
+
 double micro_image_width(const LensSheet& sheet, double distance, double width)
 {
     if (!(width > 0))

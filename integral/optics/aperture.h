@@ -33,6 +33,11 @@ inline bool contains(const Aperture& aperture, Vec2 point)
 /// Whether a lenticular sheet's slit lies along x (|slant| <= 45 degrees) or along y.
 bool slit_is_horizontal(const LensSheet& sheet);
 
+/// Of an extent (or a point) in x and y, the component along a lenticular sheet's slit, and the
+/// component across it.
+double extent_along_slit(const LensSheet& sheet, Vec2 extent);
+double extent_across_slit(const LensSheet& sheet, Vec2 extent);
+
 /// Width of the micro-image behind the lens on the axis, of an aperture `width` wide at
 /// `distance`: thesis (3-9), 2t / sqrt(4 n^2 (d/w)^2 + n^2 - 1). May be infinite where n = 1.
 double micro_image_width(const LensSheet& sheet, double distance, double width);

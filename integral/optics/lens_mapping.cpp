@@ -293,4 +293,13 @@ MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
     return mapped;
 }
 
+Vec2 mirrored_in_lens(const SheetOptics& optics, Vec2 film_point, LensIndex lens)
+{
+    const Vec2 offset = optics.lattice().pole(lens) - film_point;
+    if (optics.sheet().arrangement != Arrangement::lenticular)
+        return film_point + 2 * offset;
+    const Vec2 across = optics.lattice().across();
+    return film_point + (2 * dot(across, offset)) * across;
+}
+
 } // namespace integral

@@ -113,6 +113,11 @@ private:
     Aperture edges_; ///< the aperture, without limit across a slit
 };
 
+/// The film point mirrored at a lens's pole (lenticular: at its axis). Its own inverse. A
+/// single-stage capture puts on a film point what belongs at the mirrored one, so that the sheet
+/// shows its scene inverted in depth.
+Vec2 mirrored_in_lens(const SheetOptics& optics, Vec2 film_point, LensIndex lens);
+
 } // namespace integral
 
 #endif

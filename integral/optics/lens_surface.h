@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Refraction at a point of a lens's curved surface, film side -> viewer side and back.
+// The lenses' curved surface: where a line meets it, and refraction there, film side -> viewer side
+// and back.
 //
-// The surface is z = R - sqrt(R^2 - v^2), v being the distance from the pole (or from a cylinder's
-// axis): its pole is the foremost point, at z = 0, and its edges lie deeper, towards the film.
-// Everything is worked out in three perpendicular directions: b, lateral, in which v is counted; a,
-// lateral; and z. The surface does not bend along a. On a cylinder a is its axis.
+// A lens's surface is z = R - sqrt(R^2 - v^2), v being the distance from the pole (or from a
+// cylinder's axis): its pole is the foremost point, at z = 0, and its edges lie deeper, towards the
+// film. At a point of it there are three perpendicular directions: b, lateral, along which v is
+// measured; a, lateral; and z. The surface's normal there has no component along a. On a cylinder a
+// is its axis.
 #ifndef INTEGRAL_OPTICS_LENS_SURFACE_H
 #define INTEGRAL_OPTICS_LENS_SURFACE_H
 
+#include "integral/optics/lens_model.h"
 #include "integral/optics/refraction.h"
 
 namespace integral {
@@ -17,10 +20,10 @@ namespace integral {
 struct TangentPlane {
     double v = 0;                ///< mm from the pole (axis), along b
     double height = 0;           ///< z of the point, mm; >= 0
-    double sine = 0, cosine = 1; ///< v/R, and the root of 1 - (v/R)^2
+    double sine = 0, cosine = 1; ///< v/R and sqrt(1 - (v/R)^2)
 };
 
-/// Nothing where the surface does not reach: |v| > R (but for rounding).
+/// Nothing where the surface does not reach: |v| > R, beyond what rounding explains.
 inline std::optional<TangentPlane> tangent_plane(double radius, double v)
 {
     if (v == 0)
@@ -32,22 +35,23 @@ inline std::optional<TangentPlane> tangent_plane(double radius, double v)
     return TangentPlane{v, v * (v / (radius + rise)), v / radius, rise / radius};
 }
 
-/// The way from a film point to the point of the surface, in directions that lie along and across
-/// the tangent plane. Both in mm.
+/// The vector from a film point to a point of the surface, mm: its components in the plane of b and
+/// z.
 struct Incidence {
-    double tangential; ///< along (cosine, sine) in the directions (b, z)
+    double tangential; ///< in the tangent plane: along (cosine, sine) in the directions (b, z)
     double normal;     ///< along the normal; > 0 where the film point is on the inner side
 };
 
-/// `reach`: the component of that way along b, mm.
+/// `reach`: the component of that vector along b, mm.
 inline Incidence incidence(const Medium& medium, const TangentPlane& plane, double reach)
 {
     const double depth = medium.t - plane.height;
     return {reach * plane.cosine - depth * plane.sine, reach * plane.sine + depth * plane.cosine};
 }
 
-/// L^2 (1 - n^2 sin^2 i), i the angle of incidence and L the length of a way from the film whose
-/// component along a is `along`: `clearance` with the normal component in place of the thickness.
+/// L^2 (1 - n^2 sin^2 i), i the angle of incidence and L the length of the vector from the film
+/// point, whose component along a is `along`: `clearance` with the normal component in place of the
+/// thickness.
 inline double clearance(const Medium& medium, Incidence way, double along)
 {
     Medium turned = medium;
@@ -56,8 +60,8 @@ inline double clearance(const Medium& medium, Incidence way, double along)
 }
 
 /// The refracted ray, L times its unit direction, in the directions (b, a, z), for a clearance > 0
-/// whose square root is `root`. The components along the plane, n times the way's, are what Snell's
-/// law conserves.
+/// whose square root is `root`. By Snell's law its components in the tangent plane are n times
+/// those of the vector from the film point.
 inline Vec3 refracted(const Medium& medium, const TangentPlane& plane, Incidence way, double along,
                       double root)
 {
@@ -66,9 +70,9 @@ inline Vec3 refracted(const Medium& medium, const TangentPlane& plane, Incidence
             tangential * plane.sine - root * plane.cosine};
 }
 
-/// Inverse: the way (mm, in the directions b and a) from the film to the point whose light leaves
-/// it in `direction` (unit, in the directions (b, a, z)). Nothing if that direction is not on the
-/// outer side.
+/// Inverse: the lateral vector (mm, in the directions b and a) from the film point whose light
+/// leaves in `direction` (unit, in the directions (b, a, z)) to the point of the surface. Nothing
+/// if that direction is not on the outer side.
 inline std::optional<Vec2> way_refracted_into(const Medium& medium, const TangentPlane& plane,
                                               Vec3 direction)
 {
@@ -80,6 +84,36 @@ inline std::optional<Vec2> way_refracted_into(const Medium& medium, const Tangen
     const double stretch = (medium.t - plane.height) / (bend * plane.cosine - direction.z);
     return Vec2{stretch * (direction.x + bend * plane.sine), stretch * direction.y};
 }
+
+/// A point where a line meets a lens's surface.
+struct SurfacePoint {
+    double depth; ///< its z, mm
+    Vec2 offset;  ///< mm from the pole; lenticular: from the axis, perpendicular to it
+};
+
+/// The surface of a whole sheet: of all its lenses' balls (lenticular: cylinders), what is
+/// foremost. Immutable.
+class SheetSurface {
+public:
+    explicit SheetSurface(const LensSheet& sheet);
+
+    /// The first point where the line through `point`, of the plane of the poles, enters a lens.
+    /// `slope`: mm to the side for each mm of depth. Nothing where it meets none.
+    std::optional<SurfacePoint> first_intersection(Vec2 point, Vec2 slope) const;
+
+    /// The film point that is seen along that line, refracted where it first meets a lens. The film
+    /// is `film_gap` mm behind the lenses' focus. Nothing where no light comes that way.
+    std::optional<Vec2> film_point_seen(Vec2 point, Vec2 slope, double film_gap) const;
+
+private:
+    std::optional<SurfacePoint> intersection(LensIndex lens, Vec2 point, Vec2 slope) const;
+
+    Lattice lattice_;
+    Medium medium_;
+    double radius_;  ///< R, mm
+    double reach_;   ///< of a lens's cell from its pole, mm
+    double deepest_; ///< z of the cells' corners, mm; 0 where the surface does not reach them
+};
 
 } // namespace integral
 

@@ -8,6 +8,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/beam.h \
   integral/optics/camera.cpp \
   integral/optics/camera.h \
+  integral/optics/camera_parameters.cpp \
+  integral/optics/camera_parameters.h \
+  integral/optics/coverage.cpp \
+  integral/optics/coverage.h \
   integral/optics/film.h \
   integral/optics/lens_mapping.cpp \
   integral/optics/lens_mapping.h \
@@ -15,6 +19,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/lens_model.h \
   integral/optics/lens_sheet.cpp \
   integral/optics/lens_sheet.h \
+  integral/optics/lens_surface.cpp \
   integral/optics/lens_surface.h \
   integral/optics/pixel_run.cpp \
   integral/optics/pixel_run.h \

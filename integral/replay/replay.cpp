@@ -2,6 +2,7 @@
 #include "integral/replay/replay.h"
 
 #include "integral/lightfield/sample_points.h"
+#include "integral/optics/lens_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +32,6 @@ void set_view_size(View& view, const Film& film, int longer)
 
 namespace {
 
-/// z of the farthest points of the lenses' surface: their cells' corners; 0 where there is no
-/// surface.
-double deepest_surface(const LensSheet& sheet)
-{
-    const auto corner = tangent_plane(surface_radius(sheet), cell_circumradius(sheet));
-    return corner ? corner->height : 0;
-}
-
 /// What the eye sees at a point of the sheet: linear, premultiplied.
 class SheetSeen {
 public:
@@ -48,8 +41,7 @@ public:
           film_gap_(view.film_gap),
           gap_parts_(view.film_gap / frame.metadata->sheet.thickness),
           optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
-          radius_(surface_radius(frame.metadata->sheet)),
-          deepest_(deepest_surface(frame.metadata->sheet)),
+          surface_(frame.metadata->sheet),
           pixel_(frame.image),
           outside_{0, 0, 0, frame.image.channels == 4 ? 0.0f : 1.0f}
     {
@@ -73,88 +65,12 @@ private:
     std::optional<Vec2> film_point_seen(Vec2 point, Vec2 eye) const
     {
         if (refracts_at_surface(optics_.model()))
-            return film_point_behind_surface(point, eye);
-        // The line from the sheet's point to the eye leaves the sheet in this direction ...
-        const Vec3 direction{eye.x - point.x, eye.y - point.y, -distance_};
-        // ... and the beam of that direction, from that point's lens, comes from this point of the
-        // focal plane.
+            return surface_.film_point_seen(point, (1 / distance_) * (point - eye), film_gap_);
+        const Vec3 direction{eye.x - point.x, eye.y - point.y, -distance_}; // to the eye
+        // All light that this lens sends in that direction comes from one point of the focal plane.
         const Vec2 focus = optics_.film_point_seen(point, direction);
-        // A film beside the focus is met where the line from the lens's point to the focus meets
-        // it.
+        // If the film is not there, what is seen lies on the line from the lens's point to it.
         return focus + gap_parts_ * (focus - point);
-    }
-
-    /// A point of the lenses' surface that a line of sight meets.
-    struct Met {
-        double depth; ///< its z, mm
-        Vec2 offset;  ///< from the pole (lenticular: from the axis), mm
-    };
-
-    /// The line from the eye through `point`, refracted where it first meets glass, down to the
-    /// film.
-    std::optional<Vec2> film_point_behind_surface(Vec2 point, Vec2 eye) const
-    {
-        const Vec2 slope = (1 / distance_) * (point - eye);
-        const auto met = first_met(point, slope);
-        if (!met)
-            return std::nullopt;
-        const auto plane = tangent_plane(radius_, length(met->offset));
-        if (!plane)
-            return std::nullopt;
-        const Vec3 to_eye{-slope.x, -slope.y, -1};
-        const Vec3 direction = (1 / length(to_eye)) * to_eye;
-        const Vec2 b = plane->v > 0 ? (1 / plane->v) * met->offset : Vec2{1, 0}, a{-b.y, b.x};
-        const Vec2 seen{direction.x, direction.y};
-        const auto way = way_refracted_into(optics_.medium(), *plane,
-                                            {dot(b, seen), dot(a, seen), direction.z});
-        if (!way)
-            return std::nullopt;
-        const double stretch = 1 + film_gap_ / (optics_.medium().t - plane->height);
-        return point + met->depth * slope - (stretch * way->x) * b - (stretch * way->y) * a;
-    }
-
-    /// The glass is whatever lies in the ball (cylinder) of some lens, so what is met first of all
-    /// of them is its surface: down to the surface's deepest points. A flat line is followed a
-    /// pitch at a time, so that few lenses are asked at once. `slope`: mm to the side for each mm
-    /// of depth.
-    std::optional<Met> first_met(Vec2 point, Vec2 slope) const
-    {
-        const Lattice& lattice = optics_.lattice();
-        const double reach = cell_circumradius(optics_.sheet()), aside = deepest_ * length(slope);
-        constexpr double most = 1000; // pitches; flatter lines see no film
-        if (!(aside < most * lattice.pitch()))
-            return std::nullopt;
-        const int pieces = 1 + int(aside / lattice.pitch());
-        for (int piece = 0; piece < pieces; ++piece) {
-            std::optional<Met> first;
-            const Vec2 middle = point + (deepest_ * (piece + 0.5) / pieces) * slope;
-            lattice.for_each_within(middle, reach + 0.5 * aside / pieces, [&](LensIndex lens) {
-                const auto met = met_at(lens, point, slope);
-                if (met && (!first || met->depth < first->depth))
-                    first = met;
-            });
-            if (first && (first->depth <= deepest_ * (piece + 1) / pieces || piece + 1 == pieces))
-                return first;
-        }
-        return std::nullopt;
-    }
-
-    /// Where the line enters a lens's ball (cylinder). It lies at z >= 0, as the ball does.
-    std::optional<Met> met_at(LensIndex lens, Vec2 point, Vec2 slope) const
-    {
-        Vec2 offset = point - optics_.lattice().pole(lens);
-        if (optics_.sheet().arrangement == Arrangement::lenticular) {
-            const Vec2 across = optics_.lattice().across();
-            offset = dot(offset, across) * across;
-            slope = dot(slope, across) * across;
-        }
-        // |offset + z slope|^2 + (z - R)^2 = R^2, its lesser root
-        const double half = radius_ - dot(offset, slope), square = dot(offset, offset);
-        const double root2 = half * half - (1 + dot(slope, slope)) * square;
-        if (!(half > 0 && root2 >= 0))
-            return std::nullopt;
-        const double depth = square / (half + std::sqrt(root2));
-        return Met{depth, offset + depth * slope};
     }
 
     /// Each colour channel of its own nearest subpixel; their pixels' mean alpha.
@@ -171,10 +87,10 @@ private:
 
     Film film_;
     double distance_;
-    double film_gap_,
-        gap_parts_; ///< the film's distance behind the lenses' focus: mm, and in thicknesses
+    double film_gap_;  ///< the film's distance behind the lenses' focus, mm
+    double gap_parts_; ///< the same in thicknesses
     SheetOptics optics_;
-    double radius_, deepest_; ///< of the lenses' surface, mm
+    SheetSurface surface_; ///< for models that refract there
     LinearReader pixel_;
     Color outside_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Fill of a lens by the aperture: the thesis's figures and the closed forms of optics.md section 5.
-#include "integral/optics/camera.h"
+#include "integral/optics/coverage.h"
 #include "tests/unit/optics_sheets.h"
 
 #include <boost/test/unit_test.hpp>

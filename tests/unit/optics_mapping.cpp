@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // From film point to lens: accurate = exhaustive, closest is part of auto, and the symmetries.
-#include "integral/optics/camera.h"
+#include "integral/optics/coverage.h"
 #include "tests/unit/optics_sheets.h"
 
 #include <boost/test/unit_test.hpp>

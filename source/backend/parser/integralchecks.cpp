@@ -12,6 +12,7 @@
 #include "backend/scene/scene.h"
 #include "base/integralframe.h"
 #include "base/integraloptions.h"
+#include "integral/optics/coverage.h"
 
 #include <algorithm>
 #include <cmath>

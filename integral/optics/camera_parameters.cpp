@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/optics/camera_parameters.h"
+
+#include <sstream>
+
+namespace integral {
+
+namespace {
+
+/// Collects complaints of the form "pitch 0 must be ...".
+class Complaints {
+public:
+    void require(bool holds, const char* what, double value, const char* legal)
+    {
+        if (holds)
+            return;
+        std::ostringstream text;
+        text.precision(10);
+        text << what << ' ' << value << " is out of range: " << legal;
+        list.push_back(text.str());
+    }
+    std::vector<std::string> list;
+};
+
+bool in(double value, double least, double most) { return value >= least && value <= most; }
+
+// The ranges are a little wider than those over which the optics are proven (optics.md section 7).
+
+void check_sheet(const LensSheet& sheet, Complaints& c)
+{
+    c.require(in(sheet.pitch, 1e-4, 1e3), "pitch", sheet.pitch,
+              "it is the width of a lens, 0.0001 to 1000 mm");
+    c.require(in(sheet.thickness, 1e-6, 1e6), "thickness", sheet.thickness,
+              "it is the distance from lens to film, 0.000001 to 1000000 mm");
+    c.require(in(sheet.ior, 1, 4), "ior", sheet.ior, "it is the sheet's refractive index, 1 to 4");
+    c.require(in(std::fabs(sheet.slant), 0, 89.99), "slant", sheet.slant,
+              "it is in degrees, -89.99 to 89.99");
+    for (const double offset : {sheet.offset.x, sheet.offset.y})
+        c.require(in(std::fabs(offset), 0, 1e6), "offset", offset,
+                  "it is in mm, at most 1000000 either way");
+}
+
+void check_film(const FilmParameters& film, Complaints& c)
+{
+    for (const double pitch : {film.pixel_pitch.x, film.pixel_pitch.y})
+        c.require(in(pitch, 1e-6, 1e4), "film pixel pitch", pitch,
+                  "it is 0.000001 to 10000 mm (dpi = 25.4/pitch)");
+    for (int cell = 0; cell < film.subpixels.number; ++cell)
+        for (const Vec2 place : film.subpixels.cell[cell])
+            for (const double part : {place.x, place.y})
+                c.require(in(std::fabs(part), 0, 1), "place of a subpixel", part,
+                          "it is in pixels from its pixel's centre, -1 to 1");
+    if (film.units_per_mm)
+        c.require(in(*film.units_per_mm, 1e-6, 1e6), "units_per_mm", *film.units_per_mm,
+                  "it is in scene units, 0.000001 to 1000000");
+}
+
+} // namespace
+
+std::vector<std::string> find_value_errors(const CameraParameters& p)
+{
+    Complaints c;
+    check_sheet(p.sheet, c);
+    check_film(p.film, c);
+    if (p.sheet_distance)
+        c.require(in(*p.sheet_distance, 1e-9, 1e9), "sheet_distance", *p.sheet_distance,
+                  "it is in scene units, greater than 0, at most 1e9");
+    if (p.capture_aperture)
+        for (const double extent : {p.capture_aperture->x, p.capture_aperture->y})
+            c.require(in(extent, 0, 1e12), "capture_aperture", extent,
+                      "its width and height are in mm, 0 to 1e12");
+    const char* const samples = "it is a whole number of points, 1 to 65536";
+    c.require(in(p.beam_samples.value_or(1), 1, 65536), "beam_samples", p.beam_samples.value_or(1),
+              samples);
+    c.require(in(p.pixel_samples.value_or(1), 1, 65536), "pixel_samples",
+              p.pixel_samples.value_or(1), samples);
+    if (p.depth_range) {
+        for (const double depth : {p.depth_range->x, p.depth_range->y})
+            c.require(in(depth, 0, 1e12), "depth_range", depth,
+                      "front and back are in mm, positive");
+        if (p.depth_range->x == 0 && p.depth_range->y == 0)
+            c.list.push_back("depth_range <0, 0> leaves nothing to be seen: one of front and back "
+                             "must be greater than 0");
+    }
+    return c.list;
+}
+
+namespace {
+
+/// Says what is wrong with a capture aperture for this sheet; empty if nothing is.
+std::string aperture_error(const LensSheet& sheet, Vec2 extent)
+{
+    if (sheet.arrangement == Arrangement::lenticular) {
+        if (extent_along_slit(sheet, extent) > 0)
+            return "";
+        return slit_is_horizontal(sheet)
+                   ? "the capture aperture of a lenticular sheet needs a width greater than 0: it "
+                     "is capture_aperture <width, slit height>"
+                   : "the capture aperture of a lenticular sheet slanted by more than 45 degrees "
+                     "needs a height greater than 0: it is capture_aperture <slit width, height>";
+    }
+    return extent.x > 0 && extent.y > 0 ? ""
+                                        : "capture_aperture needs a width and a height greater "
+                                          "than 0: nothing would be imaged";
+}
+
+/// The sentence for a model that needs a curved surface, of a sheet that has none.
+std::string surface_error(const LensSheet& sheet, LensModel model)
+{
+    std::ostringstream text;
+    text << "lens_model " << (model == LensModel::hybrid ? "hybrid" : "full")
+         << " needs lenses whose surface reaches their edge: "
+         << "its radius, thickness*(ior - 1)/ior = " << surface_radius(sheet)
+         << " mm, must be at least " << cell_circumradius(sheet)
+         << " mm; lens_model extended_pinhole has no such limit";
+    return text.str();
+}
+
+} // namespace
+
+std::vector<std::string> find_errors(const CameraParameters& p)
+{
+    auto errors = find_value_errors(p);
+    if (!errors.empty())
+        return errors;
+    if (refracts_at_surface(p.model) && !has_surface(p.sheet))
+        errors.push_back(surface_error(p.sheet, p.model));
+    constexpr double most_rays = 1 << 20;
+    if (double(p.pixel_samples.value_or(default_pixel_samples(p))) *
+            p.beam_samples.value_or(default_beam_samples(p)) >
+        most_rays)
+        errors.push_back("pixel_samples times beam_samples are more than 1048576 rays a pixel: no "
+                         "computer has the time for that");
+    if (p.model == LensModel::hybrid && p.beam_samples)
+        errors.push_back("beam_samples does not go with lens_model hybrid, which has 3 or 5 rays "
+                         "of its own; lens_model full has as many as beam_samples says");
+    if (p.display_prefilter && refracts_at_surface(p.model))
+        errors.push_back("display_prefilter is a filter of the ideal beam: it goes with lens_model "
+                         "extended_pinhole or pinhole");
+    if (!p.capture_aperture && !filling_aperture(modelled_sheet(p.sheet, p.model), 1))
+        errors.push_back(
+            "no aperture, however wide, fills these lenses (they are too wide for their thickness "
+            "and ior): give capture_aperture <width, height> in mm");
+    if (p.capture_aperture) {
+        const std::string error = aperture_error(p.sheet, *p.capture_aperture);
+        if (!error.empty())
+            errors.push_back(error);
+    }
+    return errors;
+}
+
+int default_beam_samples(const CameraParameters& p)
+{
+    const bool slit_has_height = p.sheet.arrangement == Arrangement::lenticular &&
+                                 p.capture_aperture &&
+                                 extent_across_slit(p.sheet, *p.capture_aperture) > 0;
+    return p.model == LensModel::full || (slit_has_height && p.model != LensModel::hybrid) ? 16
+           : p.display_prefilter                                                           ? 4
+                                                                                           : 1;
+}
+
+int default_pixel_samples(const CameraParameters& p) { return p.display_prefilter ? 4 : 1; }
+
+} // namespace integral

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What `camera { integral ... }` can say, with its defaults and its legal values.
+#ifndef INTEGRAL_OPTICS_CAMERA_PARAMETERS_H
+#define INTEGRAL_OPTICS_CAMERA_PARAMETERS_H
+
+#include "integral/optics/aperture.h"
+#include "integral/optics/film.h"
+#include "integral/optics/lens_mapping.h"
+#include "integral/optics/lens_model.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// Film geometry as written in a scene: the frame's size in pixels comes with the render.
+struct FilmParameters {
+    Vec2 pixel_pitch{mm_per_inch / 300, mm_per_inch / 300}; ///< mm; 25.4 / dpi
+    std::optional<double> units_per_mm; ///< scene units per mm on the sheet, if given
+    Subpixels subpixels = {};
+};
+
+/// An integral camera as a scene states it. The comments give units and defaults.
+struct CameraParameters {
+    LensSheet sheet;
+    FilmParameters film;
+    std::optional<double> sheet_distance; ///< scene units from the aperture's centre
+    std::optional<Vec2> capture_aperture; ///< mm; default: filling_aperture
+    ApertureShape aperture_shape = ApertureShape::rectangle;
+    LensModel model = LensModel::extended_pinhole;
+    LensMapping mapping = LensMapping::automatic;
+    /// Sample points on the lens's cell, 1 to 65536; default: default_beam_samples.
+    std::optional<int> beam_samples;
+    /// Sample points on the pixel's area, 1 to 65536; 1 is its centre; default:
+    /// default_pixel_samples.
+    std::optional<int> pixel_samples;
+    bool display_prefilter = false; ///< see IntegralCamera
+    /// How far the camera sees in front of the sheet (at most to the aperture) and behind it, mm;
+    /// >= 0. Nothing: from the aperture to infinity.
+    std::optional<Vec2> depth_range;
+    bool pseudoscopic = false; ///< Lippmann's single-stage capture: inverted in depth
+};
+
+/// 16 where there is an area to integrate over (the full model's lens, or a slit that has height),
+/// 4 for the display prefilter, else 1: the pole.
+int default_beam_samples(const CameraParameters& parameters);
+
+/// 4 for the display prefilter, else 1: the pixel's centre.
+int default_pixel_samples(const CameraParameters& parameters);
+
+/// Checks each value by itself. Returns a sentence for every value out of range, which names the
+/// value and what is legal; empty if all are legal.
+std::vector<std::string> find_value_errors(const CameraParameters& parameters);
+
+/// Checks each value, and if all are legal, how they go together. Returns a sentence for every
+/// fault. What depends on the frame's size or the viewpoint is left to make_camera.
+std::vector<std::string> find_errors(const CameraParameters& parameters);
+
+} // namespace integral
+
+#endif
