@@ -26,6 +26,8 @@ enum
     kIntegralAttrib_PatchShadings = 'IgPs',  ///< of these, those for which it was worked out
     kIntegralAttrib_Containers = 'IgCo',     ///< objects that rays may start inside of
     kIntegralAttrib_Objects = 'IgOb',        ///< objects in the scene
+    kIntegralAttrib_ViewingDistance = 'IgVd', ///< mm from the eye to the sheet
+    kIntegralAttrib_SceneDistance = 'IgVs',   ///< the same as the scene has it; absent: it is that
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
     kIntegralAttrib_Error = 'IgEr',    ///< estimated RMS error in the output encoding; absent: not
                                        ///< estimated
