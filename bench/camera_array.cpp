@@ -91,7 +91,7 @@ void GatheredFrame::add(const Image& picture, const EyePosition& eye)
                 film, optics_.film_point_seen(point, (1 / length(to_eye)) * to_eye));
             if (!(pixel.x >= 0 && pixel.x < film.width && pixel.y >= 0 && pixel.y < film.height))
                 continue;
-            const Color c = read(x, y);
+            const Colour c = read(x, y);
             Light& light = film_[std::size_t(pixel.y) * film.width + std::size_t(pixel.x)];
             light = {light.r + c.r, light.g + c.g, light.b + c.b, light.rays + 1};
         }
@@ -115,7 +115,7 @@ double GatheredFrame::missing() const
     int lit = 0, without = 0;
     for (int y = 0; y < like_.image.height; ++y)
         for (int x = 0; x < like_.image.width; ++x) {
-            const Color c = stored_pixel(like_.image, x, y);
+            const Colour c = stored_pixel(like_.image, x, y);
             if (c.r == 0 && c.g == 0 && c.b == 0)
                 continue;
             ++lit;

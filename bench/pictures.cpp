@@ -18,10 +18,10 @@ Image shrunk(const Image& image, int block)
     const float weight = 1.0f / float(block * block);
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x) {
-            Color sum;
+            Colour sum;
             for (int j = 0; j < block; ++j)
                 for (int i = 0; i < block; ++i) {
-                    const Color c = read(x * block + i, y * block + j);
+                    const Colour c = read(x * block + i, y * block + j);
                     sum = {sum.r + c.r * weight, sum.g + c.g * weight, sum.b + c.b * weight, 1};
                 }
             store_linear(result, x, y, sum);
@@ -29,14 +29,14 @@ Image shrunk(const Image& image, int block)
     return result;
 }
 
-void ColorDifferences::add(const Color& a, const Color& b)
+void ColourDifferences::add(const Colour& a, const Colour& b)
 {
     for (const double difference : {double(a.r) - b.r, double(a.g) - b.g, double(a.b) - b.b})
         squares_ += difference * difference;
     values_ += 3;
 }
 
-double ColorDifferences::rms() const
+double ColourDifferences::rms() const
 {
     return std::sqrt(squares_ / double(std::max(values_, 1LL)));
 }

@@ -14,9 +14,9 @@ namespace integral::bench {
 Image shrunk(const Image& image, int block);
 
 /// Accumulates squared differences of colours, pixel by pixel.
-class ColorDifferences {
+class ColourDifferences {
 public:
-    void add(const Color& a, const Color& b);
+    void add(const Colour& a, const Colour& b);
     double rms() const; ///< over three channels; 0 where nothing was added
 
 private:

@@ -116,7 +116,7 @@ public:
 private:
     double pixel(int x, int y) const
     {
-        const Color c = read_(x, y);
+        const Colour c = read_(x, y);
         return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
     }
     const Image& image_;
@@ -166,10 +166,10 @@ Profile profile_of(const Image& view, double middle)
 /// shows to the aperture.
 double lit_rmse(const Image& image, const Image& reference)
 {
-    ColorDifferences differences;
+    ColourDifferences differences;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            const Color a = stored_pixel(image, x, y), b = stored_pixel(reference, x, y);
+            const Colour a = stored_pixel(image, x, y), b = stored_pixel(reference, x, y);
             if (b.r == 0 && b.g == 0 && b.b == 0)
                 continue;
             differences.add(a, b);

@@ -99,7 +99,7 @@ double lit_rmse(const Frame& frame, const Frame& reference)
 {
     const FrameMetadata& metadata = *frame.metadata;
     const SheetOptics optics(metadata.sheet, metadata.aperture, metadata.render->model);
-    ColorDifferences differences;
+    ColourDifferences differences;
     for (int y = 0; y < frame.image.height; ++y)
         for (int x = 0; x < frame.image.width; ++x) {
             if (!optics
@@ -107,8 +107,8 @@ double lit_rmse(const Frame& frame, const Frame& reference)
                           metadata.render->mapping)
                      .ray)
                 continue;
-            const Color a = stored_pixel(frame.image, x, y),
-                        b = stored_pixel(reference.image, x, y);
+            const Colour a = stored_pixel(frame.image, x, y),
+                         b = stored_pixel(reference.image, x, y);
             differences.add(a, b);
         }
     return differences.rms();

@@ -25,7 +25,7 @@ std::vector<Plane> reduced_colours(const Image& scan, int reduction, int threads
             float sum[3] = {0, 0, 0};
             for (int j = 0; j < reduction; ++j)
                 for (int i = 0; i < reduction; ++i) {
-                    const Color c = stored_pixel(scan, x * reduction + i, y * reduction + j);
+                    const Colour c = stored_pixel(scan, x * reduction + i, y * reduction + j);
                     const float values[3] = {c.r, c.g, c.b};
                     for (int k = 0; k < 3; ++k)
                         sum[k] += linear ? float(encode({}, values[k])) : values[k];

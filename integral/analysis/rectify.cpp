@@ -73,13 +73,13 @@ std::optional<Image> rectified(const Image& scan, const ScanMap& map, const Film
             for (std::size_t j = 0; j < rows.weights.size(); ++j)
                 for (std::size_t i = 0; i < columns.weights.size(); ++i) {
                     const float weight = rows.weights[j] * columns.weights[i];
-                    const Color value = pixel(columns.first + int(i), rows.first + int(j));
+                    const Colour value = pixel(columns.first + int(i), rows.first + int(j));
                     r += weight * value.r;
                     g += weight * value.g;
                     b += weight * value.b;
                     sum += weight;
                 }
-            const Color gain = light.gain(at);
+            const Colour gain = light.gain(at);
             store_linear(frame, x, y, {gain.r * r / sum, gain.g * g / sum, gain.b * b / sum, 1});
         }
     };

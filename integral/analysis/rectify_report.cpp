@@ -17,7 +17,7 @@ void LightReport::add_evened(bool by_flat, bool by_surface, double ratio)
     add_text("light evened that differed " + with_digits(ratio, 3) + " times");
 }
 
-void LightReport::add_balanced(bool by_white_patch, Color gains)
+void LightReport::add_balanced(bool by_white_patch, Colour gains)
 {
     json_["colour"] = {{"by", by_white_patch ? "white patch" : "grey world"},
                        {"gains", {gains.r, gains.g, gains.b}}};

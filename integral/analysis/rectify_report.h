@@ -20,7 +20,7 @@ public:
     /// greatest over the least light before.
     void add_evened(bool by_flat, bool by_surface, double ratio);
     /// The colours were multiplied by `gains`, found by a white patch or else by the grey world.
-    void add_balanced(bool by_white_patch, Color gains);
+    void add_balanced(bool by_white_patch, Colour gains);
     /// Micro-images were flattened whose average fell to `least` of its brightest place.
     void add_flattened(double least);
 

@@ -15,7 +15,7 @@ constexpr int grid_side = 64;
 constexpr float least_light = 1e-4f; // a darker square tells nothing of its light
 constexpr float burnt_out = 0.98f;
 
-Color times(Color a, Color b) { return {a.r * b.r, a.g * b.g, a.b * b.b, a.a}; }
+Colour times(Colour a, Colour b) { return {a.r * b.r, a.g * b.g, a.b * b.b, a.a}; }
 
 std::array<double, 6> terms(double x, double y) { return {1, x, y, x * x, x * y, y * y}; }
 
@@ -89,7 +89,7 @@ void weigh_again(std::vector<SurfaceSample>& samples, const std::array<double, 6
 
 } // namespace
 
-double luminance(Color c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+double luminance(Colour c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 LightGrid light_grid(const Image& scan, int threads)
 {
@@ -107,7 +107,7 @@ LightGrid light_grid(const Image& scan, int threads)
             for (int y = row * grid.square; y < std::min(scan.height, (row + 1) * grid.square); ++y)
                 for (int x = column * grid.square;
                      x < std::min(scan.width, (column + 1) * grid.square); ++x) {
-                    const Color c = pixel(x, y);
+                    const Colour c = pixel(x, y);
                     r += c.r;
                     g += c.g;
                     b += c.b;
@@ -129,7 +129,7 @@ void ScanLight::divide_by_flat(const Image& flat, int width, int height, int thr
                                     "; scan both alike");
     LightGrid grid = light_grid(flat, threads);
     double r = 0, g = 0, b = 0, least = 1e30, most = 0;
-    for (const Color& c : grid.means) {
+    for (const Colour& c : grid.means) {
         if (!(c.r > least_light && c.g > least_light && c.b > least_light))
             throw std::invalid_argument(
                 "it is black in places, and says nothing of the light there");
@@ -140,7 +140,7 @@ void ScanLight::divide_by_flat(const Image& flat, int width, int height, int thr
         most = std::max(most, luminance(c));
     }
     const double count = double(grid.means.size());
-    for (Color& c : grid.means)
+    for (Colour& c : grid.means)
         c = {float(c.r * count / r), float(c.g * count / g), float(c.b * count / b), 1};
     unevenness_ = most / least;
     flat_ = std::move(grid);
@@ -201,18 +201,18 @@ void ScanLight::balance_grey(const LightGrid& scan)
     double r = 0, g = 0, b = 0;
     for (int row = 0; row < scan.rows; ++row)
         for (int column = 0; column < scan.columns; ++column) {
-            const Color raw = scan.at(column, row);
+            const Colour raw = scan.at(column, row);
             if (std::max({raw.r, raw.g, raw.b}) > burnt_out || luminance(raw) < 0.002)
                 continue;
-            const Color c = times(raw,
-                                  gain({(column + 0.5) * scan.square, (row + 0.5) * scan.square}));
+            const Colour c = times(raw,
+                                   gain({(column + 0.5) * scan.square, (row + 0.5) * scan.square}));
             r += c.r;
             g += c.g;
             b += c.b;
         }
     if (!(r > 0 && g > 0 && b > 0))
         return;
-    const Color sums{float(r), float(g), float(b), 1};
+    const Colour sums{float(r), float(g), float(b), 1};
     const double light = luminance(sums);
     gains_ = times(gains_, {float(light / r), float(light / g), float(light / b), 1});
 }
@@ -223,7 +223,7 @@ void ScanLight::balance_white(const Image& scan, int x, int y, int width, int he
     double r = 0, g = 0, b = 0;
     for (int j = y; j < y + height; ++j)
         for (int i = x; i < x + width; ++i) {
-            const Color c = times(pixel(i, j), gain({i + 0.5, j + 0.5}));
+            const Colour c = times(pixel(i, j), gain({i + 0.5, j + 0.5}));
             r += c.r;
             g += c.g;
             b += c.b;
@@ -234,9 +234,9 @@ void ScanLight::balance_white(const Image& scan, int x, int y, int width, int he
     gains_ = times(gains_, {float(count / r), float(count / g), float(count / b), 1});
 }
 
-Color ScanLight::gain(Vec2 pixel) const
+Colour ScanLight::gain(Vec2 pixel) const
 {
-    Color all = gains_;
+    Colour all = gains_;
     if (surface_) {
         const float even = float(std::exp(-surface(pixel)));
         all = times(all, {even, even, even, 1});
@@ -246,14 +246,14 @@ Color ScanLight::gain(Vec2 pixel) const
         const double y = std::clamp(pixel.y / flat_->square - 0.5, 0.0, flat_->rows - 1.0);
         const int left = std::min(int(x), std::max(0, flat_->columns - 2)),
                   top = std::min(int(y), std::max(0, flat_->rows - 2));
-        Color light{0, 0, 0, 1};
+        Colour light{0, 0, 0, 1};
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 const float weight = float((i ? x - left : 1 - (x - left)) *
                                            (j ? y - top : 1 - (y - top)));
                 if (weight == 0)
                     continue;
-                const Color c = flat_->at(left + i, top + j);
+                const Colour c = flat_->at(left + i, top + j);
                 light = {light.r + weight * c.r, light.g + weight * c.g, light.b + weight * c.b, 1};
             }
         all = times(all, {1 / light.r, 1 / light.g, 1 / light.b, 1});

@@ -19,9 +19,9 @@ namespace integral {
 struct LightGrid {
     int columns = 0, rows = 0, square = 1; ///< squares, and the pixels of a square's side
     int width = 0, height = 0;             ///< of the scan
-    std::vector<Color> means;              ///< linear; row by row
+    std::vector<Colour> means;             ///< linear; row by row
 
-    Color at(int column, int row) const { return means[std::size_t(row) * columns + column]; }
+    Colour at(int column, int row) const { return means[std::size_t(row) * columns + column]; }
 };
 
 /// About 64 squares on the scan's longer side, each at least 8 pixels wide.
@@ -48,9 +48,9 @@ public:
     void balance_white(const Image& scan, int x, int y, int width, int height);
 
     /// The factor for the linear light at a scan pixel.
-    Color gain(Vec2 pixel) const;
+    Colour gain(Vec2 pixel) const;
 
-    Color channel_gains() const { return gains_; }
+    Colour channel_gains() const { return gains_; }
     /// The greatest over the least light of the surface or the flat field; 1: even.
     double unevenness() const { return unevenness_; }
 
@@ -59,11 +59,11 @@ private:
     std::optional<LightGrid> flat_;   ///< divided by its mean
     std::optional<std::array<double, 6>> surface_;
     double width_ = 1, height_ = 1, unevenness_ = 1;
-    Color gains_{1, 1, 1, 1};
+    Colour gains_{1, 1, 1, 1};
 };
 
 /// Relative luminance of linear light (sRGB's primaries).
-double luminance(Color linear);
+double luminance(Colour linear);
 
 /// Removes vignetting: divides a frame's light by that of the average micro-image at the same place
 /// in the cell, relative to its brightest place. The gain is at most 8. Returns the least light of

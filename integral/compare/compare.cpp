@@ -29,12 +29,12 @@ public:
             linear_.emplace(image);
     }
 
-    Color operator()(int x, int y) const
+    Colour operator()(int x, int y) const
     {
-        const Color stored = stored_pixel(image_, x, y);
+        const Colour stored = stored_pixel(image_, x, y);
         if (as_stored_ && (stored.a == 1 || image_.premultiplied))
             return stored;
-        const Color light = (*linear_)(x, y);
+        const Colour light = (*linear_)(x, y);
         const auto e = [&](float v) { return float(encode(encoding_, v)); };
         return {e(light.r), e(light.g), e(light.b), stored.a};
     }
@@ -59,7 +59,7 @@ void require_same_size(const Image& a, const Image& b)
 /// Whether `value` is larger than the largest so far; NaN is larger than all numbers.
 bool exceeds(double value, double largest) { return !std::isnan(largest) && !(value <= largest); }
 
-float luma(Color c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
+float luma(Colour c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
 
 /// Sums of squared differences, lens by lens.
 class MicroImages {
@@ -142,7 +142,7 @@ struct Comparer::State {
         std::int64_t row_close = 0;
         for (int x = 0; x < width; ++x) {
             const std::size_t at = std::size_t(row) * width + x;
-            const Color p = a(x, y), q = b(x, y);
+            const Colour p = a(x, y), q = b(x, y);
             const double difference[4] = {double(p.r) - q.r, double(p.g) - q.g, double(p.b) - q.b,
                                           alpha ? double(p.a) - q.a : 0};
             double squares = 0, largest = 0;
@@ -255,7 +255,7 @@ Image difference_picture(const Image& a, const Image& b, double gain)
     Image result = blank_like(difference_form(a, b), a.width, a.height);
     for_each_row(a.height, 0, [&](int y) {
         for (int x = 0; x < a.width; ++x) {
-            const Color p = seen_a(x, y), q = seen_b(x, y);
+            const Colour p = seen_a(x, y), q = seen_b(x, y);
             const auto d = [&](float u, float v) { return float(gain * std::fabs(u - v)); };
             store_pixel(result, x, y, {d(p.r, q.r), d(p.g, q.g), d(p.b, q.b), 1});
         }

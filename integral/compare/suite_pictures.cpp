@@ -50,7 +50,7 @@ template <class Counts> Vec2 worst_pixel(const Image& difference, Counts counts)
     Vec2 worst{0, 0};
     for (int y = 0; y < difference.height; ++y)
         for (int x = 0; x < difference.width; ++x) {
-            const Color c = stored_pixel(difference, x, y);
+            const Colour c = stored_pixel(difference, x, y);
             const float sum = c.r + c.g + c.b;
             if (sum > most && counts(x, y)) {
                 most = sum;

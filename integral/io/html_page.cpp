@@ -65,10 +65,10 @@ Image scaled_down(const Image& picture, int longest, Scaling scaling)
             const int y0 = edge(y, picture.height, height),
                       y1 = edge(y + 1, picture.height, height);
             double sum[3] = {};
-            Color greatest = {0, 0, 0, 1};
+            Colour greatest = {0, 0, 0, 1};
             for (int v = y0; v < y1; ++v)
                 for (int u = x0; u < x1; ++u) {
-                    const Color c = light(u, v);
+                    const Colour c = light(u, v);
                     sum[0] += c.r;
                     sum[1] += c.g;
                     sum[2] += c.b;
@@ -79,8 +79,8 @@ Image scaled_down(const Image& picture, int longest, Scaling scaling)
             store_linear(small, x, y,
                          scaling == Scaling::greatest
                              ? greatest
-                             : Color{float(sum[0] / count), float(sum[1] / count),
-                                     float(sum[2] / count), 1});
+                             : Colour{float(sum[0] / count), float(sum[1] / count),
+                                      float(sum[2] / count), 1});
         }
     return small;
 }

@@ -43,7 +43,7 @@ double linear_from_srgb(double v)
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-Color encoded(Color linear, Encoding encoding)
+Colour encoded(Colour linear, Encoding encoding)
 {
     const auto e = [&](float v) { return float(encode(encoding, v)); };
     return {e(linear.r), e(linear.g), e(linear.b), linear.a};
@@ -71,7 +71,7 @@ Image tiled(const std::vector<Image>& pictures, int columns, int border)
             const bool inside = k < pictures.size() && inner_x < first.width &&
                                 inner_y < first.height;
             store_pixel(sheet, x, y,
-                        inside ? stored_pixel(pictures[k], inner_x, inner_y) : Color{0, 0, 0, 1});
+                        inside ? stored_pixel(pictures[k], inner_x, inner_y) : Colour{0, 0, 0, 1});
         }
     return sheet;
 }
@@ -109,20 +109,20 @@ bool same_encoding(Encoding a, Encoding b)
     return a.kind == b.kind && (a.kind != Encoding::Kind::power || a.gamma == b.gamma);
 }
 
-Color stored_pixel(const Image& image, int x, int y)
+Colour stored_pixel(const Image& image, int x, int y)
 {
     return std::visit(
         [&](const auto& samples) {
             using Sample = typename std::decay_t<decltype(samples)>::value_type;
             const Sample* s = samples.data() + first_sample(image, x, y);
             const float scale = full_scale<Sample>();
-            return Color{s[0] / scale, s[1] / scale, s[2] / scale,
-                         image.channels == 4 ? s[3] / scale : 1};
+            return Colour{s[0] / scale, s[1] / scale, s[2] / scale,
+                          image.channels == 4 ? s[3] / scale : 1};
         },
         image.samples);
 }
 
-void store_pixel(Image& image, int x, int y, Color color)
+void store_pixel(Image& image, int x, int y, Colour color)
 {
     std::visit(
         [&](auto& samples) {
@@ -147,20 +147,20 @@ LinearReader::LinearReader(const Image& image) : image_(image)
         table_.push_back(float(decode(image.encoding, double(v) / last)));
 }
 
-Color LinearReader::operator()(int x, int y) const
+Colour LinearReader::operator()(int x, int y) const
 {
-    Color color = std::visit(
+    Colour color = std::visit(
         [&](const auto& samples) {
             using Sample = typename std::decay_t<decltype(samples)>::value_type;
             const Sample* s = samples.data() + first_sample(image_, x, y);
             const float alpha = image_.channels == 4 ? s[3] / full_scale<Sample>() : 1.0f;
             if constexpr (std::is_integral<Sample>::value)
-                return Color{table_[s[0]], table_[s[1]], table_[s[2]], alpha};
+                return Colour{table_[s[0]], table_[s[1]], table_[s[2]], alpha};
             else if (image_.encoding.kind == Encoding::Kind::linear)
-                return Color{s[0], s[1], s[2], alpha};
+                return Colour{s[0], s[1], s[2], alpha};
             else {
                 const auto d = [&](float v) { return float(decode(image_.encoding, v)); };
-                return Color{d(s[0]), d(s[1]), d(s[2]), alpha};
+                return Colour{d(s[0]), d(s[1]), d(s[2]), alpha};
             }
         },
         image_.samples);
@@ -172,7 +172,7 @@ Color LinearReader::operator()(int x, int y) const
     return color;
 }
 
-void store_linear(Image& image, int x, int y, Color linear)
+void store_linear(Image& image, int x, int y, Colour linear)
 {
     if (image.channels == 4 && !image.premultiplied && linear.a > 0) {
         linear.r /= linear.a;

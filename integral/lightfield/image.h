@@ -13,7 +13,7 @@
 namespace integral {
 
 /// Colour in any encoding; 1 is full scale. Alpha 1 is opaque.
-struct Color {
+struct Colour {
     float r = 0, g = 0, b = 0, a = 1;
 };
 
@@ -82,17 +82,17 @@ int sample_bits(const Image& image);
 
 /// The stored colour of pixel (x, y), with 1 as full scale. The pixel must be inside the image.
 /// Alpha is 1 if the image has none.
-Color stored_pixel(const Image& image, int x, int y);
+Colour stored_pixel(const Image& image, int x, int y);
 
 /// Stores a colour without conversion; for integer samples it is rounded and clamped.
-void store_pixel(Image& image, int x, int y, Color color);
+void store_pixel(Image& image, int x, int y, Colour color);
 
 /// Reads pixels as linear light premultiplied by alpha, which is the form for averaging. Uses a
 /// table for integer samples. Refers to the image, which must outlive it.
 class LinearReader {
 public:
     explicit LinearReader(const Image& image);
-    Color operator()(int x, int y) const;
+    Colour operator()(int x, int y) const;
 
 private:
     const Image& image_;
@@ -100,7 +100,7 @@ private:
 };
 
 /// The inverse of LinearReader: stores linear premultiplied light in the image's form.
-void store_linear(Image& image, int x, int y, Color linear);
+void store_linear(Image& image, int x, int y, Colour linear);
 
 /// The picture in another form. `bits`: 8, 16 or 32. If encoding and premultiplication stay the
 /// same, values change only by rounding.

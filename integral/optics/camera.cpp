@@ -23,15 +23,14 @@ void check_view(const ViewFrame& view)
 }
 
 /// d, mm: from the aperture to the sheet, by k scene units per mm.
-double aperture_distance(const ViewFrame& view, double k)
+double aperture_distance(const CameraParameters& p, const ViewFrame& view, double k)
 {
-    const double sheet_distance = view.sheet_distance_ratio * length(view.direction); // D
-    const double distance = sheet_distance / k;
+    const double distance = p.viewing_distance.value_or(scene_viewing_distance(view, k));
     if (!(distance >= 1e-2 && distance <= 1e9)) {
         std::ostringstream text;
         text << "the viewer is " << distance << " mm from the sheet (" << k
              << " scene units a mm); 0.01 to 1e9 mm is possible: change sheet_distance, angle or "
-                "units_per_mm";
+                "units_per_mm, or give viewing_distance";
         fail(text.str());
     }
     return distance;
@@ -87,6 +86,11 @@ Vec3 sheet_from_scene(const Placement& p, Vec3 point)
             dot(cross(p.x, p.y), v) / volume};
 }
 
+double scene_viewing_distance(const ViewFrame& view, double units_per_mm)
+{
+    return view.sheet_distance_ratio * length(view.direction) / units_per_mm;
+}
+
 IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int width, int height)
 {
     const auto errors = find_errors(p);
@@ -100,7 +104,7 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     const double window = view.sheet_distance_ratio * length(view.right); // S, scene units
     const double k = p.film.units_per_mm ? *p.film.units_per_mm
                                          : window / (width * film.pixel_pitch.x);
-    const Aperture aperture = make_aperture(p, aperture_distance(view, k));
+    const Aperture aperture = make_aperture(p, aperture_distance(p, view, k));
     return {SheetOptics(p.sheet, aperture, p.model),
             film,
             make_placement(view, k),

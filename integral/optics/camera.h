@@ -54,6 +54,10 @@ struct IntegralCamera {
     double slit_height(Vec2 aperture_point) const;
 };
 
+/// How far from the sheet the scene has its eye, mm: what the viewing distance is unless
+/// CameraParameters::viewing_distance moves the eye.
+double scene_viewing_distance(const ViewFrame& view, double units_per_mm);
+
 /// Builds the camera for a frame of width x height pixels.
 /// Throws std::invalid_argument, with a sentence for the user, where the parameters cannot work.
 IntegralCamera make_camera(const CameraParameters& parameters, const ViewFrame& view, int width,

@@ -65,6 +65,9 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     if (p.sheet_distance)
         c.require(in(*p.sheet_distance, 1e-9, 1e9), "sheet_distance", *p.sheet_distance,
                   "it is in scene units, greater than 0, at most 1e9");
+    if (p.viewing_distance)
+        c.require(in(*p.viewing_distance, 1e-2, 1e9), "viewing_distance", *p.viewing_distance,
+                  "it is in mm from the sheet to the eye, 0.01 to 1e9");
     if (p.capture_aperture)
         for (const double extent : {p.capture_aperture->x, p.capture_aperture->y})
             c.require(in(extent, 0, 1e12), "capture_aperture", extent,

@@ -25,7 +25,11 @@ struct FilmParameters {
 struct CameraParameters {
     LensSheet sheet;
     FilmParameters film;
-    std::optional<double> sheet_distance; ///< scene units from the aperture's centre
+    /// Scene units from the scene's eye to the sheet: where the sheet stands, and how wide it is.
+    std::optional<double> sheet_distance;
+    /// mm from the sheet to the viewer's eye. The eye moves along the line of sight; the sheet and
+    /// its window stay. Nothing: the eye stays where the scene has it.
+    std::optional<double> viewing_distance;
     std::optional<Vec2> capture_aperture; ///< mm; default: filling_aperture
     ApertureShape aperture_shape = ApertureShape::rectangle;
     LensModel model = LensModel::extended_pinhole;

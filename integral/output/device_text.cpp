@@ -105,7 +105,7 @@ void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at
             const float covered = rows[std::ptrdiff_t(y - y0) * stride + (x - x0)] / 255.0f;
             if (covered == 0)
                 continue;
-            const Color under = light(x, y);
+            const Colour under = light(x, y);
             const float rest = 1 - covered;
             store_linear(
                 image, x, y,

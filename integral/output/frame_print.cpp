@@ -101,7 +101,7 @@ Image over_white(Image picture, int bits)
     const LinearReader light(picture);
     for_each_row(picture.height, 0, [&](int y) {
         for (int x = 0; x < picture.width; ++x) {
-            const Color c = light(x, y);
+            const Colour c = light(x, y);
             store_linear(page, x, y, {c.r + 1 - c.a, c.g + 1 - c.a, c.b + 1 - c.a, 1});
         }
     });

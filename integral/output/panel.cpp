@@ -286,6 +286,7 @@ std::string camera_words(const Panel& panel)
         if (panel.aperture.shape != ApertureShape::rectangle)
             words += std::string(" aperture_shape ") + name_of(panel.aperture.shape);
     }
+    words += " viewing_distance " + number_word(panel.aperture.distance);
     return words;
 }
 

@@ -13,7 +13,7 @@
 namespace integral {
 namespace {
 
-Image filled(int width, int height, Color colour)
+Image filled(int width, int height, Colour colour)
 {
     Image image = make_image<std::uint8_t>(width, height, 3, {});
     for (int y = 0; y < height; ++y)
@@ -22,11 +22,11 @@ Image filled(int width, int height, Color colour)
     return image;
 }
 
-constexpr Color black{0, 0, 0, 1}, white{1, 1, 1, 1};
+constexpr Colour black{0, 0, 0, 1}, white{1, 1, 1, 1};
 
 } // namespace
 
-Color view_number_colour(int view, int count)
+Colour view_number_colour(int view, int count)
 {
     // Round the circle of hues, never dark: black figures stand on it.
     constexpr double turn = 6.283185307179586;
@@ -67,7 +67,7 @@ std::vector<Image> crosstalk_card(int count, std::optional<int> lit)
 std::vector<Image> colour_card(int count, int lit)
 {
     constexpr int band = 16;
-    const Color colours[] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, white};
+    const Colour colours[] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, white};
     std::vector<Image> views;
     for (int view = 0; view < count; ++view) {
         Image picture = filled(2, 4 * band, black);

@@ -16,7 +16,7 @@ namespace integral {
 std::vector<Image> view_number_card(int count, double aspect);
 
 /// The colour of a view of that card.
-Color view_number_colour(int view, int count);
+Colour view_number_colour(int view, int count);
 
 /// White: view `lit`, or without it every other one from the first on. The others are black, and
 /// what an eye sees of white in their places is the display's crosstalk.

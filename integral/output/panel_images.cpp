@@ -74,7 +74,7 @@ Image prepared(const Image& view, bool linear)
     const LinearReader reader(view);
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
-            Color c = reader(x, y);
+            Colour c = reader(x, y);
             c.a = 1;
             store_linear(opaque, x, y, c);
         }

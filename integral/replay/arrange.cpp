@@ -96,7 +96,7 @@ Image anaglyph(const Image& left, const Image& right)
     Image image = blank_like(left, left.width, left.height);
     for (int y = 0; y < left.height; ++y)
         for (int x = 0; x < left.width; ++x) {
-            const Color l = stored_pixel(left, x, y), r = stored_pixel(right, x, y);
+            const Colour l = stored_pixel(left, x, y), r = stored_pixel(right, x, y);
             store_pixel(image, x, y, {l.r, r.g, r.b, 0.5f * (l.a + r.a)});
         }
     return image;

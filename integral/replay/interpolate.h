@@ -11,20 +11,20 @@
 namespace integral {
 
 /// Bilinear interpolation at (x, y) in a grid of `columns` x `rows` points, the first at (0, 0).
-/// Outside the grid the nearest edge value counts. at(column, row) returns a Color, linear and
+/// Outside the grid the nearest edge value counts. at(column, row) returns a Colour, linear and
 /// premultiplied.
-template <class At> Color between(double x, double y, int columns, int rows, At at)
+template <class At> Colour between(double x, double y, int columns, int rows, At at)
 {
     x = std::clamp(x, 0.0, columns - 1.0);
     y = std::clamp(y, 0.0, rows - 1.0);
     const int left = std::min(int(x), std::max(0, columns - 2)),
               top = std::min(int(y), std::max(0, rows - 2));
-    Color sum{0, 0, 0, 0};
+    Colour sum{0, 0, 0, 0};
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) {
             const double weight = (i ? x - left : 1 - (x - left)) * (j ? y - top : 1 - (y - top));
             if (weight > 0) {
-                const Color c = at(left + i, top + j);
+                const Colour c = at(left + i, top + j);
                 const float w = float(weight);
                 sum = {sum.r + w * c.r, sum.g + w * c.g, sum.b + w * c.b, sum.a + w * c.a};
             }
@@ -34,18 +34,18 @@ template <class At> Color between(double x, double y, int columns, int rows, At 
 
 /// Combines one colour for each channel of a film with subpixels: red of at(0), green of at(1),
 /// blue of at(2), and their mean alpha. Without subpixels returns at(1).
-template <class At> Color each_channel(const Subpixels& subpixels, At at)
+template <class At> Colour each_channel(const Subpixels& subpixels, At at)
 {
     if (subpixels == Subpixels::none)
         return at(1);
-    const Color red = at(0), green = at(1), blue = at(2);
+    const Colour red = at(0), green = at(1), blue = at(2);
     return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
 }
 
 /// The colour that the film's subpixels of a channel show at a point in pixel coordinates:
 /// interpolated between the four nearest subpixels, or that of the nearest one for patterns of
 /// cells, which form no regular grid.
-inline Color of_subpixels(const LinearReader& light, const Film& film, Vec2 pixel, int channel)
+inline Colour of_subpixels(const LinearReader& light, const Film& film, Vec2 pixel, int channel)
 {
     if (film.subpixels == Subpixels::cells) {
         const PixelPlace at = pixel_of_nearest_subpixel(film.subpixels, pixel, channel);

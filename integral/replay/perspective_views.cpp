@@ -33,7 +33,7 @@ std::optional<Image> frame_from_perspective_views(const std::vector<Image>& view
     const auto seen_by = [&](Vec2 film_point) {
         const auto seen = eye_place(optics, eyes, film_point);
         if (!seen)
-            return Color{0, 0, 0, 0};
+            return Colour{0, 0, 0, 0};
         const Vec2 at = pixel_from_film(window, seen->place);
         const double across = seen->eye.x * grid.columns - 0.5, up = seen->eye.y * grid.rows - 0.5;
         return between(across, up, grid.columns, grid.rows, [&](int i, int j) {

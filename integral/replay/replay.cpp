@@ -49,7 +49,7 @@ public:
 
     /// At a point of the sheet, from a point `eye` of the pupil's plane, `aside` of the film point
     /// that is seen.
-    Color at(Vec2 point, Vec2 eye, Vec2 aside) const
+    Colour at(Vec2 point, Vec2 eye, Vec2 aside) const
     {
         const auto film_point = film_point_seen(point, eye);
         if (!film_point)
@@ -74,14 +74,14 @@ private:
     }
 
     /// Each colour channel of its own nearest subpixel; their pixels' mean alpha.
-    Color subpixels_at(Vec2 pixel) const
+    Colour subpixels_at(Vec2 pixel) const
     {
         const auto nearest = [&](int channel) {
             const PixelPlace at = pixel_of_nearest_subpixel(film_.subpixels, pixel, channel);
             return pixel_(std::clamp(at.column, 0, film_.width - 1),
                           std::clamp(at.row, 0, film_.height - 1));
         };
-        const Color red = nearest(0), green = nearest(1), blue = nearest(2);
+        const Colour red = nearest(0), green = nearest(1), blue = nearest(2);
         return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
     }
 
@@ -92,7 +92,7 @@ private:
     SheetOptics optics_;
     SheetSurface surface_; ///< for models that refract there
     LinearReader pixel_;
-    Color outside_;
+    Colour outside_;
 };
 
 /// Points of a disc, spread evenly over the samples of a pixel and otherwise than in the pixels
@@ -162,8 +162,8 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
                 for (int i = 0; i < n; ++i) {
                     const Vec2 point{across[x * n + i], down[y * n + j]};
                     const Vec2 from = pupil.point(x, y, j * n + i);
-                    const Color c = seen.at(point + sideways * (from - eye), from,
-                                            spot.point(x, y, j * n + i));
+                    const Colour c = seen.at(point + sideways * (from - eye), from,
+                                             spot.point(x, y, j * n + i));
                     r += c.r;
                     g += c.g;
                     b += c.b;

@@ -104,8 +104,8 @@ private:
 
 /// The light of one pixel of a view that is not exact; nothing where there is no film behind the
 /// lens.
-inline std::optional<Color> view_pixel(const Lenses& lenses, const LinearReader& light, int view,
-                                       int column, int row)
+inline std::optional<Colour> view_pixel(const Lenses& lenses, const LinearReader& light, int view,
+                                        int column, int row)
 {
     const Film& film = lenses.film;
     const Vec2 middle = lenses.middle(lenses.lens_at(column, row), row);
@@ -135,8 +135,8 @@ inline ViewPlace view_place(const Lenses& lenses, int x, int y, int channel)
 }
 
 /// The light of a film pixel, interpolated between the directions of views that are not exact.
-/// at(view, column, row) gives the light of a view's pixel as a Color.
-template <class At> Color film_pixel(const Lenses& lenses, int x, int y, At at)
+/// at(view, column, row) gives the light of a view's pixel as a Colour.
+template <class At> Colour film_pixel(const Lenses& lenses, int x, int y, At at)
 {
     const ViewGrid grid = lenses.grid;
     return each_channel(lenses.film.subpixels, [&](int channel) {

@@ -38,7 +38,7 @@ Needed needed_by(const Lenses& lenses, const Block& block)
         for (int x = block.x; x < block.x + block.width; ++x)
             each_channel(lenses.film.subpixels, [&](int channel) {
                 take(x, y, channel);
-                return Color{};
+                return Colour{};
             });
     return needed;
 }

@@ -26,6 +26,8 @@ enum
     kIntegralAttrib_PatchShadings = 'IgPs',     ///< those of them that computed it
     kIntegralAttrib_Containers = 'IgCo',        ///< objects inside which rays may start
     kIntegralAttrib_Objects = 'IgOb',           ///< objects in the scene
+    kIntegralAttrib_ViewingDistance = 'IgVd',   ///< mm from the eye to the sheet
+    kIntegralAttrib_SceneDistance = 'IgVs',     ///< the same, as the scene has it; only if another
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
     kIntegralAttrib_Error = 'IgEr',    ///< estimated RMS error in the output encoding; absent: not
                                        ///< estimated

@@ -76,6 +76,12 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
     out->printf("%-19s %15d   of %d objects\n",
                 "    among:", statistics.TryGetInt(kIntegralAttrib_Containers, 0),
                 statistics.TryGetInt(kIntegralAttrib_Objects, 0));
+    out->printf("%-19s %15.1f   mm",
+                "Viewing distance:", statistics.TryGetFloat(kIntegralAttrib_ViewingDistance, 0));
+    if (statistics.Exist(kIntegralAttrib_SceneDistance))
+        out->printf(" (the scene's own camera: %.1f mm)",
+                    statistics.GetFloat(kIntegralAttrib_SceneDistance));
+    out->printf("\n");
     if (const double shared = count(kIntegralAttrib_SharedShadings))
     {
         out->printf("%-19s %15.0f\n", "Shared shadings:", shared);

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(an_uneven_light_is_fitted_beside_dark_things)
     const Image scan = picture([](double x, double y) {
         const float v = float(0.4 * fall(x, y) *
                               (x > 20 && x < 60 && y > 30 && y < 80 ? 0.1 : 1)); // a tenth of it
-        return Color{v, v, v, 1};
+        return Colour{v, v, v, 1};
     });
     ScanLight light;
     light.divide_by_surface(light_grid(scan, 1));
@@ -47,11 +47,11 @@ BOOST_AUTO_TEST_CASE(an_uneven_light_is_fitted_beside_dark_things)
 BOOST_AUTO_TEST_CASE(a_flat_field_is_divided_by)
 {
     const Image flat = picture([](double x, double y) {
-        return Color{float(0.5 * fall(x, y)), float(0.4 * fall(x, y)), 0.3f, 1};
+        return Colour{float(0.5 * fall(x, y)), float(0.4 * fall(x, y)), 0.3f, 1};
     });
     ScanLight light;
     light.divide_by_flat(flat, 160, 120, 1);
-    const Color middle = light.gain({80, 60});
+    const Colour middle = light.gain({80, 60});
     for (double y = 20; y < 110; y += 13)
         for (double x = 20; x < 150; x += 13) {
             BOOST_CHECK_CLOSE(light.gain({x, y}).r * fall(x, y), middle.r * fall(80, 60), 1);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_flat_field_is_divided_by)
     BOOST_CHECK_THROW(light.divide_by_flat(flat, 161, 120, 1), std::invalid_argument);
     BOOST_CHECK_THROW(
         light.divide_by_flat(picture([](double x, double) {
-                                 return x < 40 ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1};
+                                 return x < 40 ? Colour{0, 0, 0, 1} : Colour{1, 1, 1, 1};
                              }),
                              160, 120, 1),
         std::invalid_argument);
@@ -69,11 +69,11 @@ BOOST_AUTO_TEST_CASE(a_flat_field_is_divided_by)
 BOOST_AUTO_TEST_CASE(casts_are_taken_out)
 {
     const Image scan = picture([](double x, double) {
-        return x < 80 ? Color{0.6f, 0.3f, 0.1f, 1} : Color{0.2f, 0.3f, 0.1f, 1};
+        return x < 80 ? Colour{0.6f, 0.3f, 0.1f, 1} : Colour{0.2f, 0.3f, 0.1f, 1};
     });
     ScanLight grey;
     grey.balance_grey(light_grid(scan, 1));
-    const Color g = grey.channel_gains();
+    const Colour g = grey.channel_gains();
     BOOST_CHECK_CLOSE(g.r * 0.4, g.g * 0.3, 0.01);
     BOOST_CHECK_CLOSE(g.g * 0.3, g.b * 0.1, 0.01);
     BOOST_CHECK_CLOSE(luminance({g.r * 0.4f, g.g * 0.3f, g.b * 0.1f, 1}),
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(casts_are_taken_out)
     BOOST_CHECK_CLOSE(white.channel_gains().r * 0.2, 1, 0.01);
     BOOST_CHECK_CLOSE(white.channel_gains().b * 0.1, 1, 0.01);
     BOOST_CHECK_THROW(white.balance_white(picture([](double, double) {
-                                              return Color{0.5f, 0, 0.5f, 1};
+                                              return Colour{0.5f, 0, 0.5f, 1};
                                           }),
                                           0, 0, 5, 5),
                       std::invalid_argument);
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(casts_are_taken_out)
 BOOST_AUTO_TEST_CASE(resampling_keeps_a_ramp_and_the_black_outside)
 {
     const Image scan = picture([](double x, double y) {
-        return Color{float(x / 200), float(y / 200), 0.5f, 1};
+        return Colour{float(x / 200), float(y / 200), 0.5f, 1};
     });
     const ScanMap map{{70, 55}, {10, 9.5}, 0.05};
     const Film film = film_of_scan(map, 160, 120, {0.15, 0.15}, Film{});
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(resampling_keeps_a_ramp_and_the_black_outside)
     for (int y = 0; y < film.height; ++y)
         for (int x = 0; x < film.width; ++x) {
             const Vec2 at = scan_from_film(map, film_from_pixel(film, {x + 0.5, y + 0.5}));
-            const Color c = pixel(x, y);
+            const Colour c = pixel(x, y);
             if (at.x > 8 && at.y > 8 && at.x < 152 && at.y < 112) {
                 BOOST_REQUIRE_SMALL(c.r - float(at.x / 200), 1e-3f);
                 BOOST_REQUIRE_SMALL(c.g - float(at.y / 200), 1e-3f);

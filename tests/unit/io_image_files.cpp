@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(formats_convert_what_they_cannot_hold)
     BOOST_TEST(stored_pixel(png, 0, 0).g == 1);
 
     write_frame(folder / "a.exr", {png, {}}); // and back
-    const Color back = stored_pixel(read_frame(folder / "a.exr").image, 0, 0);
+    const Colour back = stored_pixel(read_frame(folder / "a.exr").image, 0, 0);
     BOOST_TEST(back.r == 0.25f, boost::test_tools::tolerance(1e-4f));
     BOOST_TEST(back.g == 0.5f, boost::test_tools::tolerance(1e-4f));
     BOOST_TEST(back.a == 0.5f, boost::test_tools::tolerance(1e-4f));

@@ -86,7 +86,7 @@ Blue blue_of(const Plot& plot)
     Blue blue;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            if (const Color c = stored_pixel(image, x, y); c.b - c.r > 0.3f) {
+            if (const Colour c = stored_pixel(image, x, y); c.b - c.r > 0.3f) {
                 blue.x += x;
                 blue.y += y;
                 ++blue.count;

@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(alpha_is_taken_into_account_in_linear_light)
 {
     Image image = make_image<float>(1, 1, 4, power);
     store_pixel(image, 0, 0, {0.5f, 1, 0, 0.25f});
-    const Color light = LinearReader(image)(0, 0);
+    const Colour light = LinearReader(image)(0, 0);
     BOOST_TEST(light.r == 0.25f * 0.2176376408f, boost::test_tools::tolerance(1e-6f));
     BOOST_TEST(light.g == 0.25f);
     BOOST_TEST(light.a == 0.25f);

@@ -191,9 +191,9 @@ BOOST_AUTO_TEST_CASE(a_page_is_its_picture_on_white)
         for (int y = 0; y < sheet.height; ++y)
             for (int x = 0; x < sheet.width; ++x) {
                 const int u = (mirrored ? 79 - x : x) - page.x, v = y - page.y;
-                const Color c = stored_pixel(sheet, x, y);
+                const Colour c = stored_pixel(sheet, x, y);
                 const bool inside = u >= 0 && v >= 0 && u < 40 && v < 30;
-                const Color wanted = inside ? stored_pixel(picture, u, v) : Color{1, 1, 1, 1};
+                const Colour wanted = inside ? stored_pixel(picture, u, v) : Colour{1, 1, 1, 1};
                 BOOST_REQUIRE((c.r == wanted.r && c.g == wanted.g && c.b == wanted.b));
             }
     }

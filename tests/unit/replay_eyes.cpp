@@ -29,7 +29,7 @@ template <class Expected> void judge(const FrameMetadata& m, const View& view, E
                          v = 0.5 * m.film.height - f.y / m.film.pixel_pitch.y;
             if (margin < 1e-6 || u < 1 || v < 1 || u > m.film.width - 1 || v > m.film.height - 1)
                 continue;
-            const Color seen = stored_pixel(*image, x, y);
+            const Colour seen = stored_pixel(*image, x, y);
             worst = std::max({worst, std::fabs(seen.r * m.film.width - u),
                               std::fabs(seen.g * m.film.height - v)});
             ++judged;

@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(the_thesis_s_15_views_are_every_fifteenth_pixel)
     for (int k = 0; k < 15; ++k)
         for (int lens = 0; lens < 9; ++lens)
             for (int y = 0; y < 4; ++y) {
-                const Color view = stored_pixel((*views)[14 - k], lens, y),
-                            film = stored_pixel(frame.image, 15 * lens + k, y);
+                const Colour view = stored_pixel((*views)[14 - k], lens, y),
+                             film = stored_pixel(frame.image, 15 * lens + k, y);
                 BOOST_TEST(
                     (view.r == film.r && view.g == film.g && view.b == film.b && view.a == film.a));
             }
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(a_view_is_what_a_far_eye_sees)
                             x += part_x * 1.27 * std::cos(a) - part_y * height * std::sin(a);
                             y += part_x * 1.27 * std::sin(a) + part_y * height * std::cos(a);
                         }
-                        const Color seen = stored_pixel((*views)[k], column, row);
+                        const Colour seen = stored_pixel((*views)[k], column, row);
                         const Vec2 pixel = pixel_from_film(m.film, {x, y});
                         if (pixel.x < 1 || pixel.y < 1 || pixel.x > 299 || pixel.y > 199)
                             continue;
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(far_eyes_see_the_parallel_views_upright)
                     const double fx = px - off * std::cos(a) +
                                       (0.5 - (k + 0.5) / 5) * 1.27 / std::cos(a),
                                  fy = py - off * std::sin(a);
-                    const Color c = stored_pixel(*seen, x, y);
+                    const Colour c = stored_pixel(*seen, x, y);
                     BOOST_TEST(std::fabs(c.r - fx) < 0.0847 / 2 + 1e-4);
                     BOOST_TEST(std::fabs(c.g - fy) < 0.07 / 2 + 1e-4);
                     ++judged;
@@ -329,7 +329,7 @@ BOOST_AUTO_TEST_CASE(stripes_have_directions_of_their_own)
                         (0.5 * m.film.width - 2) * m.film.pixel_pitch.x)
                         continue; // beside the film
                     ++judged;
-                    const Color seen = stored_pixel(view, x, y);
+                    const Colour seen = stored_pixel(view, x, y);
                     worst = std::max({worst, std::fabs(seen.r - expected),
                                       std::fabs(seen.g - expected), std::fabs(seen.b - expected)});
                 }
@@ -340,7 +340,7 @@ BOOST_AUTO_TEST_CASE(stripes_have_directions_of_their_own)
         worst = 0;
         for (int y = 2; y < m.film.height - 2; ++y)
             for (int x = 8; x < m.film.width - 8; ++x) {
-                const Color seen = stored_pixel(*again, x, y);
+                const Colour seen = stored_pixel(*again, x, y);
                 const float channels[3] = {seen.r, seen.g, seen.b};
                 for (int channel = 0; channel < 3; ++channel)
                     if (std::fabs(part(x, y, channel)) < 0.15) // between views of the lens's own

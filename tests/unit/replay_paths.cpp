@@ -148,15 +148,15 @@ BOOST_AUTO_TEST_CASE(spot_and_pupil_are_spread_independently)
         view.pupil = pupil;
         view.blur = blur;
         const auto image = replay(frame, view);
-        Color sum{0, 0, 0, 0};
+        Colour sum{0, 0, 0, 0};
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 32; ++x) {
-                const Color c = stored_pixel(*image, x, y);
+                const Colour c = stored_pixel(*image, x, y);
                 sum = {sum.r + c.r / 1024, sum.g + c.g / 1024, sum.b + c.b / 1024, 1};
             }
         return sum;
     };
-    const Color pupil = moments(40, 0), spot = moments(0, 0.2), both = moments(40, 0.2);
+    const Colour pupil = moments(40, 0), spot = moments(0, 0.2), both = moments(40, 0.2);
     BOOST_TEST(spot.r > 0.002);
     BOOST_TEST(pupil.r > 0.002);
     BOOST_TEST(std::fabs(both.r - pupil.r - spot.r) < 0.02 * both.r);
@@ -177,8 +177,8 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
             const auto light = [&](Vec2 sheet, Vec2 eye) {
                 const double x = sheet.x + (sheet.x - eye.x) * z / eyes.distance,
                              y = sheet.y + (sheet.y - eye.y) * z / eyes.distance;
-                return Color{float(0.5 + 0.004 * x), float(0.5 + 0.003 * y),
-                             float(0.5 + 0.002 * (x + y)), 1};
+                return Colour{float(0.5 + 0.004 * x), float(0.5 + 0.003 * y),
+                              float(0.5 + 0.002 * (x + y)), 1};
             };
             const ViewGrid grid{5, 4};
             std::vector<Image> views(grid.count(), make_image<float>(80, 60, 3, linear));
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
                         if (std::fabs(eye.x) > 0.4 * eyes.zone.x ||
                             std::fabs(eye.y) > 0.37 * eyes.zone.y)
                             continue;
-                        const Color expected = light(pole, eye), got = stored_pixel(*frame, x, y);
+                        const Colour expected = light(pole, eye), got = stored_pixel(*frame, x, y);
                         const float e[] = {expected.r, expected.g, expected.b},
                                     g[] = {got.r, got.g, got.b};
                         worst = std::max(worst, double(std::fabs(e[channel] - g[channel])));

@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
                     const Vec2 f = film_point(m.sheet, pole, q, eye);
                     const double u = f.x / (m.film.width * m.film.pixel_pitch.x) + 0.5;
                     const double v = 0.5 - f.y / (m.film.height * m.film.pixel_pitch.y);
-                    const Color seen = stored_pixel(*image, x, y);
+                    const Colour seen = stored_pixel(*image, x, y);
                     const double half_u = 0.5 / m.film.width + 1e-6,
                                  half_v = 0.5 / m.film.height + 1e-6;
                     if (u < -1e-9 || u > 1 + 1e-9 || v < -1e-9 || v > 1 + 1e-9) {
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stri
                     if (margin < 1e-6 || px < 1 || px > 299 || py < 0.01 || py > 199.99)
                         continue;
                     const auto farthest = [&](const Image& seen) {
-                        const Color color = stored_pixel(seen, x, y);
+                        const Colour color = stored_pixel(seen, x, y);
                         return std::max({std::fabs(color.r - px), std::fabs(color.g - px),
                                          std::fabs(color.b - px)});
                     };
@@ -120,7 +120,7 @@ Edges edges_of(const Frame& frame, Eye eye)
     Edges edges{};
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
-            const Color seen = light(x, y);
+            const Colour seen = light(x, y);
             double* side = x < middle ? edges.left : edges.right;
             const double width = (x < middle ? -1 : 1) * pixel;
             side[0] += width * seen.r;
@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(subpixels_at_the_film_s_edge_and_alpha)
                    int(std::fmin(29, std::fmax(0, std::floor(px - stripe)))) % 2 == 0;
         };
         const bool red = opaque(1 / 3.0), green = opaque(0), blue = opaque(-1 / 3.0);
-        const Color seen = stored_pixel(*image, x, 4);
+        const Colour seen = stored_pixel(*image, x, 4);
         BOOST_TEST(std::lround(3 * seen.a) == red + green + blue);
         BOOST_TEST((seen.r > 0) == red);
         BOOST_TEST((seen.g > 0) == green);
@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(a_far_scene_is_seen_by_direction_and_repeats_in_the_side_lo
         const auto image = replay(frame, {eye, 64, 64, 1});
         for (int y = 4; y < 60; y += 7)
             for (int x = 4; x < 60; x += 3) {
-                const Color seen = stored_pixel(*image, x, y);
+                const Colour seen = stored_pixel(*image, x, y);
                 BOOST_TEST(std::fabs(seen.r - std::sin(angle)) < 0.008, angle << ": " << seen.r);
                 BOOST_TEST(std::fabs(seen.g) < 0.008);
             }

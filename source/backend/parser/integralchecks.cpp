@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 
 // this must be the last file included
@@ -132,6 +134,17 @@ void IntegralGrammar::Finish(Camera& camera)
     Warn(camera);
 }
 
+/// "20 times as large", or "20 times as small": a factor to one digit, in words.
+static std::string By_About(double factor)
+{
+    const double times = factor < 1 ? 1 / factor : factor;
+    const double digit = std::pow(10.0, std::floor(std::log10(times)));
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << std::round(times / digit) * digit
+         << (factor < 1 ? " times as small" : " times as large");
+    return text.str();
+}
+
 void IntegralGrammar::Warn(const Camera& camera)
 {
     const integral::IntegralCamera& optics = *camera.Integral->optics;
@@ -154,10 +167,22 @@ void IntegralGrammar::Warn(const Camera& camera)
             0,
             "Integral camera: the lens pitch is %.3g scene units. POV-Ray's tolerances are "
             "absolute, and\n"
-            "pixels go wrong outside of 0.05 to 100: scale scene and camera by about %.1g.",
-            pitch, optics.optics.sheet().pitch / pitch);
+            "pixels go wrong outside of 0.05 to 100: make scene and camera about %s.",
+            pitch, By_About(optics.optics.sheet().pitch / pitch).c_str());
 
     const integral::Aperture& aperture = optics.optics.aperture();
+    const double film_width = film.width * film.pixel_pitch.x,
+                 film_height = film.height * film.pixel_pitch.y,
+                 diagonal = std::hypot(film_width, film_height);
+    if (aperture.distance < diagonal)
+        parser.Warning(0,
+                       "Integral camera: the eye is %.4g mm from a picture of %.4g x %.4g mm: "
+                       "nearer than its diagonal.\n"
+                       "viewing_distance %.0f, for example, moves the eye and leaves the sheet "
+                       "where it is.",
+                       aperture.distance, film_width, film_height,
+                       10 * std::ceil(std::max(300.0, 2 * diagonal) / 10));
+
     const auto filling = integral::filling_aperture(
         integral::modelled_sheet(optics.optics.sheet(), optics.optics.model()), aperture.distance);
     const auto too_wide = [](double extent, double fills)

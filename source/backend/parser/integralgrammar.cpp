@@ -95,6 +95,7 @@ const std::vector<IntegralGrammar::Word>& IntegralGrammar::Words()
         {"film", [](G& grammar, IntegralStatement& statement) { grammar.Parse_Film(statement); },
          Word::Replace<&P::film>},
         Word::Value<&P::sheet_distance, &G::Parse_Number>("sheet_distance"),
+        Word::Value<&P::viewing_distance, &G::Parse_Number>("viewing_distance"),
         Word::Value<&P::capture_aperture, &G::Parse_Vector>("capture_aperture"),
         Word::Value<&P::aperture_shape, &G::Parse_Kind<integral::ApertureShape>>("aperture_shape"),
         Word::Value<&P::model, &G::Parse_Kind<integral::LensModel>>("lens_model"),

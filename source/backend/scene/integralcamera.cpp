@@ -25,15 +25,18 @@
 namespace pov
 {
 
+/// The perspective camera that the integral one starts from.
+static integral::ViewFrame View_Of(const Camera& camera)
+{
+    return {From_POV(camera.Location), From_POV(camera.Direction), From_POV(camera.Right),
+            From_POV(camera.Up), camera.Integral->sheet_distance_ratio};
+}
+
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera,
                                                                      int width, int height)
 {
-    const IntegralStatement& statement = *camera.Integral;
-    const integral::ViewFrame view = {From_POV(camera.Location), From_POV(camera.Direction),
-                                      From_POV(camera.Right), From_POV(camera.Up),
-                                      statement.sheet_distance_ratio};
     return std::make_shared<integral::IntegralCamera>(
-        integral::make_camera(statement.parameters, view, width, height));
+        integral::make_camera(camera.Integral->parameters, View_Of(camera), width, height));
 }
 
 /// The number of patches in a beam, chosen so that the error of the patches is small compared with
@@ -166,6 +169,12 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     set_total(kIntegralAttrib_PatchShadings, &IntegralTally::patch_shadings);
     statistics.SetInt(kIntegralAttrib_Containers, counts.containers);
     statistics.SetInt(kIntegralAttrib_Objects, counts.objects);
+
+    statistics.SetFloat(kIntegralAttrib_ViewingDistance, view.optics->optics.aperture().distance);
+    if (camera.Integral->parameters.viewing_distance)
+        statistics.SetFloat(
+            kIntegralAttrib_SceneDistance,
+            integral::scene_viewing_distance(View_Of(camera), view.optics->placement.units_per_mm));
 
     const auto error = Error_Of(view);
     pov_base::IntegralFrame::End(error);

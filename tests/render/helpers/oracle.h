@@ -29,7 +29,7 @@ struct Description {
     std::optional<Point2> aperture;    ///< mm; default: fills a lens
     std::optional<Point2> depth_range; ///< mm; in the camera's text alone: the oracle's scene is
                                        ///< clipped instead
-    std::optional<Real> sheet_distance, units_per_mm, angle;
+    std::optional<Real> sheet_distance, viewing_distance, units_per_mm, angle;
     std::optional<Point3> look_at;
     std::string pattern = "same"; ///< of subpixels=cells,
     std::vector<Point2> places;   ///< and each cell's red, green, blue: pixels to the right and up

@@ -132,6 +132,8 @@ Description read_description(const std::vector<std::string>& words)
             d.depth_range = pair();
         else if (key == "sheet_distance")
             d.sheet_distance = scalar();
+        else if (key == "viewing_distance")
+            d.viewing_distance = scalar();
         else if (key == "units_per_mm")
             d.units_per_mm = scalar();
         else if (key == "beam_samples")
@@ -223,6 +225,8 @@ std::string camera_text(const Description& d)
     out << " }\n";
     if (d.sheet_distance)
         out << "  sheet_distance " << *d.sheet_distance << '\n';
+    if (d.viewing_distance)
+        out << "  viewing_distance " << *d.viewing_distance << '\n';
     if (d.aperture)
         out << "  capture_aperture <" << (*d.aperture)[0] << ", " << (*d.aperture)[1] << ">\n";
     if (d.depth_range)
@@ -280,6 +284,12 @@ Placed place(const Description& d)
     const Real window = distance * length(right) / length(direction);
     const Real film_width = film_from_pixel(d, d.width, 0)[0] - film_from_pixel(d, 0, 0)[0];
     const Real k = d.units_per_mm ? *d.units_per_mm : window / film_width;
+    if (d.viewing_distance) { // the eye moves along the axis, the sheet's middle stays
+        const Real moved = (distance - *d.viewing_distance * k) / length(direction);
+        for (int i = 0; i < 3; ++i)
+            location[i] += moved * direction[i];
+        distance = *d.viewing_distance * k;
+    }
     return {location, times(right, k / length(right)), times(up, k / length(up)),
             times(direction, k / length(direction)), distance / k};
 }
