@@ -113,8 +113,8 @@ std::optional<std::string> other_zone(const Aperture& frame, const Aperture& pan
     const auto mm = [](double length) { return with_decimals(length, 0) + " mm"; };
     return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " + mm(frame.width) +
            " wide; the panel's are " + mm(panel.distance) + " away in " + mm(panel.width) +
-           ", and near the ends see neighbouring views; the scene's location and angle decide "
-           "(guide, Panels)";
+           ", and near the ends see neighbouring views; viewing_distance " +
+           with_decimals(panel.distance, 0) + " in the camera moves them there";
 }
 
 const char* name_of(PanelCard card)

@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(camera_words_say_all)
 {
     BOOST_TEST(camera_words(*panel_named("thesis-lcd")) ==
                "lens_sheet { lenticular pitch 1.27 thickness 3.08 ior 1.6 } film { pixel_pitch "
-               "<0.207, 0.207> subpixels rgb }");
+               "<0.207, 0.207> subpixels rgb } viewing_distance 300.0");
     Panel panel = panel_from_json(with(
         "\"viewing_distance_mm\": 800",
         R"("aperture": {"distance_mm": 500, "width_mm": 65, "height_mm": 4, "shape": "ellipse"})"));
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(camera_words_say_all)
                "0.0> } film { pixel_pitch <0.25, 0.25> subpixels "
                "cells { checkerboard <-0.25, 0.25> <0.25, 0.25> <0.0, -0.25> <-0.25, -0.25> <0.25, "
                "-0.25> <0.0, 0.25> } } "
-               "capture_aperture <65.0, 4.0> aperture_shape ellipse");
+               "capture_aperture <65.0, 4.0> aperture_shape ellipse viewing_distance 500.0");
 }
 
 /// Integral_Panel_Looking_Glass_16_Landscape of looking-glass-16-landscape.
