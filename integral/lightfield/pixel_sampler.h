@@ -33,6 +33,9 @@ struct PixelOutcome {
     LensIndex lens;           ///< of the imaged; with subpixels the middle one's, if it is imaged
 };
 
+/// The outcome of a pixel that has one film point.
+PixelOutcome outcome_of(const MappedPoint& mapped);
+
 /// A pixel and its lens, from which anti-aliasing draws sample after sample.
 struct PixelBeam {
     struct Channel {

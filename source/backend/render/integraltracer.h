@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "backend/frame.h"
@@ -124,11 +123,10 @@ private:
     bool active = false, counts_error = false;
     bool keeps_depth = false; ///< of what rays meet
     double last_depth = 0;
-    bool one_ray = false;                    ///< at most, each pixel has
-    std::optional<integral::PixelRuns> runs; ///< of such pixels, if they can be had side by side
-    integral::PixelRun run;                  ///< the one that was worked out last
-    DBL run_x = 0, run_y = -1;               ///< its first pixel; none as yet
-    DBL last_x = 0, last_y = -1;             ///< the last pixel that was asked for
+    bool one_ray = false;        ///< whether each pixel has one ray at most
+    integral::PixelRun run;      ///< such pixels, mapped side by side
+    DBL run_x = 0, run_y = -1;   ///< the first of them; y < 0: none as yet
+    DBL last_x = 0, last_y = -1; ///< the last pixel that was asked for
 };
 
 template <class Trace>
