@@ -86,30 +86,19 @@ Pass integral_rays(const IntegralCamera& camera)
     return pass;
 }
 
-/// The same, with several pixels mapped at once where possible (PixelRuns).
+/// The same, with several pixels mapped at once where possible.
 Pass rays_in_runs(const IntegralCamera& camera)
 {
-    const PixelRuns runs(camera);
     Pass pass{-cpu_seconds(), 0, 0};
     PixelRun run;
     for (int j = 0; j < height; j += row_step)
         for (int i = 0; i < width; ++i) {
-            const int k = i % PixelRun::pixels;
+            const int k = i % run_length;
             if (k == 0)
-                runs.work_out({i + 0.5, j + 0.5}, run);
-            SightLine line;
-            if (run.empty[k])
+                map_pixel_run(camera, {i + 0.5, j + 0.5}, run);
+            if (!run.mapped[k].ray)
                 continue;
-            if (run.given[k])
-                line = run.line[k];
-            else {
-                const MappedPoint mapped = camera.optics.map(
-                    film_from_pixel(camera.film, {i + 0.5, j + 0.5}), camera.mapping);
-                if (!mapped.ray)
-                    continue;
-                line = sight_line(camera, pole_beam(*mapped.ray));
-            }
-            pass.sum += line.direction.x + line.origin.x;
+            pass.sum += run.lines[k].direction.x + run.lines[k].origin.x;
             ++pass.traced;
         }
     pass.seconds += cpu_seconds();
@@ -175,7 +164,7 @@ void print_pass(int arrangement, double slant, const char* mapping, const Pass& 
 void print_sheet(int arrangement, double slant)
 {
     Pass best[mapping_count], in_runs[2], straight = perspective();
-    const bool runs = PixelRuns(camera_of(arrangement, slant, LensMapping::closest)).possible();
+    const bool runs = Arrangement(arrangement) != Arrangement::hexagonal;
     const auto pass_of = [&](int m) {
         return integral_rays(camera_of(arrangement, slant, mappings[m]));
     };

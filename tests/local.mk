@@ -107,6 +107,7 @@ unit_sources = \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h \
   tests/unit/optics_subpixels.cpp \
+  tests/unit/optics_surface.cpp \
   tests/unit/optics_symmetries.cpp \
   tests/unit/output_print_media.cpp \
   tests/unit/picture_files.h \

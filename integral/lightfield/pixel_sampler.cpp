@@ -13,6 +13,20 @@ constexpr int search_limit = 64; // random points tried until one belongs to the
 
 } // namespace
 
+PixelOutcome outcome_of(const MappedPoint& mapped)
+{
+    PixelOutcome outcome;
+    outcome.film_points = 1;
+    outcome.outside_aperture = mapped.empty == Empty::outside_aperture;
+    outcome.total_reflection = mapped.empty == Empty::total_reflection;
+    if (mapped.ray) {
+        outcome.imaged = 1;
+        outcome.lens = mapped.ray->lens;
+        outcome.searched = mapped.searched;
+    }
+    return outcome;
+}
+
 PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
     : camera_(camera), seed_(random_bits(0, seed))
 {
@@ -179,15 +193,8 @@ std::optional<BeamRay> PixelSampler::one_ray(Vec2 centre, PixelOutcome& outcome)
 {
     const MappedPoint mapped = camera_.optics.map(film_from_pixel(camera_.film, centre),
                                                   camera_.mapping);
-    outcome.film_points = 1;
-    outcome.outside_aperture = mapped.empty == Empty::outside_aperture;
-    outcome.total_reflection = mapped.empty == Empty::total_reflection;
-    if (!mapped.ray)
-        return std::nullopt;
-    outcome.imaged = 1;
-    outcome.lens = mapped.ray->lens;
-    outcome.searched = mapped.searched;
-    return pole_beam(*mapped.ray);
+    outcome = outcome_of(mapped);
+    return mapped.ray ? std::optional(pole_beam(*mapped.ray)) : std::nullopt;
 }
 
 PixelOutcome PixelSampler::append_rays(Vec2 centre, std::vector<PixelRay>& rays) const

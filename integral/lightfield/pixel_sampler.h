@@ -34,6 +34,9 @@ struct PixelOutcome {
                               ///< is imaged
 };
 
+/// The outcome of a pixel that has one film point.
+PixelOutcome outcome_of(const MappedPoint& mapped);
+
 /// A pixel and its lens, prepared for anti-aliasing, which takes one sample after another.
 struct PixelBeam {
     struct Channel {

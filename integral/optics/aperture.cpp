@@ -6,11 +6,10 @@
 namespace integral {
 namespace {
 
-/// Extent along one axis of a regular hexagon whose opposite sides are `pitch` apart: twice the
-/// farthest of its corners. `across` and `along` are the parts, along that axis, of the unit
-/// vectors along the lens rows and at right angles to them; corners lie at (pitch/2,
-/// pitch/sqrt(12)) and (0, pitch/sqrt(3)) from the centre, by those vectors, and in their mirror
-/// images.
+/// Extent along one axis (x or y) of a regular hexagon whose opposite sides are `pitch` apart:
+/// twice that of its farthest corner. `across` and `along` are the components on that axis of two
+/// unit vectors, one along the lens rows and one at right angles to them. In terms of these the
+/// corners are at (pitch/2, pitch/sqrt(12)), (0, pitch/sqrt(3)) and their mirror images.
 double hexagon_extent(double pitch, double across, double along)
 {
     const double side_corner = std::fabs(across) + std::fabs(along) / std::sqrt(3.0);
@@ -20,7 +19,6 @@ double hexagon_extent(double pitch, double across, double along)
 
 } // namespace
 
-/// Of the aperture's rectangle.
 bool within_ellipse(const Aperture& aperture, Vec2 point)
 {
     const auto part = [](double coordinate, double half) {

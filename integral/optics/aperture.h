@@ -20,9 +20,9 @@ struct Aperture {
 };
 
 bool within_ellipse(const Aperture& aperture, Vec2 point);
-constexpr double inclusive_edge = 1 + 1e-9; // the edge belongs to the aperture
+constexpr double inclusive_edge = 1 + 1e-9; // of the extents: points on the edge are inside
 
-/// Whether a point of the aperture plane is inside; the edge is, to 1e-9 of the extent.
+/// Whether a point of the aperture plane is inside. The edge is, and 1e-9 of the extent beyond.
 inline bool contains(const Aperture& aperture, Vec2 point)
 {
     return std::fabs(point.x) <= 0.5 * aperture.width * inclusive_edge &&
@@ -38,20 +38,20 @@ bool slit_is_horizontal(const LensSheet& sheet);
 double extent_along_slit(const LensSheet& sheet, Vec2 extent);
 double extent_across_slit(const LensSheet& sheet, Vec2 extent);
 
-/// Width of the micro-image behind the lens on the axis, of an aperture `width` wide at
-/// `distance`: thesis (3-9), 2t / sqrt(4 n^2 (d/w)^2 + n^2 - 1). May be infinite where n = 1.
+/// Width (mm) of the image that the lens on the axis casts on the film of an aperture `width` wide
+/// at `distance`: thesis (3-9), 2t / sqrt(4 n^2 (d/w)^2 + n^2 - 1). May be infinite where n = 1.
 double micro_image_width(const LensSheet& sheet, double distance, double width);
 
 /// Inverse: the aperture width whose micro-image is `cell` mm wide, 2 d s / sqrt(1 - s^2) with
 /// s = n (cell/2) / sqrt((cell/2)^2 + t^2). Nothing if s >= 1: no finite aperture fills it.
 std::optional<double> filling_width(const LensSheet& sheet, double distance, double cell);
 
-/// Extents (x, y) in mm of the smallest upright rectangle that holds a lens's cell, turned by the
-/// slant: for a lenticular sheet the cell's extent along the slit, and 0 across it.
+/// Width and height (mm) of the smallest upright rectangle that contains a lens's cell, which the
+/// slant turns. For a lenticular sheet: the cell's extent along the slit, and 0 across it.
 Vec2 cell_extent(const LensSheet& sheet);
 
-/// The aperture that fills the lens on the axis, axis by axis (optics.md section 5).
-/// Nothing if no finite aperture does.
+/// The aperture whose micro-image behind the lens on the axis is as wide and as high as the lens's
+/// cell_extent (optics.md section 5). Nothing if no finite aperture is.
 std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance);
 
 } // namespace integral

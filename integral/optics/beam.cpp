@@ -7,10 +7,10 @@ namespace integral {
 
 namespace {
 
-/// A point of a lens: where it is, and how it is refracted there.
+/// How light is refracted where it leaves a lens.
 struct Exit {
     Vec2 across, along; // the directions b and a of lens_surface.h
-    Vec2 beside; // from the pole (axis) to the light's centre there: 0, but for the ideal beam
+    Vec2 beside;        // how far the ideal beam's ray is moved sideways from the pole ray; else 0
     TangentPlane plane;
 };
 
@@ -19,7 +19,7 @@ bool is_lenticular(const SheetOptics& optics)
     return optics.sheet().arrangement == Arrangement::lenticular;
 }
 
-/// Nothing where the lens has no surface.
+/// For the point of a lens at `offset` from its pole (axis). Nothing where the lens has no surface.
 std::optional<Exit> exit_at(const SheetOptics& optics, Vec2 offset)
 {
     Exit exit;
@@ -44,6 +44,7 @@ std::optional<Exit> exit_at(const SheetOptics& optics, Vec2 offset)
     return exit;
 }
 
+/// `refracted`: the ray's unit direction times `way`.
 BeamRay make_ray(Vec2 point, double height, Vec3 refracted, double way, Vec2 aperture_point)
 {
     return {{point.x, point.y, height}, (1 / way) * refracted, aperture_point};
@@ -98,8 +99,8 @@ std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_poi
     const double behind = scene_point.z - exit->plane.height;
     Vec2 from = optics.lattice().pole(lens) + point.offset;
     if (is_lenticular(optics)) {
-        // The one point of the line from which a straight line meets both the scene point and the
-        // slit.
+        // The light may leave anywhere along the axis' direction: find the place from which a
+        // straight line meets both the slit and the scene point.
         const Slit& slit = optics.slit();
         const double eta = signed_height(slit, point.slit) + dot(slit.normal, exit->beside);
         const double before = slit.distance + exit->plane.height,
@@ -123,7 +124,7 @@ std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_poi
         return std::nullopt;
     const Vec2 film_point = from - exit->beside - way->x * exit->across - way->y * exit->along;
     if (is_lenticular(optics)) {
-        // Of two ways from a film point to the slit, beam_ray takes none.
+        // Where a film point's light has two ways to the slit, beam_ray takes neither.
         const Slit& slit = optics.slit();
         const Vec2 foot = film_point + way->x * exit->across;
         if (!reaches_slit(slit, optics.medium(), foot, way->x, signed_height(slit, point.slit),

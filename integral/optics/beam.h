@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The rays in which a film point's light leaves its lens, by any lens model, and back from a scene
-// point.
+// The rays by which a film point's light leaves its lens, for every lens model; and the film point
+// that images a given scene point.
 #ifndef INTEGRAL_OPTICS_BEAM_H
 #define INTEGRAL_OPTICS_BEAM_H
 
@@ -10,9 +10,8 @@ namespace integral {
 
 /// One ray of a film point's light beyond its lens. Sheet frame, mm.
 struct BeamRay {
-    Vec3 point; ///< where it leaves: on the plane of the poles (z = 0), or on the lens's surface (z
-                ///< >= 0)
-    Vec3 direction;      ///< unit, towards the viewer (z < 0)
+    Vec3 point;     ///< where it leaves: in the plane of the poles (z = 0) or on the lens's surface
+    Vec3 direction; ///< unit, towards the viewer (z < 0)
     Vec2 aperture_point; ///< where it meets the aperture plane z = -distance
 };
 
@@ -22,24 +21,25 @@ inline BeamRay pole_beam(const LensRay& ray)
     return {{ray.pole.x, ray.pole.y, 0}, ray.direction, ray.aperture_point};
 }
 
-/// The ray of `film_point` through a point of a lens, by the sheet's lens model; whether it passes
-/// the aperture is not asked, that is the pole ray's business.
+/// The ray of `film_point` through a point of a lens, by the sheet's lens model. It need not pass
+/// the aperture: only the pole ray decides whether a film point is imaged.
 ///
-/// pinhole, extended_pinhole: the ideal parallel beam, the pole ray moved sideways by the point's
-/// offset (the pole ray of a slit at height `slit`, where that is not 0). hybrid, full: the
-/// straight line from the film point to the surface z = R - sqrt(R^2 - r^2) at the offset,
-/// refracted there by Snell's law. On a lenticular lens the point of that generating line from
-/// which the light reaches the slit, e.A = slit. What a neighbouring lens's edge may hide is not
-/// asked. Nothing: totally reflected at the surface, sent away from the viewer, or the slit cannot
-/// be reached.
+/// pinhole, extended_pinhole: the ideal parallel beam, that is the pole ray moved sideways by the
+/// point's offset. Where the point has a slit height, it is the pole ray to that height of the
+/// slit. hybrid, full: the straight line from the film point to the surface z = R - sqrt(R^2 - r^2)
+/// at the offset, refracted there by Snell's law. The surface of a lenticular lens is a straight
+/// line at that offset; the light leaves it at the point from which it reaches the slit, e.A =
+/// slit.
+///
+/// Nothing where the light is totally reflected at the surface, is sent away from the viewer, or
+/// cannot reach the slit. That a neighbouring lens's edge may be in the way is neglected.
 std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, LensIndex lens,
                                 const LensPoint& point);
 
-/// Inverse: the film point whose light, through that point of that lens, goes through
-/// `scene_point`, anywhere in the sheet frame but at the z of the lens's point and, with a
-/// lenticular sheet, in the plane of the slit. Nothing: no light from the film goes there through
-/// that point; or beam_ray gives another ray for the film point, whose light has two ways to the
-/// slit.
+/// Inverse: the film point whose light passes through `point` of a lens and through `scene_point`.
+/// The scene point may be anywhere in the sheet frame but at the z of the lens's point and, with a
+/// lenticular sheet, in the plane of the slit. Nothing where no light from the film goes that way,
+/// or where a film point's light has two ways to the slit, of which beam_ray takes neither.
 std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
                                        const LensPoint& point = {});
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/optics/lens_mapping.h"
 
-#include <algorithm>
-#include <array>
 #include <limits>
 
 namespace integral {
@@ -10,10 +8,10 @@ namespace integral {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double farthest_film = 1e9; // pitches: beyond, places within a lens are lost in rounding,
-                                      // and counts of lenses overflow
-constexpr double widest_search = 100; // pitches: a search through an aperture without limit would
-                                      // not end
+/// Pitches: beyond, places within a lens are lost in rounding, and counts of lenses overflow.
+constexpr double farthest_film = 1e9;
+/// Part of the least distance between two lenses' rays at the aperture, for rounding.
+constexpr double limits_margin = 1e-6;
 
 Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
 {
@@ -29,13 +27,6 @@ Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
 
 } // namespace
 
-struct SheetOptics::Candidate {
-    LensIndex lens;
-    Vec2 pole, offset; // offset: q = pole - film point
-    double root;       // sqrt(t^2 - m |q|^2)
-    Vec2 aperture_point;
-};
-
 SheetOptics::SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensModel model)
     : sheet_(sheet),
       model_(model),
@@ -49,24 +40,50 @@ SheetOptics::SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensM
 {
     if (lenticular_)
         (slit_horizontal_ ? edges_.height : edges_.width) = infinity;
+    set_neighbour_limits();
 }
 
-/// Fills in `c`; false: totally reflected, or the slit is out of reach.
-inline bool SheetOptics::find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) const
+/// From lens to lens the point A, where a film point's ray meets the aperture plane, moves along
+/// with the pole x: (A' - A).(x' - x) >= s |x' - x|^2, s = 1 + n d/t, as A is the gradient of a
+/// function of x whose curvature is at least s. With v = (x' - x)/p the ray of the lens at x'
+/// passes the aperture only if v.A + s p |v|^2 is at most the greatest v.A' of the aperture.
+void SheetOptics::set_neighbour_limits()
 {
-    c.lens = lens;
-    c.pole = lattice_.pole(lens);
-    if (lenticular_) {
-        // The light leaves at the point of the axis from which it reaches the slit.
-        const auto ray = slit_ray(slit_, medium_, film_point, c.pole);
-        if (!ray)
-            return false;
-        c.pole = ray->point;
-        c.offset = ray->offset;
-        c.root = -ray->refracted.z;
-        c.aperture_point = ray->aperture_point;
-        return true;
-    }
+    const double nd = medium_.n * aperture_.distance, reach = nd + medium_.t;
+    likely_bend_ = medium_.m / (reach * reach);
+    const double spacing = (1 + nd / medium_.t) * lattice_.pitch() * (1 - limits_margin);
+    alone_limit_ = 0.5 * spacing - 4 * lattice_.tie_tolerance();
+
+    const Vec2 across = lattice_.across(), along = lattice_.along();
+    const Vec2 edge{0.5 * aperture_.width * inclusive_edge,
+                    0.5 * aperture_.height * inclusive_edge};
+    const auto add = [&](Vec2 v, Vec2 direction) {
+        const double extent = edge.x * std::fabs(direction.x) + edge.y * std::fabs(direction.y);
+        neighbour_limits_.push_back(
+            {lattice_.pitch() * v, direction, dot(v, v) * spacing - extent});
+    };
+    if (lenticular_) // A is on the slit, along which axes are at least a pitch apart
+        add(across, slit_horizontal_ ? Vec2{std::copysign(1.0, across.x), 0}
+                                     : Vec2{0, std::copysign(1.0, across.y)});
+    else if (lattice_.arrangement() == Arrangement::square)
+        for (const Vec2 v : {across, along, across + along, across - along})
+            add(v, v);
+    constexpr double second_ring = 2; // pitches to the nearest of all other lenses
+    second_ring_limit_ = second_ring * spacing - aperture_circumradius() * inclusive_edge;
+    bool useful = second_ring_limit_ > 0;
+    for (const NeighbourLimit& neighbour : neighbour_limits_)
+        useful = useful && neighbour.limit > 0;
+    if (!useful)
+        neighbour_limits_.clear();
+
+    const double g = lenticular_ ? dot(slit_.normal, slit_.axis) : 1,
+                 farthest = cell_circumradius(sheet_);
+    nearest_transmits_ = medium_.m * farthest * farthest <
+                         medium_.t * medium_.t * g * g * (1 - limits_margin);
+}
+
+inline bool SheetOptics::candidate_at_pole(Vec2 film_point, Candidate& c) const
+{
     c.offset = c.pole - film_point;
     const double clear = clearance(medium_, c.offset);
     if (!(clear > 0))
@@ -76,32 +93,50 @@ inline bool SheetOptics::find_candidate(Vec2 film_point, LensIndex lens, Candida
     return true;
 }
 
+inline bool SheetOptics::candidate_on_axis(const std::optional<SlitRay>& ray, Candidate& c)
+{
+    if (!ray)
+        return false;
+    c.pole = ray->point;
+    c.offset = ray->offset;
+    c.root = -ray->refracted.z;
+    c.aperture_point = ray->aperture_point;
+    return true;
+}
+
+/// Fills in `c`; false: totally reflected, or the slit is out of reach.
+bool SheetOptics::find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) const
+{
+    c.lens = lens;
+    c.pole = lattice_.pole(lens);
+    return lenticular_ ? candidate_on_axis(slit_ray(slit_, medium_, film_point, c.pole), c)
+                       : candidate_at_pole(film_point, c);
+}
+
+/// find_candidate of several film points side by side.
+void SheetOptics::find_candidates(const RayRun<Vec2>& film_points, const RayRun<LensIndex>& lenses,
+                                  RayRun<Candidate>& candidates, RayRun<bool>& found) const
+{
+    RayRun<Vec2> poles;
+    for (int k = 0; k < run_length; ++k) {
+        candidates[k].lens = lenses[k];
+        candidates[k].pole = poles[k] = lattice_.pole(lenses[k]);
+    }
+    if (!lenticular_) {
+        for (int k = 0; k < run_length; ++k)
+            found[k] = candidate_at_pole(film_points[k], candidates[k]);
+        return;
+    }
+    RayRun<std::optional<SlitRay>> rays;
+    slit_rays(slit_, medium_, film_points, poles, rays);
+    for (int k = 0; k < run_length; ++k)
+        found[k] = candidate_on_axis(rays[k], candidates[k]);
+}
+
 std::optional<SheetOptics::Candidate> SheetOptics::candidate(Vec2 film_point, LensIndex lens) const
 {
     Candidate c;
     return find_candidate(film_point, lens, c) ? std::optional(c) : std::nullopt;
-}
-
-inline LensRay SheetOptics::complete(const Candidate& c) const
-{
-    const double inverse_length = 1 / std::sqrt(dot(c.offset, c.offset) + medium_.t * medium_.t);
-    const double lateral = medium_.n * inverse_length;
-    return {c.lens,
-            c.pole,
-            {lateral * c.offset.x, lateral * c.offset.y, -c.root * inverse_length},
-            c.aperture_point};
-}
-
-inline bool SheetOptics::passes(Vec2 aperture_point) const
-{
-    return contains(edges_, aperture_point);
-}
-
-double SheetOptics::aperture_circumradius() const
-{
-    if (lenticular_)
-        return 0.5 * (slit_horizontal_ ? aperture_.width : aperture_.height);
-    return 0.5 * std::hypot(aperture_.width, aperture_.height);
 }
 
 std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens) const
@@ -112,16 +147,129 @@ std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens)
     return complete(*c);
 }
 
+/// Of a lens whose ray need not pass the aperture itself.
+inline SheetOptics::Rivals SheetOptics::rivals_of(const Candidate& c) const
+{
+    constexpr int unknown = 2;
+    const double steep = 0.5 * medium_.t * medium_.t; // less: rounding may exceed the margin
+    if (!(c.root * c.root >= steep &&
+          dot(c.aperture_point, c.aperture_point) < second_ring_limit_ * second_ring_limit_))
+        return {unknown, {}};
+    Rivals rivals;
+    for (const NeighbourLimit& neighbour : neighbour_limits_) {
+        const double component = dot(neighbour.direction, c.aperture_point);
+        if (std::fabs(component) < neighbour.limit)
+            continue;
+        if (++rivals.number == unknown)
+            return rivals;
+        const Vec2 pole = lattice_.pole(c.lens);
+        rivals.lens = lattice_.nearest(component > 0 ? pole - neighbour.to_pole
+                                                     : pole + neighbour.to_pole);
+    }
+    return rivals;
+}
+
+/// What becomes of a film point that a lens images, or none (null).
+inline void SheetOptics::set(MappedPoint& mapped, const Candidate* image, bool searched) const
+{
+    if (image)
+        mapped.ray.emplace(complete(*image));
+    else
+        mapped.ray.reset();
+    mapped.empty = image ? Empty::none : Empty::outside_aperture;
+    mapped.searched = searched;
+}
+
+/// Maps a film point, which is_exact, by `closest` or `automatic`, if the ray `c` through the
+/// likely lens and, for `automatic`, that through one other are enough to tell the result. False if
+/// not.
+inline bool SheetOptics::settle(Vec2 film_point, LensIndex nearest, LensMapping mapping,
+                                const Candidate& c, MappedPoint& mapped) const
+{
+    const bool passing = passes(c.aperture_point), likely_is_nearest = c.lens == nearest;
+    if (mapping == LensMapping::automatic && !(passing && likely_is_nearest))
+        return settle_between_two(film_point, nearest, c, mapped);
+    if (!likely_is_nearest)
+        return false;
+    set(mapped, passing ? &c : nullptr, false);
+    return true;
+}
+
+/// `automatic`, where the likely lens is not the nearest, or its ray misses the aperture.
+bool SheetOptics::settle_between_two(Vec2 film_point, LensIndex nearest, const Candidate& c,
+                                     MappedPoint& mapped) const
+{
+    const bool passing = passes(c.aperture_point), likely_is_nearest = c.lens == nearest;
+    const Rivals rivals = rivals_of(c);
+    if (rivals.number == 0 && (passing || nearest_transmits_)) {
+        set(mapped, passing ? &c : nullptr, true);
+        return true;
+    }
+    if (likely_is_nearest && rivals.number != 1)
+        return false;
+
+    Candidate second;
+    if (!find_candidate(film_point, likely_is_nearest ? rivals.lens : nearest, second))
+        return false;
+    if (passes(second.aperture_point)) { // the nearest lens, or the only one that can pass
+        set(mapped, &second, likely_is_nearest);
+        return true;
+    }
+    const bool only_rival = rivals.number == 1 && second.lens == rivals.lens;
+    const bool settled = passing ? only_rival || distance_to_centre(c.aperture_point) < alone_limit_
+                                 : only_rival && nearest_transmits_;
+    if (settled)
+        set(mapped, passing ? &c : nullptr, true);
+    return settled;
+}
+
 MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
 {
     if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <=
           farthest_film * lattice_.pitch())) // not a number, too
         return {std::nullopt, Empty::outside_aperture, mapping != LensMapping::closest};
-    if (mapping == LensMapping::accurate)
-        return map_accurate(film_point);
-    if (mapping == LensMapping::exhaustive)
-        return map_exhaustive(film_point);
+    switch (mapping) {
+    case LensMapping::closest: return map_closest(film_point);
+    case LensMapping::accurate: return map_accurate(film_point);
+    case LensMapping::exhaustive: return map_exhaustive(film_point);
+    case LensMapping::automatic: break;
+    }
+    MappedPoint mapped;
+    Candidate c;
+    if (!neighbour_limits_.empty() && is_exact(film_point) &&
+        find_candidate(film_point, lattice_.nearest(likely_pole(film_point)), c) &&
+        settle(film_point, lattice_.nearest(film_point), mapping, c, mapped))
+        return mapped;
+    return map_by_search(film_point);
+}
 
+void SheetOptics::map_run(const RayRun<Vec2>& film_points, LensMapping mapping,
+                          RayRun<MappedPoint>& mapped) const
+{
+    const bool closest = mapping == LensMapping::closest;
+    if (!closest && (mapping != LensMapping::automatic || neighbour_limits_.empty())) {
+        for (int k = 0; k < run_length; ++k)
+            mapped[k] = map(film_points[k], mapping);
+        return;
+    }
+    RayRun<LensIndex> nearest, likely;
+    for (int k = 0; k < run_length; ++k)
+        nearest[k] = lattice_.nearest(film_points[k]);
+    for (int k = 0; k < run_length; ++k)
+        likely[k] = closest ? nearest[k] : lattice_.nearest(likely_pole(film_points[k]));
+    RayRun<Candidate> candidates;
+    RayRun<bool> found;
+    find_candidates(film_points, likely, candidates, found);
+    for (int k = 0; k < run_length; ++k)
+        if (!is_exact(film_points[k]))
+            mapped[k] = map(film_points[k], mapping);
+        else if (!(found[k] &&
+                   settle(film_points[k], nearest[k], mapping, candidates[k], mapped[k])))
+            mapped[k] = closest ? map_closest(film_points[k]) : map_by_search(film_points[k]);
+}
+
+MappedPoint SheetOptics::map_closest(Vec2 film_point) const
+{
     MappedPoint mapped;
     Candidate c;
     if (!find_candidate(film_point, lattice_.nearest(film_point), c))
@@ -130,7 +278,14 @@ MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
         mapped.empty = Empty::outside_aperture;
     else
         mapped.ray.emplace(complete(c));
-    if (mapped.ray || mapping == LensMapping::closest)
+    return mapped;
+}
+
+/// `automatic`, by its definition: closest, and accurate only where closest's check fails.
+MappedPoint SheetOptics::map_by_search(Vec2 film_point) const
+{
+    MappedPoint mapped = map_closest(film_point);
+    if (mapped.ray)
         return mapped;
     const MappedPoint searched = map_accurate(film_point);
     mapped.searched = true;
@@ -138,158 +293,6 @@ MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
         mapped.ray = searched.ray;
         mapped.empty = Empty::none;
     }
-    return mapped;
-}
-
-double SheetOptics::distance_to_centre(Vec2 aperture_point) const
-{
-    return lenticular_ ? std::fabs(slit_horizontal_ ? aperture_point.x : aperture_point.y)
-                       : length(aperture_point);
-}
-
-/// The point of the sheet plane through which the film point sees the aperture's centre, to within
-/// `error` (mm).
-///
-/// The image of the centre through a pole at distance P from the axis lies P t/sqrt(n^2 d^2 + m
-/// P^2) beyond the pole, so that |film point| = P + that. The right side's slope in P is at least
-/// 1: what is missing bounds the error. It is concave: Newton's method from below stays below.
-Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
-{
-    const double radius = length(film_point);
-    const double nd = medium_.n * aperture_.distance;
-    error = 0;
-    if (radius == 0)
-        return film_point;
-    double p = radius * (nd / (nd + medium_.t));
-    for (int step = 0; step < 60; ++step) {
-        const double root = std::sqrt(nd * nd + medium_.m * p * p), ratio = nd / root;
-        const double missing = radius - p - p * (medium_.t / root);
-        error = std::fabs(missing);
-        if (error <= 0.02 * lattice_.pitch())
-            break;
-        p += missing / (1 + (medium_.t / root) * ratio * ratio);
-    }
-    return (p / radius) * film_point;
-}
-
-/// Why no lens shows the film point to the aperture: if the nearest one reflects its light totally,
-/// all others do.
-Empty SheetOptics::why_empty(Vec2 film_point) const
-{
-    return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture
-                                                               : Empty::total_reflection;
-}
-
-/// Of the lenses within `radius` of `centre` whose rays pass the aperture, the one whose ray passes
-/// nearest to the aperture's centre; of the tied, by the lattice's rule.
-std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre,
-                                                               double radius) const
-{
-    // All that pass are looked at twice: for the least distance, and for the tied. The first few
-    // are kept meanwhile.
-    std::array<Candidate, 8> kept;
-    std::size_t passing = 0;
-    const auto each = [&](auto use) {
-        lattice_.for_each_within(centre, radius, [&](LensIndex lens) {
-            Candidate c;
-            if (find_candidate(film_point, lens, c) && passes(c.aperture_point))
-                use(c, distance_to_centre(c.aperture_point));
-        });
-    };
-    double least = infinity;
-    each([&](const Candidate& c, double distance) {
-        if (passing < kept.size())
-            kept[passing] = c;
-        ++passing;
-        least = std::min(least, distance);
-    });
-    std::optional<Candidate> best;
-    const auto choose = [&](const Candidate& c, double distance) {
-        if (distance <= least + lattice_.tie_tolerance() &&
-            (!best || lattice_.preferred(c.lens, best->lens)))
-            best = c;
-    };
-    if (passing > kept.size())
-        each(choose);
-    else
-        for (std::size_t k = 0; k < passing; ++k)
-            choose(kept[k], distance_to_centre(kept[k].aperture_point));
-    return best;
-}
-
-/// The map q -> A from lens offsets to aperture points, A = film point + q g(|q|) with
-/// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by at least the smallest g. A lens
-/// whose A is within `reach` of the aperture's centre therefore has its pole within reach/g of the
-/// point that sees the centre. Nothing beyond that is looked at (nor beyond widest_search), and
-/// nothing within is left out.
-MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
-{
-    MappedPoint mapped;
-    mapped.searched = true;
-    const double nd = medium_.n * aperture_.distance;
-    double slack; // of the ideal pole and of rounding, mm
-    const Vec2 ideal = pole_seeing_centre(film_point, slack);
-    slack += 1e-7 * lattice_.pitch() + 1e-8 * length(ideal);
-    double reach = aperture_circumradius() * (1 + 1e-8);
-    const auto guess = candidate(film_point, lattice_.nearest(ideal));
-    const bool guessed = guess && passes(guess->aperture_point);
-    if (guessed)
-        reach = std::min(reach, distance_to_centre(guess->aperture_point));
-    reach += 2 * lattice_.tie_tolerance();
-
-    // No lens but the nearest is within half a pitch of any point.
-    double stretch = 1 + nd / medium_.t;
-    if (guessed && reach / stretch + slack < 0.5 * lattice_.pitch()) {
-        mapped.ray = complete(*guess);
-        return mapped;
-    }
-
-    // A better lower bound of g, over the offsets that lead to within `reach` of the centre.
-    const auto stretch_at = [&](double r) {
-        const double clear = clearance(medium_, {r, 0});
-        return clear > 0 ? 1 + nd / std::sqrt(clear) : infinity;
-    };
-    const double at_ideal = stretch_at(length(ideal - film_point) + slack);
-    const double shortest = (length(film_point) - reach) / at_ideal;
-    if (std::isfinite(at_ideal) && shortest > 0)
-        stretch = std::max(stretch, stretch_at(shortest * (1 - 1e-9)));
-    double radius = reach / stretch + slack;
-    if (medium_.m > 0)
-        radius = std::min(radius, length(ideal - film_point) + medium_.t / medium_.root_m);
-    radius = std::min(radius, widest_search * lattice_.pitch());
-    bool alone = guessed;
-    lattice_.for_each_within(ideal, radius,
-                             [&](LensIndex lens) { alone = alone && lens == guess->lens; });
-    if (alone) {
-        mapped.ray = complete(*guess);
-        return mapped;
-    }
-
-    const auto best = best_within(film_point, ideal, radius);
-    if (best)
-        mapped.ray = complete(*best);
-    else
-        mapped.empty = why_empty(film_point);
-    return mapped;
-}
-
-MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
-{
-    // No lens farther from the film point than this can send it through the aperture.
-    const double stretch = 1 + medium_.n * aperture_.distance / medium_.t;
-    double radius = (aperture_circumradius() * (1 + 1e-8) + length(film_point)) / stretch;
-    if (medium_.m > 0)
-        radius = std::min(radius, medium_.t / medium_.root_m);
-    radius = std::min(radius, 10 * widest_search * lattice_.pitch());
-    radius += 1e-7 * lattice_.pitch();
-
-    const auto best = best_within(film_point, film_point, radius);
-    MappedPoint mapped;
-    mapped.searched = true;
-    if (best)
-        mapped.ray = complete(*best);
-    else
-        mapped.empty = why_empty(film_point);
     return mapped;
 }
 

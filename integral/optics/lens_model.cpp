@@ -33,9 +33,8 @@ LensPoint cell_point(const Lattice& lattice, Vec2 unit, double slit_height)
     if (lattice.arrangement() == Arrangement::square)
         return {(u * p) * lattice.across() + (v * p) * lattice.along()};
 
-    // The lattice's own parallelogram, each of its points moved by the lattice vector that brings
-    // it nearest to the pole: whatever is spread evenly over the one is spread evenly over the
-    // other.
+    // (u, v) is a point of the lattice's parallelogram. Moving it by the lattice vector that brings
+    // it nearest to the pole gives a point of the hexagon, and keeps areas.
     const double row = std::sqrt(0.75);
     const Vec2 point{u + 0.5 * v, row * v}; // in pitches, along the rows and across them
     const Vec2 vectors[] = {{1, 0}, {-1, 0}, {0.5, row}, {-0.5, -row}};

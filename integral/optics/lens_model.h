@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How a lens is modelled: what light of one film point leaves it, and through which points of it.
+// The lens models, and the points of a lens that a film point's light is sampled at.
 #ifndef INTEGRAL_OPTICS_LENS_MODEL_H
 #define INTEGRAL_OPTICS_LENS_MODEL_H
 
@@ -13,13 +13,14 @@ namespace integral {
 enum class LensModel {
     pinhole,          ///< goes straight through the pole, as if n were 1 (3-8)
     extended_pinhole, ///< is refracted at the pole, by the sheet plane (3-9)
-    hybrid,           ///< is refracted by the curved surface, at the pole and at marginal points
-                      ///< (thesis 3.4.7)
-    full ///< is refracted by the curved surface, at any points of the lens's cell (thesis 3.4.3)
+    /// is refracted by the curved surface, at the pole and at marginal points (thesis 3.4.7)
+    hybrid,
+    /// is refracted by the curved surface, at any points of the lens's cell (thesis 3.4.3)
+    full
 };
 
-/// Whether a model's rays are refracted at the curved surface, point by point. The others send a
-/// film point's light out as one parallel beam.
+/// Whether a model's rays are refracted at the curved surface, point by point. In the other models
+/// a film point's light leaves as one parallel beam.
 inline bool refracts_at_surface(LensModel model)
 {
     return model == LensModel::hybrid || model == LensModel::full;
@@ -31,17 +32,17 @@ LensSheet modelled_sheet(LensSheet sheet, LensModel model);
 /// Radius (mm) of the smallest circle that holds a lens's cell; lenticular: p/2, half its width.
 double cell_circumradius(const LensSheet& sheet);
 
-/// Whether the spherical surface reaches the edge of the cell: n > 1 and R >= the cell's
-/// circumradius. hybrid and full need it.
+/// Whether the curved surface extends to the edge of the cell: n > 1 and R >= the cell's
+/// circumradius. The models hybrid and full need it.
 bool has_surface(const LensSheet& sheet);
 
 /// A point of a lens through which light leaves it.
 struct LensPoint {
-    Vec2 offset; ///< mm from the pole, in the sheet frame; lenticular: from the axis, perpendicular
-                 ///< to it
-    double slit = 0; ///< mm; lenticular: the height (its sign that of y, or of x for a vertical
-                     ///< slit) at which the light passes the slit's plane, eta in optics.md section
-                     ///< 3; else unused
+    /// mm from the pole, in the sheet frame; lenticular: from the axis, perpendicular to it.
+    Vec2 offset;
+    /// Lenticular only: where across the slit the light passes the aperture plane, mm: its y (its x
+    /// for a vertical slit). eta in optics.md section 3.
+    double slit = 0;
 };
 
 /// The point of a lens's cell at unit-square coordinates (u, v), u and v in [0, 1): an
@@ -49,10 +50,10 @@ struct LensPoint {
 /// the lens, v over a slit of height `slit_height` (mm).
 LensPoint cell_point(const Lattice& lattice, Vec2 unit, double slit_height = 0);
 
-/// A point of the lens and its neighbours at unit-square coordinates (u, v): of density a tent,
-/// that is 0 from one pitch away on, across the lens and, unless it is lenticular, along it
-/// (hexagonal: from one row spacing away on). The sum over all lenses is the same everywhere.
-/// Lenticular: v as in cell_point.
+/// A point of the lens or its neighbours at unit-square coordinates (u, v), distributed by a tent:
+/// the density falls from the pole to 0 at one pitch across the lens and, unless it is lenticular,
+/// at one row spacing along it. Summed over all lenses it is the same everywhere. Lenticular: v as
+/// in cell_point.
 LensPoint tent_point(const Lattice& lattice, Vec2 unit, double slit_height = 0);
 
 /// u in [0, 1) -> a coordinate in (-1/2, 3/2) whose density is a tent about 1/2; area-preserving.

@@ -36,8 +36,8 @@ struct LensIndex {
 };
 
 /// The unbounded lattice of a sheet's poles (axis lines, for a lenticular sheet).
-/// Distances that differ by less than 1e-9 pitch count as equal; of equals, the lens nearest
-/// to the sheet's centre is taken, then the one of least x, then of least y.
+/// Distances that differ by less than 1e-9 pitch count as equal. Of equally distant lenses the one
+/// nearest to the sheet's centre is taken; if that is a tie too, the one of least x, then least y.
 class Lattice {
 public:
     explicit Lattice(const LensSheet& sheet);
@@ -69,10 +69,9 @@ public:
     bool preferred(LensIndex a, LensIndex b) const;
 
     double pitch() const { return pitch_; }
-    double row_spacing() const
-    {
-        return row_spacing_;
-    } ///< mm between rows of lenses; hexagonal: p sqrt(3)/2
+    /// mm between rows of lenses; hexagonal: p sqrt(3)/2
+    double row_spacing() const { return row_spacing_; }
+    /// mm: distances that differ by less count as equal.
     double tie_tolerance() const { return 1e-9 * pitch_; }
     Arrangement arrangement() const { return arrangement_; }
 
@@ -86,8 +85,8 @@ private:
     LensIndex nearest_of_shifted_rows(Vec2 point) const;
     LensIndex settle_tie(Vec2 point, LensIndex guess) const;
 
-    static constexpr double border_margin = 1e-8; ///< pitches from a border within which a tie is
-                                                  ///< looked for
+    /// Pitches: a point this near to the border of two cells is tested for a tie.
+    static constexpr double border_margin = 1e-8;
 
     Arrangement arrangement_;
     double pitch_, row_spacing_;

@@ -17,6 +17,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/lens_mapping.h \
   integral/optics/lens_model.cpp \
   integral/optics/lens_model.h \
+  integral/optics/lens_search.cpp \
   integral/optics/lens_sheet.cpp \
   integral/optics/lens_sheet.h \
   integral/optics/lens_surface.cpp \

@@ -12,16 +12,15 @@
 
 namespace integral {
 
-/// The medium between film and poles: its thickness t (mm) and refractive index n, and
-/// what follows from them.
+/// The medium between film and poles: its thickness t (mm) and its refractive index n.
 struct Medium {
     Medium(double thickness, double ior)
         : t(thickness), n(ior), m((ior - 1) * (ior + 1)), root_m(std::sqrt(m))
     {
     }
     double t, n;
-    double m; ///< n^2 - 1, without cancellation
-    double root_m;
+    double m;      ///< n^2 - 1, without cancellation
+    double root_m; ///< sqrt(m)
 };
 
 /// t^2 - m |q|^2 = L^2 (1 - |s|^2), without cancellation; <= 0 is total reflection.
@@ -34,16 +33,22 @@ inline double clearance(const Medium& medium, Vec2 q)
     return (medium.t - root) * (medium.t + root);
 }
 
-/// Unit direction towards the viewer (z < 0) of light from the film at pole - q; nothing where
-/// it is totally reflected.
+/// Unit direction towards the viewer (z < 0) of light from the film at pole - q, for a clearance >
+/// 0 whose square root is `root`.
+inline Vec3 refracted_at_pole(const Medium& medium, Vec2 q, double root)
+{
+    const double inverse_length = 1 / std::sqrt(dot(q, q) + medium.t * medium.t);
+    const double lateral = medium.n * inverse_length;
+    return {lateral * q.x, lateral * q.y, -root * inverse_length};
+}
+
+/// The same for any q; nothing where the light is totally reflected.
 inline std::optional<Vec3> direction_from_offset(const Medium& medium, Vec2 q)
 {
     const double e = clearance(medium, q);
     if (!(e > 0))
         return std::nullopt;
-    const double inverse_length = 1 / std::sqrt(dot(q, q) + medium.t * medium.t);
-    const double lateral = medium.n * inverse_length;
-    return Vec3{lateral * q.x, lateral * q.y, -std::sqrt(e) * inverse_length};
+    return refracted_at_pole(medium, q, std::sqrt(e));
 }
 
 /// Inverse: the q (pole - film point, mm) whose light leaves in `direction` (of any length, z < 0).

@@ -7,6 +7,64 @@ namespace integral {
 
 namespace {
 
+/// The error that a step of Newton's method leaves is about change^2/(distance to the end of the
+/// interval). The search ends where that is less than this part of the root.
+constexpr double slit_settled = 1e-17;
+
+/// The foot of a film point on a line of the lens parallel to its axis.
+struct Foot {
+    double h;   ///< mm: signed distance from the film point to the line, along `across`
+    Vec2 point; ///< the point of the line nearest to the film point, projected to z = 0
+};
+
+/// `on_axis`: any point of the lens's axis; the line is `v` mm from it along `across`.
+inline Foot foot_on_line(const Slit& slit, Vec2 film_point, Vec2 on_axis, double v)
+{
+    const double h = dot(slit.across, on_axis - film_point) + v;
+    return {h, film_point + h * slit.across};
+}
+
+/// The slit's equation for light that is refracted in the plane of the poles: with S = sqrt(E - m
+/// tau^2), E the clearance at tau = 0, p = g tau + h e.b and D the slit's distance
+///     H(tau) = alpha + g tau + n D p/S,   H' = g + n D (g E + m h (e.b) tau)/S^3.
+struct PoleEquation {
+    double alpha = 0;        ///< e.foot - eta
+    double g = 0;            ///< e.a
+    double lateral = 0;      ///< h e.b
+    double nd = 0;           ///< n D
+    double m = 0, clear = 0; ///< of the medium; E
+    double end = 0;          ///< the greatest |tau|, sqrt(E/m)
+
+    /// Whether there is a root: H changes its sign between -end and end.
+    bool has_root() const { return std::fabs(lateral) < g * end; }
+
+    /// An approximation of the root: of third order in tau, with series in place of quotients where
+    /// E is little less than t^2.
+    double start(double root_clear, double t) const
+    {
+        const double inverse_t2 = 1 / (t * t), inverse_reach = 1 / (t + nd), inverse_g = 1 / g;
+        const double narrower = (t - root_clear) * inverse_reach,
+                     paraxial = inverse_g * inverse_reach * (1 + narrower + narrower * narrower);
+        const double taken = 1 - clear * inverse_t2,
+                     bend = (0.5 * m * inverse_t2) * (1 + taken + taken * taken);
+        const double first = -(alpha * root_clear + nd * lateral) * paraxial;
+        return first - nd * (g * first + lateral) * paraxial * (bend * first * first);
+    }
+    double root(double tau) const { return std::sqrt(m * ((end - tau) * (end + tau))); } ///< S
+    /// Newton's step, H/H'.
+    double step(double tau) const
+    {
+        const double s2 = m * ((end - tau) * (end + tau)), s = std::sqrt(s2);
+        return ((alpha + g * tau) * s + nd * (g * tau + lateral)) * s2 /
+               (g * s * s2 + nd * (g * clear + m * lateral * tau));
+    }
+    /// Whether no step is needed after one by `change`, which led to tau.
+    bool settled(double change, double tau) const
+    {
+        return change * change <= slit_settled * std::fabs(tau) * (end - std::fabs(tau));
+    }
+};
+
 /// The slit's equation at a line of the lens. With S = sqrt(E - m tau^2), E the clearance at tau =
 /// 0, the refracted ray is (n k cosine + S sine, n tau, -C)/L in the directions (b, a, z), C = S
 /// cosine - n k sine.
@@ -30,7 +88,7 @@ struct Equation {
     }
 };
 
-/// Nothing where no light gets to the plane from inside, or none leaves it towards the viewer.
+/// Nothing where no light reaches the plane from inside, or none leaves it towards the viewer.
 std::optional<Equation> equation_of(const Slit& slit, const Medium& medium, Vec2 foot, double h,
                                     double eta, const TangentPlane& plane)
 {
@@ -54,9 +112,9 @@ std::optional<Equation> equation_of(const Slit& slit, const Medium& medium, Vec2
     return equation;
 }
 
-/// The greatest |tau|: where total reflection starts, at `limit`, or C = 0 before that. Nothing if
-/// H does not go from below 0 to above 0 between -end and end. If it does, it rises all the way,
-/// but perhaps next to an end, on that end's own side of 0: the root is the only one.
+/// The greatest |tau|: `limit`, where total reflection starts, or where C = 0 if that comes first.
+/// Nothing if H is not below 0 at -end and above 0 at end. If it is, H has one root only: it rises
+/// throughout, except perhaps next to an end, where it has that end's sign.
 std::optional<double> end_of(const Equation& equation, double root_e, double limit)
 {
     const double floor = equation.n * equation.k * equation.sine; // C > 0 demands S cosine > floor
@@ -75,55 +133,78 @@ std::optional<double> end_of(const Equation& equation, double root_e, double lim
     return std::nullopt;
 }
 
-/// A root of PoleEquation, and S there.
-struct PoleRoot {
-    double tau, s;
+/// Newton's method for light that is refracted in the plane of the poles. Nearly every ray of a
+/// picture needs two steps.
+class PoleSearch {
+public:
+    static constexpr int usual_steps = 2;
+
+    PoleSearch() = default;
+    PoleSearch(const Slit& slit, const Medium& medium, const Foot& foot, double eta)
+    {
+        const double clear = clearance(medium, {foot.h, 0});
+        if (!(medium.m > 0 && clear > 0))
+            return;
+        const double root_clear = std::sqrt(clear);
+        equation_ = {dot(slit.normal, foot.point) - eta,
+                     dot(slit.normal, slit.axis),
+                     foot.h * dot(slit.normal, slit.across),
+                     medium.n * slit.distance,
+                     medium.m,
+                     clear,
+                     root_clear * (1 / medium.root_m)};
+        going_on_ = equation_.has_root();
+        tau_ = equation_.start(root_clear, medium.t);
+    }
+
+    /// Takes a step, unless the search has ended.
+    void step()
+    {
+        if (!going_on_)
+            return;
+        ++steps_;
+        going_on_ = std::fabs(tau_) < equation_.end;
+        if (!going_on_)
+            return;
+        const double change = equation_.step(tau_);
+        tau_ -= change;
+        found_ = equation_.settled(change, tau_);
+        going_on_ = !found_;
+    }
+
+    /// Takes the remaining steps. False if they are too few: solve_in_bracket is to be used.
+    bool settles()
+    {
+        constexpr int most_steps = 5;
+        while (going_on_ && steps_ < most_steps)
+            step();
+        return found_ && s() > 0;
+    }
+
+    double tau() const { return tau_; }
+    double s() const { return equation_.root(tau_); } ///< S at tau
+
+private:
+    PoleEquation equation_;
+    double tau_ = 0;
+    int steps_ = 0;
+    bool going_on_ = false, found_ = false;
 };
 
-/// Newton's steps alone: nearly every ray of a picture needs two. False where they do not settle at
-/// once.
-inline bool settle_at_pole(const Slit& slit, const Medium& medium, Vec2 foot, double h, double eta,
-                           PoleRoot& root)
-{
-    const double clear = clearance(medium, {h, 0});
-    if (!(clear > 0))
-        return false;
-    const double root_clear = std::sqrt(clear);
-    const PoleEquation equation{dot(slit.normal, foot) - eta,
-                                dot(slit.normal, slit.axis),
-                                h * dot(slit.normal, slit.across),
-                                medium.n * slit.distance,
-                                medium.m,
-                                clear,
-                                PoleEquation::end_of(root_clear, medium.root_m)};
-    if (!(std::fabs(equation.lateral) < equation.g * equation.end))
-        return false;
-    double tau = equation.start(root_clear, medium.t);
-    constexpr int most_steps = 5;
-    for (int step = 0; step < most_steps && std::fabs(tau) < equation.end; ++step) {
-        const double change = equation.step(tau);
-        tau -= change;
-        if (equation.settled(change, tau)) {
-            root = {tau, equation.root(tau)};
-            return root.s > 0;
-        }
-    }
-    return false;
-}
-
-/// Where the light reaches the slit, from where and in which direction it leaves. `line`: a point
-/// of the line that it leaves from.
-inline SlitRay through_slit(const Slit& slit, double n, Vec2 foot, Vec2 line, double tau, double h,
-                            double eta, double distance, Vec3 refracted)
+/// The ray that leaves the lens at the offset tau from `foot`, in the direction `refracted`.
+/// `line`: a point of the line that it leaves from; `distance`: from there to the aperture plane.
+inline SlitRay ray_from(const Slit& slit, double n, const Foot& foot, Vec2 line, double tau,
+                        double eta, double distance, Vec3 refracted)
 {
     SlitRay ray;
-    ray.offset = h * slit.across + tau * slit.axis;
+    ray.offset = foot.h * slit.across + tau * slit.axis;
     ray.refracted = refracted;
-    ray.point = foot + tau * slit.axis;
+    ray.point = foot.point + tau * slit.axis;
     const double stretch = distance / -refracted.z;
     const Vec2 to_aperture = stretch * Vec2{refracted.x, refracted.y};
     if (n * stretch < 1) {
-        // Here foot + tau a cancels; the point's component across the slit is known without.
+        // The slit is so near that foot + tau a loses accuracy to cancellation. The point's
+        // component across the slit follows from where the light meets the slit.
         const double across_slit = eta - dot(slit.normal, to_aperture);
         const double along_axis = (across_slit - dot(slit.normal, line)) /
                                   dot(slit.normal, slit.axis);
@@ -137,7 +218,17 @@ inline SlitRay through_slit(const Slit& slit, double n, Vec2 foot, Vec2 line, do
     return ray;
 }
 
-/// solve_slit where Newton's steps alone do not do, or the plane is not that of the poles.
+/// The same of light that is refracted in the plane of the poles.
+inline SlitRay ray_from_pole(const Slit& slit, const Medium& medium, const Foot& foot, Vec2 on_axis,
+                             const PoleSearch& search, double eta)
+{
+    const Vec2 lateral = medium.n * (foot.h * slit.across + search.tau() * slit.axis);
+    return ray_from(slit, medium.n, foot, on_axis, search.tau(), eta, slit.distance,
+                    {lateral.x, lateral.y, -search.s()});
+}
+
+/// solve_slit where settle_at_pole fails, or the light is refracted elsewhere than in the plane of
+/// the poles: Newton's method within a bracket.
 std::optional<double> solve_in_bracket(const Slit& slit, const Medium& medium, Vec2 foot, double h,
                                        double eta, const TangentPlane& plane)
 {
@@ -201,27 +292,23 @@ bool reaches_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, d
 std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h,
                                  double eta, const TangentPlane& plane)
 {
-    PoleRoot root;
-    if (plane.sine == 0 && medium.m > 0 && settle_at_pole(slit, medium, foot, h, eta, root))
-        return root.tau;
+    if (plane.sine == 0) {
+        PoleSearch search(slit, medium, {h, foot}, eta);
+        if (search.settles())
+            return search.tau();
+    }
     return solve_in_bracket(slit, medium, foot, h, eta, plane);
 }
 
-std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 film_point,
-                                Vec2 on_axis, double eta, const TangentPlane& plane)
+/// slit_ray by solve_in_bracket.
+static std::optional<SlitRay> ray_in_bracket(const Slit& slit, const Medium& medium,
+                                             const Foot& foot, Vec2 on_axis, double eta,
+                                             const TangentPlane& plane)
 {
-    const double h = dot(slit.across, on_axis - film_point) + plane.v;
-    const Vec2 foot = film_point + h * slit.across;
-    PoleRoot root;
-    if (plane.sine == 0 && medium.m > 0 && settle_at_pole(slit, medium, foot, h, eta, root)) {
-        const Vec2 lateral = medium.n * (h * slit.across + root.tau * slit.axis);
-        return through_slit(slit, medium.n, foot, on_axis, root.tau, h, eta, slit.distance,
-                            {lateral.x, lateral.y, -root.s});
-    }
-    const auto tau = solve_in_bracket(slit, medium, foot, h, eta, plane);
+    const auto tau = solve_in_bracket(slit, medium, foot.point, foot.h, eta, plane);
     if (!tau)
         return std::nullopt;
-    const Incidence way = incidence(medium, plane, h);
+    const Incidence way = incidence(medium, plane, foot.h);
     const double clear = clearance(medium, way, *tau);
     if (!(clear > 0))
         return std::nullopt;
@@ -230,8 +317,38 @@ std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 fil
         return std::nullopt;
     const Vec3 direction{out.x * slit.across.x + out.y * slit.axis.x,
                          out.x * slit.across.y + out.y * slit.axis.y, out.z};
-    return through_slit(slit, medium.n, foot, on_axis + plane.v * slit.across, *tau, h, eta,
-                        slit.distance + plane.height, direction);
+    return ray_from(slit, medium.n, foot, on_axis + plane.v * slit.across, *tau, eta,
+                    slit.distance + plane.height, direction);
+}
+
+std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 film_point,
+                                Vec2 on_axis, double eta, const TangentPlane& plane)
+{
+    const Foot foot = foot_on_line(slit, film_point, on_axis, plane.v);
+    if (plane.sine == 0) {
+        PoleSearch search(slit, medium, foot, eta);
+        if (search.settles())
+            return ray_from_pole(slit, medium, foot, on_axis, search, eta);
+    }
+    return ray_in_bracket(slit, medium, foot, on_axis, eta, plane);
+}
+
+void slit_rays(const Slit& slit, const Medium& medium, const RayRun<Vec2>& film_points,
+               const RayRun<Vec2>& on_axes, RayRun<std::optional<SlitRay>>& rays)
+{
+    RayRun<Foot> feet;
+    RayRun<PoleSearch> searches;
+    for (int k = 0; k < run_length; ++k) {
+        feet[k] = foot_on_line(slit, film_points[k], on_axes[k], 0);
+        searches[k] = PoleSearch(slit, medium, feet[k], 0);
+    }
+    for (int step = 0; step < PoleSearch::usual_steps; ++step)
+        for (PoleSearch& search : searches)
+            search.step();
+    for (int k = 0; k < run_length; ++k)
+        rays[k] = searches[k].settles()
+                      ? ray_from_pole(slit, medium, feet[k], on_axes[k], searches[k], 0)
+                      : ray_in_bracket(slit, medium, feet[k], on_axes[k], 0, {});
 }
 
 } // namespace integral

@@ -27,11 +27,6 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     containers.Choose(*view->optics, scene, thread);
     counts_error = view->error.wanted && !view->audit;
     one_ray = view->sampler->gives_one_ray();
-    runs.reset();
-    if (one_ray)
-        runs.emplace(*view->optics);
-    if (runs && !runs->possible())
-        runs.reset();
     run_y = last_y = -1;
     keeps_depth = view->sampling != nullptr;
     std::lock_guard<std::mutex> lock(view->counts->mutex);
@@ -79,19 +74,17 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 /// the next run is computed when the last one ends.
 int IntegralTracer::Place_In_Run(DBL x, DBL y)
 {
-    if (!runs)
-        return -1;
     const bool next = y == last_y && x == last_x + 1;
     last_x = x;
     last_y = y;
     const DBL place = x - run_x;
-    if (y == run_y && place >= 0 && place < integral::PixelRun::pixels && place == int(place))
+    if (y == run_y && place >= 0 && place < integral::run_length && place == int(place))
         return int(place);
     if (!next)
         return -1;
     run_x = x;
     run_y = y;
-    runs->work_out({x + 0.5, y + 0.5}, run);
+    integral::map_pixel_run(*view->optics, {x + 0.5, y + 0.5}, run);
     return 0;
 }
 
@@ -101,15 +94,12 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
 {
     integral::PixelOutcome outcome;
     const int place = Place_In_Run(x, y);
-    if (place >= 0 && run.given[place])
+    if (place >= 0)
     {
-        outcome.film_points = outcome.imaged = 1;
-        outcome.lens = run.lens[place];
-        outcome.searched = run.searched[place];
-        Make_Ray(ray, run.line[place], pretrace, length);
+        outcome = integral::outcome_of(run.mapped[place]);
+        if (run.mapped[place].ray)
+            Make_Ray(ray, run.lines[place], pretrace, length);
     }
-    else if (place >= 0 && run.empty[place])
-        outcome.film_points = outcome.outside_aperture = 1;
     else if (const auto seen = view->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
         Make_Ray(ray, *seen, pretrace, length);
     imaged = outcome.imaged > 0;

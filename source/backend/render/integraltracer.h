@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "backend/frame.h"
@@ -125,11 +124,10 @@ private:
     bool active = false, counts_error = false;
     bool keeps_depth = false; ///< whether Depth is available
     double last_depth = 0;
-    bool one_ray = false;                    ///< whether each pixel has at most one ray
-    std::optional<integral::PixelRuns> runs; ///< maps several pixels of a row at once, if possible
-    integral::PixelRun run;                  ///< the last run that was computed
-    DBL run_x = 0, run_y = -1;               ///< its first pixel; initially none
-    DBL last_x = 0, last_y = -1;             ///< the last pixel that was traced
+    bool one_ray = false;        ///< whether each pixel has at most one ray
+    integral::PixelRun run;      ///< pixels of a row mapped at once: the last run that was computed
+    DBL run_x = 0, run_y = -1;   ///< its first pixel; initially none
+    DBL last_x = 0, last_y = -1; ///< the last pixel that was traced
 };
 
 template <class Trace>

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The searches for a film point's lens: `accurate` and `exhaustive`.
+#include "integral/optics/lens_mapping.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace integral {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Pitches: without it, a search through an aperture without limit would not end.
+constexpr double widest_search = 100;
+
+} // namespace
+
+double SheetOptics::aperture_circumradius() const
+{
+    if (lenticular_)
+        return 0.5 * (slit_horizontal_ ? aperture_.width : aperture_.height);
+    return 0.5 * std::hypot(aperture_.width, aperture_.height);
+}
+
+double SheetOptics::distance_to_centre(Vec2 aperture_point) const
+{
+    return lenticular_ ? std::fabs(slit_horizontal_ ? aperture_point.x : aperture_point.y)
+                       : length(aperture_point);
+}
+
+/// The point of the sheet plane through which the film point sees the aperture's centre, to within
+/// `error` (mm).
+///
+/// The image of the centre through a pole at distance P from the axis lies P t/sqrt(n^2 d^2 + m
+/// P^2) beyond the pole, so that |film point| = P + that. The right side's slope in P is at least
+/// 1: what is missing bounds the error. It is concave: Newton's method from below stays below.
+Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
+{
+    const double radius = length(film_point);
+    const double nd = medium_.n * aperture_.distance;
+    error = 0;
+    if (radius == 0)
+        return film_point;
+    double p = radius * (nd / (nd + medium_.t));
+    for (int step = 0; step < 60; ++step) {
+        const double root = std::sqrt(nd * nd + medium_.m * p * p), ratio = nd / root;
+        const double missing = radius - p - p * (medium_.t / root);
+        error = std::fabs(missing);
+        if (error <= 0.02 * lattice_.pitch())
+            break;
+        p += missing / (1 + (medium_.t / root) * ratio * ratio);
+    }
+    return (p / radius) * film_point;
+}
+
+/// Why no lens shows the film point to the aperture: if the nearest one reflects its light totally,
+/// all others do.
+Empty SheetOptics::why_empty(Vec2 film_point) const
+{
+    return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture
+                                                               : Empty::total_reflection;
+}
+
+/// Of the lenses within `radius` of `centre` whose rays pass the aperture, the one whose ray passes
+/// nearest to the aperture's centre; of the tied, by the lattice's rule.
+std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre,
+                                                               double radius) const
+{
+    // All that pass are looked at twice: for the least distance, and for the tied. The first few
+    // are kept meanwhile.
+    std::array<Candidate, 8> kept;
+    std::size_t passing = 0;
+    const auto each = [&](auto use) {
+        lattice_.for_each_within(centre, radius, [&](LensIndex lens) {
+            Candidate c;
+            if (find_candidate(film_point, lens, c) && passes(c.aperture_point))
+                use(c, distance_to_centre(c.aperture_point));
+        });
+    };
+    double least = infinity;
+    each([&](const Candidate& c, double distance) {
+        if (passing < kept.size())
+            kept[passing] = c;
+        ++passing;
+        least = std::min(least, distance);
+    });
+    std::optional<Candidate> best;
+    const auto choose = [&](const Candidate& c, double distance) {
+        if (distance <= least + lattice_.tie_tolerance() &&
+            (!best || lattice_.preferred(c.lens, best->lens)))
+            best = c;
+    };
+    if (passing > kept.size())
+        each(choose);
+    else
+        for (std::size_t k = 0; k < passing; ++k)
+            choose(kept[k], distance_to_centre(kept[k].aperture_point));
+    return best;
+}
+
+/// The map q -> A from lens offsets to aperture points, A = film point + q g(|q|) with
+/// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by at least the smallest g. A lens
+/// whose A is within `reach` of the aperture's centre therefore has its pole within reach/g of the
+/// point that sees the centre. Nothing beyond that is looked at (nor beyond widest_search), and
+/// nothing within is left out.
+MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
+{
+    MappedPoint mapped;
+    mapped.searched = true;
+    const double nd = medium_.n * aperture_.distance;
+    double slack; // of the ideal pole and of rounding, mm
+    const Vec2 ideal = pole_seeing_centre(film_point, slack);
+    slack += 1e-7 * lattice_.pitch() + 1e-8 * length(ideal);
+    double reach = aperture_circumradius() * (1 + 1e-8);
+    const auto guess = candidate(film_point, lattice_.nearest(ideal));
+    const bool guessed = guess && passes(guess->aperture_point);
+    if (guessed)
+        reach = std::min(reach, distance_to_centre(guess->aperture_point));
+    reach += 2 * lattice_.tie_tolerance();
+
+    // No lens but the nearest is within half a pitch of any point.
+    double stretch = 1 + nd / medium_.t;
+    if (guessed && reach / stretch + slack < 0.5 * lattice_.pitch()) {
+        mapped.ray = complete(*guess);
+        return mapped;
+    }
+
+    // A better lower bound of g, over the offsets that lead to within `reach` of the centre.
+    const auto stretch_at = [&](double r) {
+        const double clear = clearance(medium_, {r, 0});
+        return clear > 0 ? 1 + nd / std::sqrt(clear) : infinity;
+    };
+    const double at_ideal = stretch_at(length(ideal - film_point) + slack);
+    const double shortest = (length(film_point) - reach) / at_ideal;
+    if (std::isfinite(at_ideal) && shortest > 0)
+        stretch = std::max(stretch, stretch_at(shortest * (1 - 1e-9)));
+    double radius = reach / stretch + slack;
+    if (medium_.m > 0)
+        radius = std::min(radius, length(ideal - film_point) + medium_.t / medium_.root_m);
+    radius = std::min(radius, widest_search * lattice_.pitch());
+    bool alone = guessed;
+    lattice_.for_each_within(ideal, radius,
+                             [&](LensIndex lens) { alone = alone && lens == guess->lens; });
+    if (alone) {
+        mapped.ray = complete(*guess);
+        return mapped;
+    }
+
+    const auto best = best_within(film_point, ideal, radius);
+    if (best)
+        mapped.ray = complete(*best);
+    else
+        mapped.empty = why_empty(film_point);
+    return mapped;
+}
+
+MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
+{
+    // No lens farther from the film point than this can send it through the aperture.
+    const double stretch = 1 + medium_.n * aperture_.distance / medium_.t;
+    double radius = (aperture_circumradius() * (1 + 1e-8) + length(film_point)) / stretch;
+    if (medium_.m > 0)
+        radius = std::min(radius, medium_.t / medium_.root_m);
+    radius = std::min(radius, 10 * widest_search * lattice_.pitch());
+    radius += 1e-7 * lattice_.pitch();
+
+    const auto best = best_within(film_point, film_point, radius);
+    MappedPoint mapped;
+    mapped.searched = true;
+    if (best)
+        mapped.ray = complete(*best);
+    else
+        mapped.empty = why_empty(film_point);
+    return mapped;
+}
+
+} // namespace integral
