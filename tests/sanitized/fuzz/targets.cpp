@@ -4,10 +4,10 @@
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/batch/manifest.h"
-#include "integral/cli/scene_depth.h"
 #include "integral/compare/compare.h"
 #include "integral/compare/tolerances.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/scene_depth_report.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/panel.h"
 #include "integral/replay/replay.h"
