@@ -7,6 +7,9 @@
 #include <array>
 #include <cstring>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -80,15 +83,17 @@ namespace {
 /// Rows of all views' pictures, brought close together as interlace_row reads them.
 template <class Sample> class KeptRows {
 public:
-    KeptRows(const ViewPictures& views, bool in_pairs, bool one_at_a_time)
+    /// `blended`: the two rows that a row of the panel shows are blended first, and rounded; else
+    /// they are paired where `in_pairs`.
+    KeptRows(const ViewPictures& views, bool blended, bool in_pairs)
         : views_(views),
-          in_pairs_(in_pairs),
-          places_(one_at_a_time ? 1 : int(rows_kept)),
-          view_step_(spread(std::size_t(views.width) * channels * (in_pairs ? 2 : 1))),
+          blended_(blended),
+          in_pairs_(in_pairs && !blended),
+          places_(blended ? 1 : int(rows_kept)),
+          view_step_(spread(std::size_t(views.width) * channels * (in_pairs_ ? 2 : 1))),
           row_step_(view_step_ * views.grid.count()),
-          samples_((one_at_a_time ? 1 : rows_kept) * row_step_ + view_step_ + 8)
+          samples_(std::size_t(places_) * row_step_ + view_step_ + 8)
     {
-        kept_.fill(-1);
     }
 
     /// Whether interlace_row can count the places in rows of so large views: 31 bits.
@@ -99,19 +104,23 @@ public:
                views.width < 32768;
     }
 
-    /// Makes sure that row k of the views is there.
-    void keep(int k)
+    /// Makes sure that the row of the views that a step takes is there.
+    void keep(Step y)
     {
-        if (kept_[k % places_] == k)
+        const int k = int(index_of(y)), place = k % places_;
+        const Step kept = blended_ ? y : Step(k) << 8;
+        if (kept_[place] == kept)
             return;
-        kept_[k % places_] = k;
+        kept_[place] = kept;
         const std::size_t count = std::size_t(views_.width) * channels;
         const std::size_t below = k + 1 < views_.height ? views_.row_step : 0;
         for (int view = 0; view < views_.grid.count(); ++view) {
             const Sample* row = views_.first<Sample>(view) + k * views_.row_step;
-            Sample* to = samples_.data() + k % places_ * row_step_ + view * view_step_;
+            Sample* to = samples_.data() + place * row_step_ + view * view_step_;
             if (in_pairs_)
                 pair_rows(to, row, row + below, count);
+            else if (weight_of(kept) > 0)
+                blend_rows(to, row, row + below, count, kept);
             else
                 std::memcpy(to, row, count * sizeof(Sample));
         }
@@ -134,11 +143,39 @@ private:
     }
 
     const ViewPictures& views_;
-    const bool in_pairs_;
+    const bool blended_, in_pairs_;
     const int places_; ///< row k is at place k % places_
     const std::size_t view_step_, row_step_;
     std::vector<Sample> samples_;
-    std::array<int, rows_kept> kept_;
+    std::array<std::optional<Step>, rows_kept> kept_; ///< at each place
+};
+
+/// What threads keep from one block of rows to the next, so that memory is taken and cleared once a
+/// thread: each block borrows one of them.
+template <class Kept> class Borrowed {
+public:
+    template <class Make> std::unique_ptr<Kept> take(Make make)
+    {
+        {
+            const std::lock_guard lock(mutex_);
+            if (!free_.empty()) {
+                std::unique_ptr<Kept> kept = std::move(free_.back());
+                free_.pop_back();
+                return kept;
+            }
+        }
+        return make();
+    }
+
+    void give_back(std::unique_ptr<Kept> kept)
+    {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(kept));
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Kept>> free_;
 };
 
 /// Interlaces one panel image.
@@ -148,31 +185,39 @@ public:
         : samples_(std::get<std::vector<Sample>>(panel.samples)),
           views_(views),
           mapping_(mapping),
-          blending_{blend.views == Neighbours::linear, blend.pixels == Neighbours::linear,
-                    mapping.y.columns == 1},
+          blends_views_(blend.views == Neighbours::linear),
+          blends_pixels_(blend.pixels == Neighbours::linear),
+          is_plain_(mapping.is_plain()),
           views_up_(mapping.up.rows > 0 ? views.grid.rows : 1),
           views_across_(views.grid.count() / views_up_)
     {
         for (int view = 0; view < views.grid.count(); ++view)
             first_.push_back(views.first<Sample>(view));
-        if (mapping.x.rows == 1)
-            for (int i = 0; i < mapping.width * channels; ++i)
-                x_of_all_.push_back(
-                    step_among(std::uint32_t(views.width), mapping.x.row(0)[i], blending_.pixels));
+        if (is_plain_)
+            for (int i = 0; i < mapping.width * channels; ++i) {
+                const Step x = step_among(std::uint32_t(views.width), mapping.x.row(0)[i],
+                                          blends_pixels_);
+                x_places_.push_back(index_of(x) * channels + std::uint32_t(i % channels));
+                x_weights_.push_back(256 - weight_of(x) + (weight_of(x) << 16));
+            }
     }
 
     /// Rows [first, end) of the panel.
-    void make_rows(int first, int end) const
+    void make_rows(int first, int end)
     {
-        std::optional<KeptRows<Sample>> kept;
+        std::unique_ptr<KeptRows<Sample>> kept;
         if (views_up_ == 1 && KeptRows<Sample>::can_hold(views_))
-            kept.emplace(views_, blending_.pixels, mapping_.y.columns == 1);
+            kept = kept_.take([&] {
+                return std::make_unique<KeptRows<Sample>>(views_, is_plain_, blends_pixels_);
+            });
         for (int y = first; y < end; ++y) {
             const PanelRow row = row_of_panel(y);
             Sample* const samples = samples_.data() + std::size_t(y) * row.count;
-            if (!kept || !make_of_kept_rows(samples, row, *kept))
+            if (!kept || !make_of_kept_rows(samples, row, y, *kept))
                 make_one_by_one(samples, row, y);
         }
+        if (kept)
+            kept_.give_back(std::move(kept));
     }
 
 private:
@@ -185,25 +230,33 @@ private:
                 axis(mapping_.across, views_across_),
                 axis(mapping_.x, views_.width),
                 axis(mapping_.y, views_.height),
-                x_of_all_.empty() ? nullptr : x_of_all_.data(),
-                mapping_.has_unseen};
+                x_places_.data(),
+                x_weights_.data(),
+                mapping_.has_unseen,
+                is_plain_};
     }
 
     /// Returns whether it has: not where the panel's row shows more rows of pixels than are kept.
-    bool make_of_kept_rows(Sample* samples, const PanelRow& row, KeptRows<Sample>& kept) const
+    bool make_of_kept_rows(Sample* samples, const PanelRow& row, int y,
+                           KeptRows<Sample>& kept) const
     {
-        const PhaseRow& phases = row.y.phases;
-        const Range range = range_of(phases.high, phases.is_one ? 1 : row.count);
-        const auto pixel_row = [&](std::uint16_t high) {
-            const PhaseRow one{&high, phases.low, phases.shift, true};
-            return int(index_of(step_among(row.y.parts, one[0], blending_.pixels)));
+        const auto step = [&](std::uint32_t phase) {
+            return step_among(row.y.parts, phase, blends_pixels_);
         };
-        const int first = pixel_row(range.least), last = pixel_row(range.greatest);
-        if (last - first >= int(rows_kept))
-            return false;
-        for (int k = first; k <= last; ++k)
-            kept.keep(k);
-        interlace_row(samples, row, kept.rows(first, last), blending_);
+        int first, last;
+        if (is_plain_) {
+            const Step both = step(row.y.phases[0]);
+            first = last = int(index_of(both));
+            kept.keep(both);
+        } else {
+            first = int(index_of(step(phase_of_high(mapping_.y_range[y][0]))));
+            last = int(index_of(step(phase_of_high(mapping_.y_range[y][1]))));
+            if (last - first >= int(rows_kept))
+                return false;
+            for (int k = first; k <= last; ++k)
+                kept.keep(Step(k) << 8);
+        }
+        interlace_row(samples, row, kept.rows(first, last), {blends_views_, blends_pixels_});
         return true;
     }
 
@@ -218,10 +271,10 @@ private:
             }
             const Step up = views_up_ == 1 ? 0
                                            : step_among(std::uint32_t(views_up_),
-                                                        mapping_.up.row(y)[i], blending_.views);
-            samples[i] = sample(step_among(row.across.parts, phase, blending_.views), up,
-                                step_among(row.x.parts, row.x.phases[i], blending_.pixels),
-                                step_among(row.y.parts, row.y.phases[i], blending_.pixels),
+                                                        mapping_.up.row(y)[i], blends_views_);
+            samples[i] = sample(step_among(row.across.parts, phase, blends_views_), up,
+                                step_among(row.x.parts, row.x.phases[i], blends_pixels_),
+                                step_among(row.y.parts, row.y.phases[i], blends_pixels_),
                                 i % channels);
         }
     }
@@ -233,33 +286,39 @@ private:
             below = weight_of(y) ? views_.row_step : 0;
         const auto pixel = [&](int view) {
             const Sample* at = first_[std::size_t(view)] + place;
-            return blend_pixels(at[0], at[below], at[right], at[below + right], x, y,
-                                blending_.rounds_rows);
+            const auto column = [&](std::size_t side) { // 2^8 times the value
+                const std::uint64_t sum = blend<std::uint64_t>(at[side], at[side + below],
+                                                               weight_of(y));
+                return is_plain_ ? (sum + 128) & ~std::uint64_t(255) : sum;
+            };
+            return blend(column(0), column(right), weight_of(x)); // 2^16 times the value
         };
         const auto line = [&](std::uint32_t row) { // 2^24 times the value
             const int view = int(row) * views_across_ + int(index_of(across));
-            return blend(pixel(view), pixel(view + (weight_of(across) ? 1 : 0)), across);
+            return blend(pixel(view), pixel(view + (weight_of(across) ? 1 : 0)), weight_of(across));
         };
         const std::uint32_t row = index_of(up);
-        const std::uint64_t sum = blend(line(row), line(row + (weight_of(up) ? 1 : 0)), up);
+        const std::uint64_t sum = blend(line(row), line(row + (weight_of(up) ? 1 : 0)),
+                                        weight_of(up));
         return Sample((sum + (std::uint64_t(1) << 31)) >> 32);
     }
 
     std::vector<Sample>& samples_;
     const ViewPictures& views_;
     const PanelMapping& mapping_;
-    const Blending blending_;
+    const bool blends_views_, blends_pixels_;
+    const bool is_plain_; ///< the mapping
     const int views_up_, views_across_;
-    std::vector<const Sample*> first_; ///< of each view
-    std::vector<Step> x_of_all_; ///< across a view's picture, where all rows have the same; else
-                                 ///< empty
+    std::vector<const Sample*> first_;                ///< of each view
+    std::vector<std::uint32_t> x_places_, x_weights_; ///< as in PanelRow; plain mappings
+    Borrowed<KeptRows<Sample>> kept_;
 };
 
 template <class Sample>
 void interlace_as(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend,
                   int threads)
 {
-    const Interlacer<Sample> interlacer(panel, views, mapping, blend);
+    Interlacer<Sample> interlacer(panel, views, mapping, blend);
     for_each_block(panel.height, threads,
                    [&](int first, int end) { interlacer.make_rows(first, end); });
 }

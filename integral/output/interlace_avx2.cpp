@@ -19,11 +19,11 @@ __attribute__((target("avx2"))) inline void store(void* at, __m256i value)
     _mm256_storeu_si256(static_cast<__m256i*>(at), value);
 }
 
-/// Pairs of weights for madd from the weights of eight steps: what is left of 256, and the weight.
+/// Pairs of weights for madd from what EightSteps has made: what is left of 256, and the weight.
 __attribute__((target("avx2"))) inline __m256i weight_pairs(__m256i steps)
 {
-    const __m256i twice = _mm256_setr_epi8(0, -1, 0, -1, 4, -1, 4, -1, 8, -1, 8, -1, 12, -1, 12, -1,
-                                           0, -1, 0, -1, 4, -1, 4, -1, 8, -1, 8, -1, 12, -1, 12,
+    const __m256i twice = _mm256_setr_epi8(1, -1, 1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13, -1,
+                                           1, -1, 1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13,
                                            -1);
     return _mm256_add_epi32(
         _mm256_xor_si256(_mm256_shuffle_epi8(steps, twice), _mm256_set1_epi32(255)),
@@ -40,9 +40,9 @@ template <int byte> __attribute__((target("avx2"))) inline __m128i bytes_of(__m2
     return _mm_or_si128(_mm256_castsi256_si128(bytes), _mm256_extracti128_si256(bytes, 1));
 }
 
-/// Fetches what lies at eight places: a byte of each, or of two places eight bytes. Loads one by
-/// one take less than half the time of gather instructions on the processors on which this was
-/// measured, and taking the places from halves of a register less than from memory.
+/// Fetches what lies at eight places: a byte or four of each, or of two places eight bytes. Loads
+/// one by one take less than half the time of gather instructions on the processors on which this
+/// was measured, and taking the places from halves of a register less than from memory.
 class EightPlaces {
 public:
     __attribute__((target("avx2"))) explicit EightPlaces(__m256i places)
@@ -68,6 +68,12 @@ public:
         return _mm_insert_epi8(all, origin[place<7>()], 7);
     }
 
+    /// Four bytes of each.
+    __attribute__((target("avx2"))) __m256i fours(const std::uint8_t* origin) const
+    {
+        return _mm256_inserti128_si256(_mm256_castsi128_si256(half<0>(origin)), half<4>(origin), 1);
+    }
+
     template <int first>
     __attribute__((target("avx2"))) __m128i eights(const std::uint8_t* origin) const
     {
@@ -82,35 +88,54 @@ private:
         return k % 2 ? two_[k / 2] >> 32 : std::uint32_t(two_[k / 2]);
     }
 
+    template <int k> int four(const std::uint8_t* origin) const
+    {
+        int value;
+        std::memcpy(&value, origin + place<k>(), sizeof value);
+        return value;
+    }
+    template <int k> __attribute__((target("avx2"))) __m128i half(const std::uint8_t* origin) const
+    {
+        const __m128i all = _mm_insert_epi32(_mm_cvtsi32_si128(four<k>(origin)),
+                                             four<k + 1>(origin), 1);
+        return _mm_insert_epi32(_mm_insert_epi32(all, four<k + 2>(origin), 2), four<k + 3>(origin),
+                                3);
+    }
+
     std::uint64_t two_[4];
 };
 
+/// Eight pixels and their right neighbours, blended: 256 times the values. `weights`: pairs.
+__attribute__((target("avx2"))) inline __m256i blend_columns(const EightPlaces& at,
+                                                             const std::uint8_t* view,
+                                                             __m256i weights)
+{
+    const __m256i ends = _mm256_setr_epi8(0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15, -1,
+                                          0, -1, 3, -1, 4, -1, 7, -1, 8, -1, 11, -1, 12, -1, 15,
+                                          -1);
+    return _mm256_madd_epi16(_mm256_shuffle_epi8(at.fours(view), ends), weights);
+}
+
 /// The two rows of four pixels and of their right neighbours, blended: 256 times the values, in
 /// turns. `lower`, `upper`: two pixels each, as pair_rows has made them.
-template <bool rounds_rows>
 __attribute__((target("avx2"))) inline __m256i blend_rows(__m128i lower, __m128i upper,
                                                           __m256i weights)
 {
     const __m256i ends = _mm256_setr_epi8(0, -1, 1, -1, 6, -1, 7, -1, 8, -1, 9, -1, 14, -1, 15, -1,
                                           0, -1, 1, -1, 6, -1, 7, -1, 8, -1, 9, -1, 14, -1, 15, -1);
     const __m256i samples = _mm256_inserti128_si256(_mm256_castsi128_si256(lower), upper, 1);
-    const __m256i sums = _mm256_madd_epi16(_mm256_shuffle_epi8(samples, ends), weights);
-    if (!rounds_rows)
-        return sums;
-    return _mm256_and_si256(_mm256_add_epi32(sums, _mm256_set1_epi32(128)),
-                            _mm256_set1_epi32(~255));
+    return _mm256_madd_epi16(_mm256_shuffle_epi8(samples, ends), weights);
 }
 
 /// Eight pixels of a view, blended: 65536 times their values less 128.
-template <bool rounds_rows>
 __attribute__((target("avx2"))) inline __m256i blend_pixels(const EightPlaces& at,
                                                             const std::uint8_t* view,
                                                             __m256i x_weights, __m256i y_weights)
 {
-    const __m256i first = blend_rows<rounds_rows>(at.eights<0>(view), at.eights<4>(view),
-                                                  _mm256_unpacklo_epi32(y_weights, y_weights));
-    const __m256i second = blend_rows<rounds_rows>(at.eights<2>(view), at.eights<6>(view),
-                                                   _mm256_unpackhi_epi32(y_weights, y_weights));
+    const __m256i first = blend_rows(at.eights<0>(view), at.eights<4>(view),
+                                     _mm256_unpacklo_epi32(y_weights, y_weights));
+    const __m256i second = blend_rows(at.eights<2>(view), at.eights<6>(view),
+                                      _mm256_unpackhi_epi32(y_weights, y_weights));
     // madd takes numbers of 16 bits with a sign, so 128 is taken away from all values.
     const __m256i with_sign = _mm256_xor_si256(_mm256_packus_epi32(first, second),
                                                _mm256_set1_epi16(short(32768)));
@@ -123,90 +148,114 @@ __attribute__((target("avx2"))) inline __m256i eight(const std::uint16_t* at)
     return _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)));
 }
 
-/// Makes the steps of eight subpixels, as nearest_step and linear_step do. `published`: phases of
-/// 32 bits with a shift; else of 16 bits without.
-template <bool published, bool linear> class EightSteps {
+/// Makes the steps of eight subpixels, as nearest_step and linear_step do, of whole phases or of
+/// their upper halves. Here the number of a step's neighbour is in the upper 16 bits and the weight
+/// of the one after it in the upper byte of the lower ones; nearest neighbours have any weight.
+template <bool linear> class EightSteps {
 public:
-    __attribute__((target("avx2"))) explicit EightSteps(const RowAxis& axis)
-        : high_(axis.phases.high),
-          low_(axis.phases.low),
-          shift_(_mm256_set1_epi32(int(axis.phases.shift))),
-          parts_(_mm256_set1_epi32(int(axis.parts))),
-          add_(_mm256_set1_epi32(int((published ? 0 : axis.parts / 2) + (linear ? 0x8080 : 0)))),
-          last_(_mm256_set1_epi32(int(axis.parts << 8)))
+    __attribute__((target("avx2"))) EightSteps(const RowAxis& axis, bool whole)
+        : shift_(_mm256_set1_epi32(int(axis.phases.shift))),
+          parts_(_mm256_set1_epi32(int(axis.parts | (whole ? axis.parts << 16 : 0)))),
+          add_(_mm256_set1_epi32(
+              int((whole ? 0 : axis.parts / 2) + (linear ? 0x8080 - 0x10000 : 0)))),
+          last_(_mm256_set1_epi32(int((axis.parts - 1) << 16)))
     {
     }
 
-    /// Those of subpixels from i on.
-    __attribute__((target("avx2"))) __m256i of(int i) const
+    __attribute__((target("avx2"))) __m256i of_whole(const std::uint32_t* phases) const
     {
-        __m256i place = eight(high_ + i);
-        if (published) {
-            const __m256i phase = _mm256_add_epi32(
-                _mm256_or_si256(_mm256_slli_epi32(place, 16), eight(low_ + i)), shift_);
-            place = _mm256_add_epi32(_mm256_mullo_epi32(_mm256_srli_epi32(phase, 16), parts_),
-                                     _mm256_mulhi_epu16(phase, parts_));
-        } else {
-            place = _mm256_mullo_epi32(place, parts_);
-        }
-        const __m256i step = _mm256_srli_epi32(_mm256_add_epi32(place, add_), 8),
-                      whole = _mm256_set1_epi32(256);
-        if (!linear)
-            return _mm256_andnot_si256(_mm256_set1_epi32(255), step);
-        return _mm256_sub_epi32(_mm256_min_epu32(_mm256_max_epu32(step, whole), last_), whole);
+        const __m256i phase = _mm256_add_epi32(vector(phases), shift_);
+        // The upper half times the parts, and the upper half of the lower one times the parts.
+        return of_places(
+            _mm256_add_epi32(_mm256_mulhi_epu16(phase, parts_),
+                             _mm256_srli_epi32(_mm256_mullo_epi16(phase, parts_), 16)));
+    }
+
+    __attribute__((target("avx2"))) __m256i of_high(const std::uint16_t* phases) const
+    {
+        return of_places(_mm256_mullo_epi32(eight(phases), parts_));
     }
 
 private:
-    const std::uint16_t *high_, *low_;
+    __attribute__((target("avx2"))) __m256i of_places(__m256i places) const
+    {
+        const __m256i steps = _mm256_add_epi32(places, add_);
+        if (!linear)
+            return steps;
+        return _mm256_min_epi32(_mm256_max_epi32(steps, _mm256_setzero_si256()), last_);
+    }
+
     __m256i shift_, parts_, add_, last_;
 };
 
-/// Eight subpixels at a time; returns how many are done.
-template <bool blends_views, bool blends_pixels, bool published>
+/// Eight subpixels at a time; returns how many are done. `is_plain` as in
+/// PanelMapping; else all phases are upper halves.
+template <bool is_plain, bool blends_views, bool blends_pixels>
 __attribute__((target("avx2"))) int make_samples(std::uint8_t* samples, const PanelRow& row,
                                                  const ViewRows<std::uint8_t>& rows)
 {
-    constexpr int place = blends_pixels ? 2 : 1; // bytes from sample to sample
+    constexpr bool blends_rows = blends_pixels && !is_plain;
+    constexpr int place = blends_rows ? 2 : 1; // bytes from sample to sample
     static const std::int32_t channel_places[10] = {0,         place, 2 * place, 0,         place,
                                                     2 * place, 0,     place,     2 * place, 0};
-    const EightSteps<published, blends_views> across(row.across);
-    const EightSteps<false, blends_pixels> x(row.x); // where not `published`
-    const EightSteps<false, blends_pixels> y(row.y);
-    const bool several_rows = rows.row_step > 0; // never where `published`
-    const Step* const x_steps = row.x_steps;
-    const __m256i y_of_all = _mm256_set1_epi32(
-        int(step_among(row.y.parts, row.y.phases[0], blends_pixels)));
+    const EightSteps<blends_views> across_steps(row.across, is_plain);
+    const EightSteps<blends_pixels> x_steps(row.x, is_plain), y_steps(row.y, is_plain);
+    const bool several_rows = rows.row_step > 0; // never where is_plain
     const std::uint8_t *const views = rows.samples, *const next_views = views + rows.view_step;
-    const std::uint16_t* const high = row.across.phases.high;
+    const std::uint32_t *const whole_across = row.across.phases.whole,
+                               *const x_places = row.x_places, *const x_weights = row.x_weights;
+    const std::uint16_t *const across = row.across.phases.high, *const x = row.x.phases.high,
+                               *const y = row.y.phases.high;
     const int count = row.count;
     const __m256i place_steps = _mm256_set1_epi32(int((3 * place) | rows.view_step << 16)),
+                  view_step = _mm256_set1_epi32(int(rows.view_step << 16)),
                   row_step = _mm256_set1_epi32(int(rows.row_step)),
                   rows_mask = _mm256_set1_epi32(int(rows_kept - 1));
     int i = 0;
     for (int channel = 0; i + 8 <= count; i += 8, channel = channel ? channel - 1 : 2) {
-        const __m256i view = across.of(i), column = published ? vector(x_steps + i) : x.of(i);
-        const __m256i line = published || !(blends_pixels || several_rows) ? y_of_all : y.of(i);
-        __m256i places = _mm256_madd_epi16( // of the view and the column
-            _mm256_blend_epi16(_mm256_srli_epi32(column, 8), _mm256_slli_epi32(view, 8), 0xaa),
-            place_steps);
-        if (!published && several_rows)
+        const __m256i view = is_plain ? across_steps.of_whole(whole_across + i)
+                                      : across_steps.of_high(across + i);
+        __m256i places, column, line;
+        if (is_plain) {
+            places = _mm256_add_epi32(_mm256_madd_epi16(view, view_step), vector(x_places + i));
+        } else {
+            column = x_steps.of_high(x + i);
+            const __m256i both = _mm256_blend_epi16(_mm256_srli_epi32(column, 16), view, 0xaa);
+            places = _mm256_add_epi32(_mm256_madd_epi16(both, place_steps),
+                                      vector(channel_places + channel));
+        }
+        if (blends_rows || (!is_plain && several_rows))
+            line = y_steps.of_high(y + i);
+        if (!is_plain && several_rows)
             places = _mm256_add_epi32(
-                places, _mm256_mullo_epi32(_mm256_and_si256(_mm256_srli_epi32(line, 8), rows_mask),
+                places, _mm256_mullo_epi32(_mm256_and_si256(_mm256_srli_epi32(line, 16), rows_mask),
                                            row_step));
-        const EightPlaces at(_mm256_add_epi32(places, vector(channel_places + channel)));
+        const EightPlaces at(places);
         __m128i made;
-        if (blends_pixels) {
-            const __m256i x_weights = weight_pairs(column), y_weights = weight_pairs(line);
-            const __m256i left = blend_pixels<published>(at, views, x_weights, y_weights);
+        if (blends_rows) {
+            const __m256i of_x = weight_pairs(column), of_y = weight_pairs(line);
+            const __m256i left = blend_pixels(at, views, of_x, of_y);
             if (blends_views) { // rounded, and with the 128 that they are less
-                const __m256i right = blend_pixels<published>(at, next_views, x_weights, y_weights);
-                const __m256i weight = _mm256_and_si256(view, _mm256_set1_epi32(255));
+                const __m256i right = blend_pixels(at, next_views, of_x, of_y);
+                const __m256i weight = _mm256_and_si256(_mm256_srli_epi32(view, 8),
+                                                        _mm256_set1_epi32(255));
                 const __m256i sum = _mm256_add_epi32(
                     _mm256_slli_epi32(left, 8),
                     _mm256_mullo_epi32(_mm256_sub_epi32(right, left), weight));
                 made = bytes_of<3>(_mm256_add_epi32(sum, _mm256_set1_epi32(int(0x80800000))));
             } else {
                 made = bytes_of<2>(_mm256_add_epi32(left, _mm256_set1_epi32(0x808000)));
+            }
+        } else if (blends_pixels) {
+            const __m256i weights = vector(x_weights + i), left = blend_columns(at, views, weights);
+            if (blends_views) { // as in blend_pixels, less 128
+                const __m256i right = blend_columns(at, next_views, weights),
+                              both = _mm256_blend_epi16(left, _mm256_slli_epi32(right, 16), 0xaa);
+                const __m256i sum = _mm256_madd_epi16(
+                    _mm256_xor_si256(both, _mm256_set1_epi16(short(32768))), weight_pairs(view));
+                made = bytes_of<2>(_mm256_add_epi32(sum, _mm256_set1_epi32(0x808000)));
+            } else {
+                made = bytes_of<1>(_mm256_add_epi32(left, _mm256_set1_epi32(128)));
             }
         } else {
             made = at.bytes(views);
@@ -217,9 +266,9 @@ __attribute__((target("avx2"))) int make_samples(std::uint8_t* samples, const Pa
                                                     _mm256_set1_epi32(128)));
             }
         }
-        if (!published) {
+        if (!is_plain) {
             const __m128i unseen = _mm_cmpeq_epi16(
-                _mm_loadu_si128(reinterpret_cast<const __m128i*>(high + i)), _mm_set1_epi16(-1));
+                _mm_loadu_si128(reinterpret_cast<const __m128i*>(across + i)), _mm_set1_epi16(-1));
             made = _mm_andnot_si128(_mm_packs_epi16(unseen, unseen), made);
         }
         _mm_storel_epi64(reinterpret_cast<__m128i*>(samples + i), made);
@@ -227,15 +276,15 @@ __attribute__((target("avx2"))) int make_samples(std::uint8_t* samples, const Pa
     return i;
 }
 
-template <bool published>
+template <bool is_plain>
 int make_any_samples(std::uint8_t* samples, const PanelRow& row, const ViewRows<std::uint8_t>& rows,
                      Blending blending)
 {
     if (blending.views)
-        return blending.pixels ? make_samples<true, true, published>(samples, row, rows)
-                               : make_samples<true, false, published>(samples, row, rows);
-    return blending.pixels ? make_samples<false, true, published>(samples, row, rows)
-                           : make_samples<false, false, published>(samples, row, rows);
+        return blending.pixels ? make_samples<is_plain, true, true>(samples, row, rows)
+                               : make_samples<is_plain, true, false>(samples, row, rows);
+    return blending.pixels ? make_samples<is_plain, false, true>(samples, row, rows)
+                           : make_samples<is_plain, false, false>(samples, row, rows);
 }
 
 } // namespace
@@ -243,41 +292,18 @@ int make_any_samples(std::uint8_t* samples, const PanelRow& row, const ViewRows<
 int fast_row(std::uint8_t* samples, const PanelRow& row, const ViewRows<std::uint8_t>& rows,
              Blending blending)
 {
-    const auto is_short = [](const PhaseRow& phases) {
-        return !phases.low && phases.shift == 0 && !phases.is_one;
+    const auto is_high = [](const PhaseRow& phases) {
+        return phases.high && phases.shift == 0 && !phases.is_one;
     };
     // Numbers of views and columns, and steps from view to view, are taken by 15 bits.
     if (std::max({row.across.parts, row.x.parts, row.y.parts, rows.view_step}) >= 32768)
         return 0;
-    const PhaseRow &across = row.across.phases, &x = row.x.phases, &y = row.y.phases;
-    if (across.low && row.x_steps && y.is_one && blending.rounds_rows && !row.has_unseen)
+    if (row.is_plain)
         return make_any_samples<true>(samples, row, rows, blending);
-    if (is_short(across) && is_short(x) && is_short(y) && !blending.rounds_rows && row.has_unseen)
+    if (is_high(row.across.phases) && is_high(row.x.phases) && is_high(row.y.phases) &&
+        row.has_unseen)
         return make_any_samples<false>(samples, row, rows, blending);
     return 0;
-}
-
-__attribute__((target("avx2"))) Range fast_range(const std::uint16_t* numbers, int count)
-{
-    Range range{numbers[0], numbers[0]};
-    int i = 0;
-    __m256i least = _mm256_set1_epi16(short(numbers[0])), greatest = least;
-    for (; i + 16 <= count; i += 16) {
-        least = _mm256_min_epu16(least, vector(numbers + i));
-        greatest = _mm256_max_epu16(greatest, vector(numbers + i));
-    }
-    std::uint16_t leasts[16], greatests[16];
-    store(leasts, least);
-    store(greatests, greatest);
-    for (int k = 0; k < 16; ++k) {
-        range.least = std::min(range.least, leasts[k]);
-        range.greatest = std::max(range.greatest, greatests[k]);
-    }
-    for (; i < count; ++i) {
-        range.least = std::min(range.least, numbers[i]);
-        range.greatest = std::max(range.greatest, numbers[i]);
-    }
-    return range;
 }
 
 __attribute__((target("avx2"))) std::size_t fast_pairs(std::uint8_t* to, const std::uint8_t* row,
@@ -290,6 +316,28 @@ __attribute__((target("avx2"))) std::size_t fast_pairs(std::uint8_t* to, const s
                       second = _mm256_unpackhi_epi8(upper, lower);
         store(to + 2 * i, _mm256_permute2x128_si256(first, second, 0x20));
         store(to + 2 * i + 32, _mm256_permute2x128_si256(first, second, 0x31));
+    }
+    return i;
+}
+
+__attribute__((target("avx2"))) std::size_t fast_blend(std::uint8_t* to, const std::uint8_t* row,
+                                                       const std::uint8_t* below, std::size_t count,
+                                                       std::uint32_t weight)
+{
+    // Bytes are taken from -128 on, for products of unsigned weights and signed values; the sum,
+    // 256 times the value, just fits.
+    const __m256i weights = _mm256_set1_epi16(short((256 - weight) | weight << 8)),
+                  sign = _mm256_set1_epi8(char(128)), half = _mm256_set1_epi16(128);
+    std::size_t i = 0;
+    for (; i + 32 <= count; i += 32) {
+        const __m256i upper = _mm256_xor_si256(vector(row + i), sign),
+                      lower = _mm256_xor_si256(vector(below + i), sign);
+        const __m256i first = _mm256_maddubs_epi16(weights, _mm256_unpacklo_epi8(upper, lower));
+        const __m256i second = _mm256_maddubs_epi16(weights, _mm256_unpackhi_epi8(upper, lower));
+        const __m256i both = _mm256_packs_epi16(
+            _mm256_srai_epi16(_mm256_add_epi16(first, half), 8),
+            _mm256_srai_epi16(_mm256_add_epi16(second, half), 8));
+        store(to + i, _mm256_xor_si256(both, sign));
     }
     return i;
 }

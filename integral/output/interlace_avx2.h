@@ -25,11 +25,13 @@ inline bool has_avx2()
 int fast_row(std::uint8_t* samples, const PanelRow& row, const ViewRows<std::uint8_t>& rows,
              Blending blending);
 
-Range fast_range(const std::uint16_t* numbers, int count);
-
 /// As pair_rows, for the first samples of the rows: as many as are returned.
 std::size_t fast_pairs(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* below,
                        std::size_t count);
+
+/// As blend_rows with a weight of 1 to 255, for the first samples: as many as are returned.
+std::size_t fast_blend(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* below,
+                       std::size_t count, std::uint32_t weight);
 
 } // namespace integral
 

@@ -3,57 +3,87 @@
 
 #include "integral/output/interlace_avx2.h"
 
-#include <algorithm>
+#include <type_traits>
 
 namespace integral {
 namespace {
 
-/// Where a phase is among `parts` equal parts of the range, in 2^-16 of a part.
-std::uint64_t place_among(std::uint32_t phase, std::uint32_t parts)
+/// The samples from `first` on. `is_plain` as in PanelMapping.
+template <bool is_plain, bool blends_views, bool blends_pixels, class Sample>
+void make_samples(Sample* samples, const PanelRow& row, const ViewRows<Sample>& rows, int first)
 {
-    return std::uint64_t(phase) * parts >> 16;
-}
-
-/// One sample, of one or two views.
-template <class Sample>
-Sample sample_of(const Sample* view, std::uint32_t view_step, Step across, Step x, Step y,
-                 Blending blending)
-{
-    const auto pixel = [&](const Sample* at) -> std::uint64_t { // 2^16 times the value
-        return blending.pixels
-                   ? blend_pixels(at[0], at[1], at[6], at[7], x, y, blending.rounds_rows)
-                   : std::uint64_t(at[0]) << 16;
-    };
-    const std::uint64_t sum = blending.views ? blend(pixel(view), pixel(view + view_step), across)
-                                             : pixel(view) << 8;
-    return Sample((sum + (1 << 23)) >> 24);
-}
-
-/// The samples from `first` on.
-template <class Sample>
-void plain_row(Sample* samples, const PanelRow& row, const ViewRows<Sample>& rows,
-               Blending blending, int first)
-{
-    const std::uint32_t samples_a_place = blending.pixels ? 2 : 1;
-    for (int i = first; i < row.count; ++i) {
-        const std::uint32_t phase = row.across.phases[i];
-        if (row.has_unseen && phase == PanelMapping::unseen) {
+    constexpr bool blends_rows = blends_pixels && !is_plain;
+    constexpr std::uint32_t place_step = blends_rows ? 2 : 1;
+    constexpr int pixel_bits = blends_rows     ? 16
+                               : blends_pixels ? 8
+                                               : 0,
+                  bits = pixel_bits + (blends_views ? 8 : 0); // sums are 2^bits times the value
+    using Sum = std::conditional_t<(bits > 16), std::uint64_t, std::uint32_t>;
+    int channel = first % 3;
+    for (int i = first; i < row.count; ++i, channel = channel == 2 ? 0 : channel + 1) {
+        const std::uint32_t phase = is_plain ? row.across.phases.whole[i] + row.across.phases.shift
+                                             : row.across.phases[i];
+        if (!is_plain && row.has_unseen && phase == PanelMapping::unseen) {
             samples[i] = 0;
             continue;
         }
-        const Step across = step_among(row.across.parts, phase, blending.views),
-                   x = step_among(row.x.parts, row.x.phases[i], blending.pixels),
-                   y = step_among(row.y.parts, row.y.phases[i], blending.pixels);
-        const std::size_t place = std::size_t(index_of(across)) * rows.view_step +
-                                  samples_a_place * (3 * index_of(x) + i % 3) +
-                                  index_of(y) % rows_kept * std::size_t(rows.row_step);
-        samples[i] = sample_of(rows.samples + place, rows.view_step, across, x, y, blending);
+        const Step across = step_among(row.across.parts, phase, blends_views);
+        const Sample* view = rows.samples + std::size_t(index_of(across)) * rows.view_step;
+        std::uint32_t x_weight, y_weight = 0;
+        if (is_plain) {
+            view += row.x_places[i];
+            x_weight = row.x_weights[i] >> 16;
+        } else {
+            const Step x = step_among(row.x.parts, row.x.phases[i], blends_pixels);
+            const Step y = step_among(row.y.parts, row.y.phases[i], blends_pixels);
+            view += place_step * (3 * index_of(x) + std::uint32_t(channel)) +
+                    index_of(y) % rows_kept * std::size_t(rows.row_step);
+            x_weight = weight_of(x);
+            y_weight = weight_of(y);
+        }
+        const auto pixel = [&](const Sample* at) -> Sum { // 2^pixel_bits times the value
+            if (blends_rows)
+                return blend<Sum>(blend<Sum>(at[0], at[1], y_weight),
+                                  blend<Sum>(at[6], at[7], y_weight), x_weight);
+            return blends_pixels ? blend<Sum>(at[0], at[3], x_weight) : at[0];
+        };
+        const Sum sum = blends_views ? blend<Sum>(pixel(view), pixel(view + rows.view_step),
+                                                  weight_of(across))
+                                     : pixel(view);
+        samples[i] = Sample((sum + (Sum(1) << bits >> 1)) >> bits);
     }
 }
 
+template <bool is_plain, class Sample>
+void make_any_samples(Sample* samples, const PanelRow& row, const ViewRows<Sample>& rows,
+                      Blending blending, int first)
+{
+    const auto make = blending.views ? blending.pixels ? make_samples<is_plain, true, true, Sample>
+                                                       : make_samples<is_plain, true, false, Sample>
+                      : blending.pixels ? make_samples<is_plain, false, true, Sample>
+                                        : make_samples<is_plain, false, false, Sample>;
+    make(samples, row, rows, first);
+}
+
 template <class Sample>
-void plain_pairs(Sample* to, const Sample* row, const Sample* below, std::size_t first,
-                 std::size_t count)
+void portable_row(Sample* samples, const PanelRow& row, const ViewRows<Sample>& rows,
+                  Blending blending, int first)
+{
+    (row.is_plain ? make_any_samples<true, Sample>
+                  : make_any_samples<false, Sample>)(samples, row, rows, blending, first);
+}
+
+template <class Sample>
+void portable_blend(Sample* to, const Sample* row, const Sample* below, std::size_t first,
+                    std::size_t count, std::uint32_t weight)
+{
+    for (std::size_t i = first; i < count; ++i)
+        to[i] = Sample((blend<std::uint32_t>(row[i], below[i], weight) + 128) >> 8);
+}
+
+template <class Sample>
+void portable_pairs(Sample* to, const Sample* row, const Sample* below, std::size_t first,
+                    std::size_t count)
 {
     for (std::size_t i = first; i < count; ++i) {
         to[2 * i] = row[i];
@@ -62,29 +92,6 @@ void plain_pairs(Sample* to, const Sample* row, const Sample* below, std::size_t
 }
 
 } // namespace
-
-Step nearest_step(std::uint32_t phase, std::uint32_t parts)
-{
-    return Step(place_among(phase, parts) >> 16) << 8;
-}
-
-Step linear_step(std::uint32_t phase, std::uint32_t parts)
-{
-    // Half a part less, and half a weight more for rounding; and one part more, which keeps what is
-    // before the first middle above 0 until it is cut off.
-    const Step step = Step((place_among(phase, parts) + 0x8080) >> 8);
-    return std::min(std::max(step, Step(256)), parts << 8) - 256;
-}
-
-Range range_of(const std::uint16_t* numbers, int count)
-{
-#ifdef INTEGRAL_HAS_AVX2
-    if (has_avx2())
-        return fast_range(numbers, count);
-#endif
-    const auto [least, greatest] = std::minmax_element(numbers, numbers + count);
-    return {*least, *greatest};
-}
 
 template <>
 void pair_rows(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* below,
@@ -95,14 +102,33 @@ void pair_rows(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* be
     if (has_avx2())
         done = fast_pairs(to, row, below, count);
 #endif
-    plain_pairs(to, row, below, done, count);
+    portable_pairs(to, row, below, done, count);
 }
 
 template <>
 void pair_rows(std::uint16_t* to, const std::uint16_t* row, const std::uint16_t* below,
                std::size_t count)
 {
-    plain_pairs(to, row, below, 0, count);
+    portable_pairs(to, row, below, 0, count);
+}
+
+template <>
+void blend_rows(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* below,
+                std::size_t count, Step y)
+{
+    std::size_t done = 0;
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2() && weight_of(y) > 0)
+        done = fast_blend(to, row, below, count, weight_of(y));
+#endif
+    portable_blend(to, row, below, done, count, weight_of(y));
+}
+
+template <>
+void blend_rows(std::uint16_t* to, const std::uint16_t* row, const std::uint16_t* below,
+                std::size_t count, Step y)
+{
+    portable_blend(to, row, below, 0, count, weight_of(y));
 }
 
 template <>
@@ -114,14 +140,14 @@ void interlace_row(std::uint8_t* samples, const PanelRow& row, const ViewRows<st
     if (has_avx2())
         done = fast_row(samples, row, rows, blending);
 #endif
-    plain_row(samples, row, rows, blending, done);
+    portable_row(samples, row, rows, blending, done);
 }
 
 template <>
 void interlace_row(std::uint16_t* samples, const PanelRow& row, const ViewRows<std::uint16_t>& rows,
                    Blending blending)
 {
-    plain_row(samples, row, rows, blending, 0);
+    portable_row(samples, row, rows, blending, 0);
 }
 
 } // namespace integral

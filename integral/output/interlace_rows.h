@@ -6,6 +6,7 @@
 
 #include "integral/output/panel_mapping.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,11 +20,21 @@ inline std::uint32_t index_of(Step step) { return step >> 8; }
 inline std::uint32_t weight_of(Step step) { return step & 255; }
 
 /// The one of `parts` equal parts of the range in which a phase is. `parts`: below 2^24.
-Step nearest_step(std::uint32_t phase, std::uint32_t parts);
+inline Step nearest_step(std::uint32_t phase, std::uint32_t parts)
+{
+    return Step((std::uint64_t(phase) * parts) >> 32) << 8;
+}
 
 /// The two of `parts` equal parts whose middles are on either side of a phase; beyond the middle of
 /// an outermost part, that part alone.
-Step linear_step(std::uint32_t phase, std::uint32_t parts);
+inline Step linear_step(std::uint32_t phase, std::uint32_t parts)
+{
+    // Where the later one begins, in 2^-32 of a part, and half a weight more for rounding.
+    const std::uint64_t at = std::uint64_t(phase) * parts + 0x80800000u;
+    if (at >> 32 == 0)
+        return 0;
+    return at >> 32 == parts ? (parts - 1) << 8 : Step(at >> 24) - 256;
+}
 
 inline Step step_among(std::uint32_t parts, std::uint32_t phase, bool linear)
 {
@@ -41,15 +52,19 @@ struct RowAxis {
 struct PanelRow {
     int count; ///< of subpixels
     RowAxis across, x, y;
-    const Step* x_steps; ///< of x; null: they have not been worked out
-    bool has_unseen;     ///< as in PanelMapping
+    /// Of a plain mapping, what x comes to, worked out once for all rows: the sample's place in a
+    /// row of a view's picture, and the weights of it and of its right neighbour,
+    /// 256 - w + 65536 * w.
+    const std::uint32_t *x_places, *x_weights;
+    bool has_unseen, is_plain; ///< as in PanelMapping
 };
 
 /// Rows of all views' pictures, close together. Row k of view v begins at
 /// samples + (k % rows_kept) * row_step + v * view_step; where row_step is 0 there is one row.
-/// Where pixels are blended, each of its samples is followed by the one below it in the picture. A
-/// view after the last, and eight samples more, must be readable: they get the weight 0. All places
-/// are below 2^31, views narrower than 32768 pixels.
+/// Where pixels are blended, that one row of a plain mapping is already what lies between two rows
+/// of the picture; with another mapping each sample is followed by the one below it. A view after
+/// the last, and eight samples more, must be readable: they get the weight 0. All places are below
+/// 2^31, views narrower than 32768 pixels.
 template <class Sample> struct ViewRows {
     const Sample* samples;
     std::uint32_t view_step, row_step; ///< samples
@@ -60,35 +75,20 @@ constexpr std::uint32_t rows_kept = 4; ///< a power of two
 template <class Sample>
 void pair_rows(Sample* to, const Sample* row, const Sample* below, std::size_t count);
 
-/// How samples are made.
+/// to[i]: what is between row[i] and below[i] by the weight of a step, rounded.
+template <class Sample>
+void blend_rows(Sample* to, const Sample* row, const Sample* below, std::size_t count, Step y);
+
+/// Which neighbours are blended.
 struct Blending {
     bool views, pixels;
-    /// The two rows of pixels are blended first and rounded to whole values, as where all of a
-    /// panel's row shows one height of the picture. Else the result alone is rounded.
-    bool rounds_rows;
 };
 
-/// The least and the greatest of `count` numbers, which are not none.
-struct Range {
-    std::uint16_t least, greatest;
-};
-Range range_of(const std::uint16_t* numbers, int count);
-
-/// 256 times the value between two neighbours.
-inline std::uint64_t blend(std::uint64_t a, std::uint64_t b, Step step)
+/// 256 times the value between two neighbours. `Sum` has no sign: what is below 0 on the way, where
+/// b < a, comes back.
+template <class Sum> Sum blend(Sum a, Sum b, std::uint32_t weight)
 {
-    return a * (256 - weight_of(step)) + b * weight_of(step);
-}
-/// 65536 times the value between four neighbouring pixels.
-inline std::uint64_t blend_pixels(std::uint64_t pixel, std::uint64_t below, std::uint64_t right,
-                                  std::uint64_t below_right, Step x, Step y, bool rounds_rows)
-{
-    std::uint64_t left_sum = blend(pixel, below, y), right_sum = blend(right, below_right, y);
-    if (rounds_rows) {
-        left_sum = (left_sum + 128) & ~std::uint64_t(255);
-        right_sum = (right_sum + 128) & ~std::uint64_t(255);
-    }
-    return blend(left_sum, right_sum, x);
+    return a * 256 + (b - a) * weight;
 }
 
 /// Fills the samples of a panel's row; what is unseen becomes 0. `rows` must have all rows of

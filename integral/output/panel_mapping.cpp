@@ -24,12 +24,6 @@ std::uint32_t middle_phase(int pixel, int count, bool flip)
     return phase_of((flip ? count - pixel - 0.5 : pixel + 0.5) / count);
 }
 
-void append(PhaseTable& table, std::uint32_t phase)
-{
-    table.high.push_back(std::uint16_t(phase >> 16));
-    table.low.push_back(std::uint16_t(phase));
-}
-
 /// A table of 16-bit phases, one for each subpixel of a film.
 PhaseTable table_for(const Film& film)
 {
@@ -52,8 +46,8 @@ std::uint16_t high_phase(double part)
 PhaseRow PhaseTable::row(int y) const
 {
     const std::size_t at = std::size_t(y % rows) * columns;
-    return {high.data() + at, low.empty() ? nullptr : low.data() + at, shift.empty() ? 0 : shift[y],
-            columns == 1};
+    return {whole.empty() ? nullptr : whole.data() + at, high.empty() ? nullptr : high.data() + at,
+            shift.empty() ? 0 : shift[y], columns == 1};
 }
 
 PanelMapping mapping_of(const LookingGlassCalibration& calibration)
@@ -69,8 +63,8 @@ PanelMapping mapping_of(const LookingGlassCalibration& calibration)
     mapping.across.columns = columns;
     for (int kind = 0; kind < kinds_of_rows; ++kind)
         for (int i = 0; i < columns; ++i)
-            append(mapping.across,
-                   phase_of(view_of_subpixel(calibration, i / channels, kind, i % channels)));
+            mapping.across.whole.push_back(
+                phase_of(view_of_subpixel(calibration, i / channels, kind, i % channels)));
     for (int row = 0; row < calibration.height; ++row)
         mapping.across.shift.push_back(
             phase_of(view_of_subpixel(calibration, 0, row, 0) -
@@ -78,11 +72,12 @@ PanelMapping mapping_of(const LookingGlassCalibration& calibration)
     mapping.x.rows = 1;
     mapping.x.columns = columns;
     for (int i = 0; i < columns; ++i)
-        append(mapping.x, middle_phase(i / channels, calibration.width, calibration.flip_x));
+        mapping.x.whole.push_back(
+            middle_phase(i / channels, calibration.width, calibration.flip_x));
     mapping.y.rows = calibration.height;
     mapping.y.columns = 1;
     for (int row = 0; row < calibration.height; ++row)
-        append(mapping.y, middle_phase(row, calibration.height, calibration.flip_y));
+        mapping.y.whole.push_back(middle_phase(row, calibration.height, calibration.flip_y));
     return mapping;
 }
 
@@ -98,12 +93,13 @@ std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid ey
     mapping.has_unseen = true;
     for (PhaseTable* table : {&mapping.across, &mapping.x, &mapping.y})
         *table = table_for(film);
+    mapping.y_range.resize(std::size_t(film.height));
     if (round_lenses)
         mapping.up = table_for(film);
     const auto row = [&](int y) {
         const std::size_t begin = std::size_t(y) * film.width * channels,
                           end = begin + std::size_t(film.width) * channels;
-        std::uint16_t least_y = 65535;
+        std::uint16_t least = 65535, greatest = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const int x = int((i - begin) / channels), channel = int((i - begin) % channels);
             const auto seen = eye_place(
@@ -116,14 +112,12 @@ std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid ey
             const Vec2 at = pixel_from_film(film, seen->place);
             mapping.x.high[i] = high_phase(at.x / film.width);
             mapping.y.high[i] = high_phase(at.y / film.height);
-            least_y = std::min(least_y, mapping.y.high[i]);
+            least = std::min(least, mapping.y.high[i]);
+            greatest = std::max(greatest, mapping.y.high[i]);
             if (round_lenses)
                 mapping.up.high[i] = high_phase(seen->eye.y);
         }
-        // Unseen subpixels must not make the interlacer fetch rows of pixels that none else shows.
-        for (std::size_t i = begin; i < end; ++i)
-            if (mapping.across.high[i] == PanelMapping::unseen >> 16)
-                mapping.y.high[i] = least_y;
+        mapping.y_range[std::size_t(y)] = {std::min(least, greatest), greatest};
     };
     if (!for_each_row(film.height, threads, row, progress))
         return std::nullopt;

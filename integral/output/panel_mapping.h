@@ -9,22 +9,30 @@
 #include "integral/lightfield/view_grid.h"
 #include "integral/output/looking_glass.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace integral {
 
+/// The phase of which the upper 16 bits are known: the middle of what it can be.
+inline std::uint32_t phase_of_high(std::uint16_t high)
+{
+    return (std::uint32_t(high) << 16) + 32768;
+}
+
 /// Phases of the subpixels of a row.
 struct PhaseRow {
-    const std::uint16_t *high, *low; ///< as in PhaseTable; low may be null
+    const std::uint32_t* whole; ///< as in PhaseTable; null where it has only their upper halves
+    const std::uint16_t* high;  ///< the reverse
     std::uint32_t shift;
     bool is_one; ///< the first phase is that of all subpixels
 
     std::uint32_t operator[](int subpixel) const
     {
         const int i = is_one ? 0 : subpixel;
-        return (std::uint32_t(high[i]) << 16) + (low ? low[i] : 32768u) + shift;
+        return (whole ? whole[i] : phase_of_high(high[i])) + shift;
     }
 };
 
@@ -33,8 +41,8 @@ struct PhaseRow {
 struct PhaseTable {
     int rows = 0;    ///< row y of the panel uses row y % rows of the table; 0: there is no table
     int columns = 0; ///< phases in a row: one for each subpixel, or one for the whole row
-    std::vector<std::uint16_t> high;  ///< the phases' upper 16 bits, row by row
-    std::vector<std::uint16_t> low;   ///< their lower 16 bits; empty: 32768 for all
+    std::vector<std::uint32_t> whole; ///< the phases, row by row; empty where `high` is filled
+    std::vector<std::uint16_t> high;  ///< their upper 16 bits alone, which take half the memory
     std::vector<std::uint32_t> shift; ///< added to all phases of a row of the panel; empty: 0
 
     /// The phases of a row of the panel.
@@ -47,7 +55,18 @@ struct PanelMapping {
     PhaseTable across;         ///< from where in the viewing zone a subpixel is seen, from its left
     PhaseTable up;             ///< likewise from below; without rows: views differ across alone
     PhaseTable x, y;           ///< which place of the picture it shows, from the left and the top
-    bool has_unseen = false;   ///< subpixels whose phase across is `unseen` are seen by no eye
+    /// The least and the greatest of y.high in each row of the panel, among what is seen; empty
+    /// where the mapping is plain.
+    std::vector<std::array<std::uint16_t, 2>> y_range;
+    bool has_unseen = false; ///< subpixels whose phase across is `unseen` are seen by no eye
+
+    /// Whether a row of the panel shows one height of the picture, all rows show the same columns
+    /// of it, and all is seen: as with published mappings. There is a faster way for such a
+    /// mapping, which rounds what lies between two rows of the picture before it goes on.
+    bool is_plain() const
+    {
+        return !across.whole.empty() && x.rows == 1 && y.columns == 1 && !has_unseen;
+    }
 
     static constexpr std::uint32_t unseen = 0xffff8000u;
 };
