@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Measures how fast an image for a panel of 3840 x 2160 pixels is interlaced from a quilt of 8 x 6
-// views in 4096 x 4096 pixels, 8 bits, by a display's published mapping and by the optics of
-// slanted lenses, compared with copying such an image in memory. On all cores; least of nine
+// views in 4096 x 4096 pixels, 8 and 16 bits, by a display's published mapping and by the optics of
+// slanted lenses, compared with copying such an 8-bit image in memory. On all cores; least of nine
 // alternating runs.
 #include "integral/output/interlace.h"
 
@@ -51,39 +51,47 @@ struct Task {
 /// machine.
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
+template <class Sample> Image noise()
+{
+    Image quilt = make_image<Sample>(4096, 4096, 3, {});
+    std::mt19937 random(1);
+    for (Sample& sample : std::get<std::vector<Sample>>(quilt.samples))
+        sample = Sample(random());
+    return quilt;
+}
+
+const char* word(Neighbours n) { return n == Neighbours::linear ? "linear" : "nearest"; }
+
 } // namespace
 
 int main()
 {
-    Image quilt = make_image<std::uint8_t>(4096, 4096, 3, {});
-    std::mt19937 random(1);
-    for (std::uint8_t& sample : std::get<std::vector<std::uint8_t>>(quilt.samples))
-        sample = std::uint8_t(random());
-    const ViewPictures views(quilt, {8, 6});
+    const Image quilt = noise<std::uint8_t>(), deep_quilt = noise<std::uint16_t>();
+    const ViewPictures views(quilt, {8, 6}), deep_views(deep_quilt, {8, 6});
     const PanelMapping published = mapping_of(calibration());
     const FrameMetadata own = geometry();
     const auto begun = std::chrono::steady_clock::now();
     const PanelMapping rays = *mapping_of(own, {{own.aperture.width, 0}, own.aperture.distance});
     const std::chrono::duration<double> table = std::chrono::steady_clock::now() - begun;
 
-    Image panel = panel_image(views, width, height);
+    Image panel = panel_image(views, width, height),
+          deep_panel = panel_image(deep_views, width, height);
     auto& samples = std::get<std::vector<std::uint8_t>>(panel.samples);
     std::vector<std::uint8_t> copy(samples.size(), 1);
     std::vector<Task> tasks{
         {"copy in memory", [&] { std::memcpy(copy.data(), samples.data(), samples.size()); }}};
-    for (const bool of_rays : {false, true})
-        for (const Neighbours of_views : {Neighbours::nearest, Neighbours::linear})
-            for (const Neighbours of_pixels : {Neighbours::nearest, Neighbours::linear}) {
-                const auto word = [](Neighbours n) {
-                    return n == Neighbours::linear ? "linear" : "nearest";
-                };
-                const PanelMapping& mapping = of_rays ? rays : published;
-                tasks.push_back({std::string(of_rays ? "optics: " : "published: ") +
-                                     word(of_views) + " views, " + word(of_pixels) + " pixels",
-                                 [&, of_views, of_pixels] {
-                                     interlace(panel, views, mapping, {of_views, of_pixels});
-                                 }});
-            }
+    for (const bool deep : {false, true})
+        for (const PanelMapping* mapping : {&published, &rays})
+            for (const Neighbours of_views : {Neighbours::nearest, Neighbours::linear})
+                for (const Neighbours of_pixels : {Neighbours::nearest, Neighbours::linear})
+                    tasks.push_back({std::string(deep ? "16 bits, " : "8 bits, ") +
+                                         (mapping == &rays ? "optics: " : "published: ") +
+                                         word(of_views) + " views, " + word(of_pixels) + " pixels",
+                                     [&, deep, mapping, of_views, of_pixels] {
+                                         interlace(deep ? deep_panel : panel,
+                                                   deep ? deep_views : views, *mapping,
+                                                   {of_views, of_pixels});
+                                     }});
     for (int round = 0; round < 9; ++round)
         for (Task& task : tasks) {
             const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The inner loops of interlacing: what is done to each subpixel of a panel's row. Every
-// loop has a plain form, and where the machine has AVX2 a fast one that gives the same bits.
+// loop has a portable form, and where the machine has AVX2 a fast one that gives the same bits.
 #ifndef INTEGRAL_OUTPUT_INTERLACE_ROWS_H
 #define INTEGRAL_OUTPUT_INTERLACE_ROWS_H
 
