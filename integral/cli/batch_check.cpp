@@ -20,35 +20,23 @@ std::string file_of(const Manifest& manifest, const BatchTarget& panel)
     return extension_of(panel.what) == "json" ? path_in(manifest.folder, panel.what) : panel.what;
 }
 
-/// The line of a target's command: `own`, the target's options, an input and an output.
-Words line_of(const BatchTarget& target, Words own)
+/// A target's options as its command reads them, behind the words `own`; for the check, with an
+/// input and an output. Throws UsageError.
+template <class Options>
+Options options_of(const Command& command, const BatchTarget& target, Words own = {})
 {
     own.insert(own.end(), target.options.begin(), target.options.end());
     own.insert(own.end(), {"frame.png", "--output", "output." + target.format});
-    return own;
-}
-
-/// Refuses options that are inputs. Throws UsageError.
-void check_inputs(const Words& inputs, const Command& command)
-{
-    if (inputs.size() > 1)
-        throw UsageError(inputs[0] + ": an option of integral " + command.name + " is expected");
-}
-
-/// A target's options as its command reads them. Throws UsageError.
-template <class Options> Options options_of(const Command& command, const BatchTarget& target)
-{
-    Options read = read_options<Options>(line_of(target, {}));
-    check_inputs(read.inputs, command);
+    Options read = read_options<Options>(own);
+    if (read.inputs.size() > 1) // an option that is none
+        throw UsageError(read.inputs[0] + ": an option of integral " + command.name +
+                         " is expected");
     return read;
 }
 
-/// A panel's options as integral lcd reads them. Throws UsageError.
 LcdOptions lcd_options_of(const BatchTarget& target, const std::string& panel)
 {
-    LcdOptions read = read_options<LcdOptions>(line_of(target, {"--panel", panel}));
-    check_inputs(read.inputs, lcd_command);
-    return read;
+    return options_of<LcdOptions>(lcd_command, target, {"--panel", panel});
 }
 
 /// Calls `check`; what it throws becomes InputError, with its place in the manifest before it.
@@ -76,7 +64,7 @@ void check_panel(const BatchTarget& target, const std::string& panel)
             throw UsageError(std::string("--") + (read.list ? "list" : "list-displays") +
                              " makes no image");
         request = lcd_request(read);
-        check_panel_request(request);
+        check_panel_options(read, request);
     });
     check_at(target.place, lcd_command, [&] {
         const Panel described = panel_of(request);

@@ -42,6 +42,16 @@ void declare(options::options_description& all, ApertureOptions& aperture)
         "extent of the capture aperture, mm (default: what fills a lens)");
 }
 
+const char* first_given(const SheetOptions& sheet)
+{
+    return first_given({{"arrangement", sheet.arrangement},
+                        {"pitch", sheet.pitch},
+                        {"thickness", sheet.thickness},
+                        {"ior", sheet.ior},
+                        {"slant", sheet.slant},
+                        {"offset", sheet.offset}});
+}
+
 FrameMetadata default_geometry()
 {
     FrameMetadata geometry;

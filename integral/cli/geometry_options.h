@@ -26,6 +26,9 @@ void declare(options::options_description& all, SheetOptions& sheet);
 void declare(options::options_description& all, FilmOptions& film);
 void declare(options::options_description& all, ApertureOptions& aperture);
 
+/// The name of the first of these options that the line has; none: nullptr.
+const char* first_given(const SheetOptions& sheet);
+
 /// Geometry to start from: the thesis's sheet and printer, seen from 300 mm.
 FrameMetadata default_geometry();
 

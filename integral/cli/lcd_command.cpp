@@ -126,7 +126,7 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
     PanelImages images(panel, lcd.image);
     const auto groups = lcd.card ? std::vector<std::vector<std::string>>{{"--card"}}
                                  : images.groups(o.inputs);
-    if (lcd.show && groups.size() > 1)
+    if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
     if (!lcd.output.empty() && lcd.card) {
         format_for(lcd.output);
@@ -150,7 +150,7 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
                           {"seconds", taken.count()}});
         if (!path.empty())
             write_frame(path, frame);
-        if (lcd.show)
+        if (o.show)
             return show_picture(frame.image, groups[k][0], lcd.showing);
     }
     if (o.json)
@@ -168,14 +168,14 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
         throw UsageError(std::string(o.fps ? "--fps" : "--loop") + " is for --play");
     if (o.seconds && !o.show)
         throw UsageError("--seconds is for --show and --play");
-    check_panel_request(lcd);
+    check_panel_options(o, lcd);
     const Panel panel = panel_of(lcd);
     if (panel.calibration)
         for (const std::string& what : panel.calibration->assumed)
             say("lcd", lcd.panel + ": " + what);
-    if (lcd.describe)
+    if (o.describe)
         return print_result(o.output, to_json(panel));
-    if (lcd.camera)
+    if (o.camera)
         return print_result(o.output, "Width=" + std::to_string(panel.film.width) +
                                           "\nHeight=" + std::to_string(panel.film.height) +
                                           "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n");

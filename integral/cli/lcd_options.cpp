@@ -139,12 +139,8 @@ LcdRequest lcd_request(const LcdOptions& o)
     LcdRequest request;
     request.panel = o.panel.value_or("");
     request.output = o.output.value_or("");
-    request.has_inputs = !o.inputs.empty();
     if (o.card)
         request.card = card_named(*o.card);
-    request.describe = o.describe;
-    request.camera = o.camera;
-    request.show = o.show.has_value();
     request.showing.display = o.show.value_or(request.showing.display);
     read_positive("seconds", o.seconds, 1e7, request.showing.seconds);
     read_positive("fps", o.fps, 1000, request.playing.rate);
@@ -162,20 +158,20 @@ LcdRequest lcd_request(const LcdOptions& o)
     return request;
 }
 
-void check_panel_request(const LcdRequest& lcd)
+void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
 {
-    if (int(lcd.describe) + int(lcd.camera) + int(lcd.card.has_value()) > 1)
+    if (int(o.describe) + int(o.camera) + int(lcd.card.has_value()) > 1)
         throw UsageError("--describe, --camera and --card do not go together");
-    if ((lcd.describe || lcd.camera || lcd.card) && lcd.has_inputs)
-        throw UsageError(std::string(lcd.describe ? "--describe"
-                                     : lcd.camera ? "--camera"
-                                                  : "--card") +
+    if ((o.describe || o.camera || lcd.card) && !o.inputs.empty())
+        throw UsageError(std::string(o.describe ? "--describe"
+                                     : o.camera ? "--camera"
+                                                : "--card") +
                          " takes no INPUT");
     if (lcd.panel.empty())
         throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
-    if (!lcd.describe && !lcd.camera && lcd.output.empty() && !lcd.show)
+    if (!o.describe && !o.camera && lcd.output.empty() && !o.show)
         throw UsageError("-o FILE is missing, or --show DISPLAY");
-    if (!lcd.describe && !lcd.camera && !lcd.card && !lcd.has_inputs)
+    if (!o.describe && !o.camera && !lcd.card && o.inputs.empty())
         throw UsageError("INPUT is missing: a frame, a quilt or views");
     if (lcd.image.lit_view && lcd.card != PanelCard::crosstalk && lcd.card != PanelCard::colours)
         throw UsageError("--view is for --card crosstalk and --card colours");

@@ -24,14 +24,12 @@ struct LcdOptions : CommonOptions {
 
 void declare(options::options_description& all, LcdOptions& o);
 
-/// What a line asks for, as values.
+/// The values that a line gives as text.
 struct LcdRequest {
-    std::string panel, output; ///< empty: not given
-    bool has_inputs = false;
+    std::string panel, output;              ///< empty: not given
     std::optional<double> viewing_distance; ///< mm
     PanelImageOptions image;
     std::optional<PanelCard> card;
-    bool describe = false, camera = false, show = false;
     ShowOptions showing;
     PlayOptions playing;
 };
@@ -40,7 +38,7 @@ struct LcdRequest {
 LcdRequest lcd_request(const LcdOptions& o);
 
 /// Throws UsageError where options of making a panel's image do not go together.
-void check_panel_request(const LcdRequest& request);
+void check_panel_options(const LcdOptions& o, const LcdRequest& request);
 
 /// The panel of --panel, seen from --viewing-distance. Throws UsageError, InputError.
 Panel panel_of(const LcdRequest& request);

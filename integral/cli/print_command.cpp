@@ -140,20 +140,17 @@ int run(const PrintOptions& o)
         throw UsageError(std::string("--") + option + " is for --printer");
     if (o.chart || o.even)
         return print_chart(o);
-    if (const char* option = first_given({{"arrangement", o.sheet.arrangement},
-                                          {"pitch", o.sheet.pitch},
-                                          {"thickness", o.sheet.thickness},
-                                          {"ior", o.sheet.ior},
-                                          {"slant", o.sheet.slant},
-                                          {"offset", o.sheet.offset},
-                                          {"pixel-pitch", o.film.pixel_pitch},
-                                          {"size", o.film.size},
-                                          {"pitch-range", o.pitch_range},
-                                          {"pitch-step", o.pitch_step},
-                                          {"bars", o.bars},
-                                          {"page", o.page},
-                                          {"keep-index", o.keep_index},
-                                          {"json", o.json}}))
+    const char* option = first_given(o.sheet);
+    if (!option)
+        option = first_given({{"pixel-pitch", o.film.pixel_pitch},
+                              {"size", o.film.size},
+                              {"pitch-range", o.pitch_range},
+                              {"pitch-step", o.pitch_step},
+                              {"bars", o.bars},
+                              {"page", o.page},
+                              {"keep-index", o.keep_index},
+                              {"json", o.json}});
+    if (option)
         throw UsageError(std::string("--") + option + " is for --chart and --even");
     return print_frame(o);
 }

@@ -87,19 +87,15 @@ void draw(const SheetCommandOptions& o, const FrameMetadata& geometry, const Vie
 /// Throws UsageError for options that say another geometry than the scene's.
 void refuse_geometry(const SheetCommandOptions& o)
 {
-    const char* option = first_given({{"plot", o.plot},
-                                      {"sheet", o.start},
-                                      {"arrangement", o.sheet.arrangement},
-                                      {"pitch", o.sheet.pitch},
-                                      {"thickness", o.sheet.thickness},
-                                      {"ior", o.sheet.ior},
-                                      {"slant", o.sheet.slant},
-                                      {"offset", o.sheet.offset},
-                                      {"dpi", o.film.dpi},
-                                      {"pixel-pitch", o.film.pixel_pitch},
-                                      {"size", o.film.size},
-                                      {"distance", o.aperture.distance},
-                                      {"aperture", o.aperture.aperture}});
+    const char* option = first_given({{"plot", o.plot}, {"sheet", o.start}});
+    if (!option)
+        option = first_given(o.sheet);
+    if (!option)
+        option = first_given({{"dpi", o.film.dpi},
+                              {"pixel-pitch", o.film.pixel_pitch},
+                              {"size", o.film.size},
+                              {"distance", o.aperture.distance},
+                              {"aperture", o.aperture.aperture}});
     if (option)
         throw UsageError(std::string("--report and --") + option +
                          " do not go together: the geometry is the scene's");

@@ -76,6 +76,18 @@ char32_t next_letter(const std::string& text, std::size_t& at)
     return good ? letter : unknown;
 }
 
+/// Bytes as a PDF string.
+std::string literal(const std::string& bytes)
+{
+    std::string string = "(";
+    for (const char c : bytes) {
+        if (c == '(' || c == ')' || c == '\\')
+            string += '\\';
+        string += c;
+    }
+    return string + ")";
+}
+
 std::string formatted(const char* form, unsigned long long value, unsigned long long other = 0)
 {
     char text[64];
@@ -163,15 +175,9 @@ std::string pdf_text(const std::string& text)
 {
     const bool plain = std::all_of(text.begin(), text.end(),
                                    [](char c) { return c >= ' ' && c <= '~'; });
+    if (plain)
+        return literal(text);
     std::string string;
-    if (plain) {
-        for (const char c : text) {
-            if (c == '(' || c == ')' || c == '\\')
-                string += '\\';
-            string += c;
-        }
-        return "(" + string + ")";
-    }
     for (std::size_t at = 0; at < text.size();) {
         const char32_t letter = next_letter(text, at);
         if (letter < 0x10000)
@@ -181,6 +187,17 @@ std::string pdf_text(const std::string& text)
                                 0xdc00 + ((letter - 0x10000) & 0x3ff));
     }
     return "<feff" + string + ">";
+}
+
+std::string pdf_latin_text(const std::string& text)
+{
+    std::string bytes;
+    for (std::size_t at = 0; at < text.size();) {
+        const char32_t letter = next_letter(text, at);
+        const bool latin = (letter >= ' ' && letter <= '~') || (letter >= 0xa0 && letter <= 0xff);
+        bytes += latin ? char(letter) : '?';
+    }
+    return literal(bytes);
 }
 
 } // namespace integral

@@ -63,6 +63,10 @@ std::string reference(int number);
 /// are not valid UTF-8 become U+FFFD.
 std::string pdf_text(const std::string& text);
 
+/// UTF-8 as a string for a font in WinAnsiEncoding, which has Latin letters; every other letter
+/// becomes a question mark.
+std::string pdf_latin_text(const std::string& text);
+
 } // namespace integral
 
 #endif

@@ -84,8 +84,8 @@ struct Blending {
     bool views, pixels;
 };
 
-/// 256 times the value between two neighbours. `Sum` has no sign: what is below 0 on the way, where
-/// b < a, comes back.
+/// 256 times the value between two neighbours. `Sum` is unsigned: where b < a the difference wraps
+/// around, and the sum wraps back.
 template <class Sum> Sum blend(Sum a, Sum b, std::uint32_t weight)
 {
     return a * 256 + (b - a) * weight;

@@ -47,29 +47,6 @@ std::vector<unsigned char> samples_of(const Image& image)
     return bytes;
 }
 
-/// UTF-8 as a PDF string in WinAnsiEncoding, which has Latin letters; every other letter becomes a
-/// question mark.
-std::string quoted(const std::string& text)
-{
-    std::string string = "(";
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        const auto c = static_cast<unsigned char>(text[k]);
-        const auto next = static_cast<unsigned char>(k + 1 < text.size() ? text[k + 1] : 0);
-        if (c == '(' || c == ')' || c == '\\')
-            string += '\\';
-        if (c >= ' ' && c <= '~')
-            string += char(c);
-        else if ((c == 0xc2 && next >= 0xa0) || c == 0xc3) // U+00A0 to U+00FF
-            string += char((c & 3) << 6 | (next & 0x3f));
-        else
-            string += '?';
-        while (c >= 0xc0 && k + 1 < text.size() && (text[k + 1] & 0xc0) == 0x80) // the rest of the
-                                                                                 // letter
-            ++k;
-    }
-    return string + ")";
-}
-
 std::string content_of(const Page& page)
 {
     const Points points{page};
@@ -93,7 +70,7 @@ std::string content_of(const Page& page)
         text += place(line.from) + " m " + place(line.to) + " l S\n";
     if (!page.strip.empty())
         text += "BT /Plain " + number(page.strip_size * points_per_mm) + " Tf " +
-                place(page.strip_place) + " Td " + quoted(page.strip) + " Tj ET\n";
+                place(page.strip_place) + " Td " + pdf_latin_text(page.strip) + " Tj ET\n";
     return text;
 }
 

@@ -61,8 +61,8 @@ struct PanelMapping {
     bool has_unseen = false; ///< subpixels whose phase across is `unseen` are seen by no eye
 
     /// Whether a row of the panel shows one height of the picture, all rows show the same columns
-    /// of it, and all is seen: as with published mappings. There is a faster way for such a
-    /// mapping, which rounds what lies between two rows of the picture before it goes on.
+    /// of it, and all is seen: as with published mappings. Interlacing is faster then:
+    /// it first blends two rows of the picture, and rounds the result.
     bool is_plain() const
     {
         return !across.whole.empty() && x.rows == 1 && y.columns == 1 && !has_unseen;
