@@ -72,6 +72,7 @@ struct Renderer {
     int width = 0, height = 0; ///< pixels of the frames
     int finer = 1; ///< so many times finer than 300 dpi are these, and finer than their own the
                    ///< sheets; not the perspective pictures
+    int patience = 0; ///< seconds after which a render is ended; 0: never
 
     /// Renders WORK/NAME.png on one thread, 16 bits a sample. Without `camera` it is the scene's
     /// perspective picture, `times` as wide and high. Throws std::runtime_error with the program's

@@ -100,14 +100,15 @@ RenderCost Renderer::render(const std::string& scene, const std::string& name,
     const std::string ini = work_folder + "/settings.ini", log = work_folder + "/" + name + ".log";
     const int coarser = camera ? 1 : finer;
     write_file(ini, "Display=off\nVerbose=off\nBits_Per_Color=16\nWork_Threads=1\n");
-    std::vector<std::string> command = {
-        program,
-        "+I" + scene_folder + "/" + scene + ".pov",
-        "+L" + scene_folder,
-        "+O" + picture(name),
-        "+W" + std::to_string(times * width / coarser),
-        "+H" + std::to_string(times * height / coarser),
-        "Declare=Film_Width=" + std::to_string(width * mm_per_inch / (finer * dots_per_inch))};
+    std::vector<std::string> command;
+    if (patience > 0)
+        command = {"/usr/bin/timeout", std::to_string(patience)};
+    command.insert(
+        command.end(),
+        {program, "+I" + scene_folder + "/" + scene + ".pov", "+L" + scene_folder,
+         "+O" + picture(name), "+W" + std::to_string(times * width / coarser),
+         "+H" + std::to_string(times * height / coarser),
+         "Declare=Film_Width=" + std::to_string(width * mm_per_inch / (finer * dots_per_inch))});
     if (camera)
         command.push_back("Integral_Camera=" + *camera);
     command.insert(command.end(), options.begin(), options.end());
@@ -116,6 +117,8 @@ RenderCost Renderer::render(const std::string& scene, const std::string& name,
     const int status = run(command, environment_with(ini), log);
     std::string said = read_file(log);
     std::replace(said.begin(), said.end(), '\r', '\n');
+    if (patience > 0 && status == 124) // as timeout has it
+        throw std::runtime_error("takes longer than " + std::to_string(patience) + " s");
     if (status != 0)
         throw std::runtime_error(program + " ended with status " + std::to_string(status) + " on " +
                                  scene + ".pov:\n" + last_lines(said, 15));

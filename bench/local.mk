@@ -67,6 +67,19 @@ build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIO
 error-against-time: all build/bench/error_against_time
 	build/bench/error_against_time --scenes $(srcdir)/bench/scenes --size 120x80 -o build/bench/error-against-time
 
+# Anti-aliasing against brute force on POV-Ray's own sample scenes: hours; what is measured is kept
+# and not measured again.
+EXTRA_PROGRAMS += build/bench/strangers
+build_bench_strangers_SOURCES = bench/error_against_time.h bench/error_against_time_ladder.cpp \
+  bench/error_against_time_measure.cpp bench/error_against_time_renderer.cpp bench/pictures.cpp \
+  bench/pictures.h bench/program.h bench/strangers.cpp bench/strangers.h bench/strangers_report.cpp \
+  bench/views.cpp bench/views.h
+build_bench_strangers_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+
+.PHONY: strangers
+strangers: all build/bench/strangers
+	build/bench/strangers -o build/bench/strangers-tables
+
 # The thesis's table 4-1, a few minutes of rendering: doc/images/table-4-1.png and its figures.
 EXTRA_PROGRAMS += build/bench/table_4_1
 build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \

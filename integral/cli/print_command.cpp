@@ -30,10 +30,11 @@ void send(const PrintOptions& o, std::vector<Image> pages, Vec2 pixel_pitch,
             throw UsageError("--printer-option " + option + ": NAME=VALUE is expected");
         job.options.emplace_back(option.substr(0, middle), option.substr(middle + 1));
     }
-    const auto number = spool(job, progress_bar("printing"));
+    const std::string printer = job.printer;
+    const auto number = spool(std::move(job), progress_bar("printing"));
     if (!number)
         throw Interrupted();
-    std::cout << job.printer << ": job " << *number << " is printed\n";
+    std::cout << printer << ": job " << *number << " is printed\n";
 }
 
 /// What the line asks for of a frame whose geometry is known.

@@ -8,17 +8,23 @@
 
 #include <cups/raster.h>
 
-#include <string>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace integral {
 
-/// An application/vnd.cups-raster stream, version 3 (uncompressed): the whole document `copies`
-/// times, one copy after another. `pages` are 8-bit RGB and of one size. `like` is the queue's own
-/// header (medium, resolution, colour space RGB or sRGB, 8 bits, chunky), in which the sizes in
-/// pixels and bytes are set here. Throws std::runtime_error with libcups' reason.
-std::string cups_raster(const std::vector<Image>& pages, int copies,
-                        const cups_page_header2_t& like);
+/// Takes the next bytes of a document. Returns whether to go on. Must not throw: it is called
+/// through libcups, which is C.
+using TakeBytes = std::function<bool(const char* bytes, std::size_t count)>;
+
+/// Writes an application/vnd.cups-raster stream, version 3 (uncompressed): the whole document
+/// `copies` times, one copy after another. `pages` are 8-bit RGB and of one size. `like` is the
+/// queue's own header (medium, resolution, colour space RGB or sRGB, 8 bits, chunky), in which the
+/// sizes in pixels and bytes are set here. Returns false where `take` has. Throws
+/// std::runtime_error with libcups' reason.
+bool write_cups_raster(const std::vector<Image>& pages, int copies, const cups_page_header2_t& like,
+                       const TakeBytes& take);
 
 } // namespace integral
 

@@ -342,6 +342,27 @@ __attribute__((target("avx2"))) std::size_t fast_blend(std::uint8_t* to, const s
     return i;
 }
 
+__attribute__((target("avx2"))) std::size_t fast_blend(std::uint16_t* to, const std::uint16_t* row,
+                                                       const std::uint16_t* below,
+                                                       std::size_t count, std::uint32_t weight)
+{
+    // Samples are taken from -32768 on, because madd multiplies signed values.
+    const __m256i weights = _mm256_set1_epi32(int((256 - weight) | weight << 16)),
+                  sign = _mm256_set1_epi16(short(32768)), half = _mm256_set1_epi32(128);
+    std::size_t i = 0;
+    for (; i + 16 <= count; i += 16) {
+        const __m256i upper = _mm256_xor_si256(vector(row + i), sign),
+                      lower = _mm256_xor_si256(vector(below + i), sign);
+        const __m256i first = _mm256_madd_epi16(weights, _mm256_unpacklo_epi16(upper, lower));
+        const __m256i second = _mm256_madd_epi16(weights, _mm256_unpackhi_epi16(upper, lower));
+        const __m256i both = _mm256_packs_epi32(
+            _mm256_srai_epi32(_mm256_add_epi32(first, half), 8),
+            _mm256_srai_epi32(_mm256_add_epi32(second, half), 8));
+        store(to + i, _mm256_xor_si256(both, sign));
+    }
+    return i;
+}
+
 } // namespace integral
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The loops of interlacing for processors with AVX2, for views of 8 bits. Where
-// INTEGRAL_HAS_AVX2 is not defined there are none.
+// The loops of interlacing for processors with AVX2, for views of 8 bits, and the blending of rows
+// of 16 bits. Where INTEGRAL_HAS_AVX2 is not defined there are none.
 //
 // Plain loops in their place, which gcc 12 made vectors of for AVX-512, took 1.25 to 1.6 times the
 // earlier AVX2 loops' processor time on a busy machine (bench/interlace_speed): fetching the
@@ -31,6 +31,8 @@ std::size_t fast_pairs(std::uint8_t* to, const std::uint8_t* row, const std::uin
 
 /// As blend_rows with a weight of 1 to 255, for the first samples: as many as are returned.
 std::size_t fast_blend(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* below,
+                       std::size_t count, std::uint32_t weight);
+std::size_t fast_blend(std::uint16_t* to, const std::uint16_t* row, const std::uint16_t* below,
                        std::size_t count, std::uint32_t weight);
 
 } // namespace integral

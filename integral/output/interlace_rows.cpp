@@ -112,9 +112,8 @@ void pair_rows(std::uint16_t* to, const std::uint16_t* row, const std::uint16_t*
     portable_pairs(to, row, below, 0, count);
 }
 
-template <>
-void blend_rows(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* below,
-                std::size_t count, Step y)
+template <class Sample>
+void blend_rows(Sample* to, const Sample* row, const Sample* below, std::size_t count, Step y)
 {
     std::size_t done = 0;
 #ifdef INTEGRAL_HAS_AVX2
@@ -124,12 +123,10 @@ void blend_rows(std::uint8_t* to, const std::uint8_t* row, const std::uint8_t* b
     portable_blend(to, row, below, done, count, weight_of(y));
 }
 
-template <>
-void blend_rows(std::uint16_t* to, const std::uint16_t* row, const std::uint16_t* below,
-                std::size_t count, Step y)
-{
-    portable_blend(to, row, below, 0, count, weight_of(y));
-}
+template void blend_rows(std::uint8_t*, const std::uint8_t*, const std::uint8_t*, std::size_t,
+                         Step);
+template void blend_rows(std::uint16_t*, const std::uint16_t*, const std::uint16_t*, std::size_t,
+                         Step);
 
 template <>
 void interlace_row(std::uint8_t* samples, const PanelRow& row, const ViewRows<std::uint8_t>& rows,

@@ -219,21 +219,31 @@ private:
     std::string printer_;
 };
 
-/// Sends the document. Returns false if `progress` stopped it.
+/// Sends the document while it is made. Returns false if `progress` stopped it.
 bool send(http_t* server, const std::string& printer, int number, const std::string& title,
-          const std::string& bytes, const Progress& progress)
+          const SpoolDocument& document, int copies, const Progress& progress)
 {
-    constexpr std::size_t piece = 1 << 18;
+    constexpr double piece = 1 << 18; // bytes from one call of progress to the next
+    const Image& first = document.sheets.front();
+    const double total = 3.0 * first.width * first.height * double(document.sheets.size()) * copies;
+    double sent = 0, next_call = 0;
+    bool is_stopped = false;
     http_status_t status = cupsStartDocument(server, printer.c_str(), number, title.c_str(),
                                              "application/vnd.cups-raster", 1);
-    for (std::size_t sent = 0; sent < bytes.size() && status == HTTP_STATUS_CONTINUE;
-         sent += piece) {
-        if (progress &&
-            !progress(int(double(sent) / double(bytes.size()) * sent_steps), total_steps))
-            return false;
-        status = cupsWriteRequestData(server, bytes.data() + sent,
-                                      std::min(piece, bytes.size() - sent));
-    }
+    const auto take = [&](const char* bytes, std::size_t count) {
+        if (progress && sent >= next_call) {
+            next_call = sent + piece;
+            is_stopped = !progress(int(std::min(1.0, sent / total) * sent_steps), total_steps);
+        }
+        if (!is_stopped)
+            status = cupsWriteRequestData(server, bytes, count);
+        sent += double(count);
+        return !is_stopped && status == HTTP_STATUS_CONTINUE;
+    };
+    if (status == HTTP_STATUS_CONTINUE)
+        write_cups_raster(document.sheets, copies, document.header, take);
+    if (is_stopped)
+        return false;
     if (status != HTTP_STATUS_CONTINUE ||
         cupsFinishDocument(server, printer.c_str()) > IPP_STATUS_OK_CONFLICTING)
         throw std::runtime_error(std::string("the CUPS server does not take the document: ") +
@@ -319,7 +329,7 @@ bool follow(http_t* server, const std::string& printer, SentJob& sent, int sheet
 
 std::vector<std::string> printers() { return printers_of(connect().get()); }
 
-std::optional<int> spool(const SpoolJob& job, const Progress& progress)
+std::optional<int> spool(SpoolJob job, const Progress& progress)
 {
     if (job.pages.empty() || job.copies < 1 || !(job.dpi.x > 0) || !(job.dpi.y > 0))
         throw std::invalid_argument("a print job needs pages, copies and a resolution");
@@ -336,12 +346,14 @@ std::optional<int> spool(const SpoolJob& job, const Progress& progress)
                 throw OutputError(printer + ": option " + name + "=" + value +
                                   " would place or scale the page anew; leave it out");
     try {
-        const SpoolDocument document = spool_document(job, server.get(), printer);
-        SentJob sent(server.get(), printer, job.title, document.options);
-        if (!send(server.get(), printer, sent.number, job.title, document.bytes, progress))
+        const std::string title = job.title;
+        const int copies = job.copies, sheets = int(job.pages.size()) * copies;
+        const double patience = job.patience;
+        const SpoolDocument document = spool_document(std::move(job), server.get(), printer);
+        SentJob sent(server.get(), printer, title, document.options);
+        if (!send(server.get(), printer, sent.number, title, document, copies, progress))
             return std::nullopt;
-        if (!follow(server.get(), printer, sent, int(job.pages.size()) * job.copies, job.patience,
-                    progress))
+        if (!follow(server.get(), printer, sent, sheets, patience, progress))
             return std::nullopt;
         return sent.number;
     } catch (const std::runtime_error& error) {
@@ -366,7 +378,7 @@ bool can_spool() { return false; }
 
 std::vector<std::string> printers() { no_cups(); }
 
-std::optional<int> spool(const SpoolJob&, const Progress&) { no_cups(); }
+std::optional<int> spool(SpoolJob, const Progress&) { no_cups(); }
 
 #endif
 

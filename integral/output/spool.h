@@ -66,7 +66,7 @@ std::vector<std::string> printers();
 /// where the printer is stopped, rejects jobs, fails or stays in trouble. The job is then
 /// cancelled, so that it does not print later by surprise. Throws std::invalid_argument where
 /// pages, copies or resolution are not as SpoolJob says.
-std::optional<int> spool(const SpoolJob& job, const Progress& progress = {});
+std::optional<int> spool(SpoolJob job, const Progress& progress = {});
 
 } // namespace integral
 

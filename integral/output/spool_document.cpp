@@ -2,8 +2,6 @@
 #ifdef HAVE_CUPS
 #include "integral/output/spool_document.h"
 
-#include "integral/output/cups_raster.h"
-
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -56,28 +54,28 @@ Placed place_pages(const SpoolJob& job, const PrintQueue& queue)
 
 /// The pages in the middle of the medium's printable area, by the resolution of the driver's
 /// header. Throws std::runtime_error where colour would be cut off.
-std::vector<Image> sheets_of(const SpoolJob& job, const Placed& placed,
+std::vector<Image> sheets_of(std::vector<Image> pages, const Placed& placed,
                              const cups_page_header2_t& header)
 {
     const PrintMedium& medium = placed.medium;
     const int width = int(std::lround(medium.printable.width / 25.4 * header.HWResolution[0]));
     const int height = int(std::lround(medium.printable.height / 25.4 * header.HWResolution[1]));
-    std::vector<Image> sheets;
-    for (const Image& each : job.pages) {
-        std::optional<Image> sheet = centred_page(placed.turned ? turned_page(each) : each, width,
-                                                  height);
+    for (Image& page : pages) {
+        if (placed.turned)
+            page = turned_page(page);
+        std::optional<Image> sheet = centred_page(page, width, height);
         if (!sheet)
             throw std::runtime_error(
                 "prints " + figures("%g x %g pixels of ", width, height) + medium.label + " (" +
                 medium.name + "), and the page has colour outside them; leave its margins white");
-        sheets.push_back(std::move(*sheet));
+        page = std::move(*sheet);
     }
-    return sheets;
+    return pages;
 }
 
 } // namespace
 
-SpoolDocument spool_document(const SpoolJob& job, http_t* server, const std::string& printer)
+SpoolDocument spool_document(SpoolJob job, http_t* server, const std::string& printer)
 {
     PrintQueue queue(server, printer);
     const Placed placed = place_pages(job, queue);
@@ -87,8 +85,8 @@ SpoolDocument spool_document(const SpoolJob& job, http_t* server, const std::str
     document.options.emplace_back("Resolution", placed.resolution);
     document.options.emplace_back("print-scaling", "none");
     document.options.insert(document.options.end(), job.options.begin(), job.options.end());
-    const cups_page_header2_t header = queue.page_header(document.options);
-    document.bytes = cups_raster(sheets_of(job, placed, header), job.copies, header);
+    document.header = queue.page_header(document.options);
+    document.sheets = sheets_of(std::move(job.pages), placed, document.header);
     return document;
 }
 

@@ -228,6 +228,29 @@ std::vector<std::uint8_t> image_in_whole_numbers(const ViewPictures& views,
     return image;
 }
 
+/// Samples of noise, the least and the greatest among them.
+template <class Sample> std::vector<Sample> noise_row(int count, unsigned seed)
+{
+    std::vector<Sample> row = samples_of<Sample>(noise<Sample>((count + 2) / 3, 1, seed));
+    row.resize(std::size_t(count));
+    row[0] = seed % 2 ? 0 : Sample(-1);
+    row[row.size() - 1] = 0;
+    row[row.size() / 2] = Sample(-1);
+    return row;
+}
+
+template <class Sample> void check_blended_rows(int count)
+{
+    const auto row = noise_row<Sample>(count, 1), below = noise_row<Sample>(count, 2);
+    for (const std::uint32_t weight : {0u, 1u, 128u, 255u}) {
+        std::vector<Sample> blended(row.size()), want;
+        blend_rows(blended.data(), row.data(), below.data(), row.size(), Step(7 << 8 | weight));
+        for (std::size_t i = 0; i < row.size(); ++i)
+            want.push_back(Sample((between(row[i], below[i], weight) + 128) / 256));
+        BOOST_TEST(blended == want, boost::test_tools::per_element());
+    }
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(all_loops_give_the_same_bits)
@@ -253,16 +276,8 @@ BOOST_AUTO_TEST_CASE(all_loops_give_the_same_bits)
             want.push_back(samples_of<std::uint8_t>(b)[i]);
         }
         BOOST_TEST(pairs == want, boost::test_tools::per_element());
-        for (const std::uint32_t weight : {0u, 1u, 128u, 255u}) {
-            std::vector<std::uint8_t> blended(3 * std::size_t(count));
-            blend_rows(blended.data(), samples_of<std::uint8_t>(a).data(),
-                       samples_of<std::uint8_t>(b).data(), blended.size(), Step(7 << 8 | weight));
-            for (std::size_t i = 0; i < blended.size(); ++i)
-                BOOST_TEST(blended[i] == (between(samples_of<std::uint8_t>(a)[i],
-                                                  samples_of<std::uint8_t>(b)[i], weight) +
-                                          128) /
-                                             256);
-        }
+        check_blended_rows<std::uint8_t>(3 * count);
+        check_blended_rows<std::uint16_t>(3 * count);
     }
 }
 
@@ -276,7 +291,7 @@ std::vector<FrameMetadata> lens_panels()
                 for (const bool wide : {false, true}) {
                     FrameMetadata m;
                     m.sheet = {arrangement, 1.03, 3.08, 1.6, slant, {0.11, -0.07}};
-                    m.film = {width, 67, {0.207, 0.203}, Subpixels::rgb};
+                    m.film = {width, 35, {0.207, 0.203}, Subpixels::rgb};
                     m.aperture = *filling_aperture(m.sheet, 400);
                     if (!wide)
                         m.aperture = {400, 90, 90, ApertureShape::rectangle};
@@ -287,6 +302,9 @@ std::vector<FrameMetadata> lens_panels()
 
 BOOST_AUTO_TEST_CASE(all_loops_of_the_optics_give_the_same_bits)
 {
+    // In turn, so that each count of views meets each; 400: more rows than the fast loop keeps.
+    const std::vector<int> heights = {1, 23, 400, 23};
+    std::size_t case_number = 0;
     int fast_rows = 0, seen = 0, dark = 0;
     for (const FrameMetadata& m : lens_panels()) {
         const auto mapping = mapping_of(m, {{m.aperture.width, m.aperture.height}, 400}, 2);
@@ -308,22 +326,22 @@ BOOST_AUTO_TEST_CASE(all_loops_of_the_optics_give_the_same_bits)
             dark += 3 * m.film.width - int(of_seen.size());
         }
         for (const Blend& blend : blends)
-            for (const int count : {1, 2, 45})
-                for (const int height : {1, 23, 400}) { // 400: more rows than the fast loop keeps
-                    const Image quilt = noise<std::uint8_t>(count * 37, height, unsigned(count));
-                    const ViewPictures views(quilt, {count, 1});
-                    Image panel = panel_image(views, m.film.width, m.film.height);
-                    interlace(panel, views, *mapping, blend, 2);
-                    if (!round && samples_of<std::uint8_t>(panel) !=
-                                      image_in_whole_numbers(views, *mapping, blend))
-                        BOOST_TEST_ERROR(m.film.width << " wide, slant " << m.sheet.slant << ", "
-                                                      << count << " views of 37x" << height
-                                                      << ": they differ");
-                }
+            for (const int count : {1, 2, 45}) {
+                const int height = heights[case_number++ % heights.size()];
+                const Image quilt = noise<std::uint8_t>(count * 37, height, unsigned(count));
+                const ViewPictures views(quilt, {count, 1});
+                Image panel = panel_image(views, m.film.width, m.film.height);
+                interlace(panel, views, *mapping, blend, 2);
+                if (!round && samples_of<std::uint8_t>(panel) !=
+                                  image_in_whole_numbers(views, *mapping, blend))
+                    BOOST_TEST_ERROR(m.film.width << " wide, slant " << m.sheet.slant << ", "
+                                                  << count << " views of 37x" << height
+                                                  << ": they differ");
+            }
     }
-    BOOST_TEST(fast_rows > 1000);
-    BOOST_TEST(seen > 100000);
-    BOOST_TEST(dark > 1000);
+    BOOST_TEST(fast_rows > 500);
+    BOOST_TEST(seen > 50000);
+    BOOST_TEST(dark > 500);
 }
 
 BOOST_AUTO_TEST_CASE(weights_between_views)
