@@ -327,25 +327,19 @@ BOOST_AUTO_TEST_CASE(an_eye_at_a_replayed_chart_reads_the_true_pitch)
          1.2741, 1.6, 400, 0},
         {chart_of(Arrangement::lenticular, 1.27, 0, {300, 300}, {152.4, 101.6}, {1.252, 0.002, 25}),
          1.2672, 1.55, 300, 0},
-        {chart_of(Arrangement::lenticular, 1.27, 0, {300, 300}, {152.4, 101.6}, {1.252, 0.002, 25}),
-         1.2797, 1.6, 900, 0},
         {chart_of(Arrangement::lenticular, 1.27, 9.46, {300, 300}, {152.4, 101.6},
                   {1.252, 0.002, 25}),
          1.2741, 1.6, 400, 0},
         {chart_of(Arrangement::square, 1.27, 0, {300, 300}, {203.2, 152.4}, {1.256, 0.004, 10}),
-         1.2741, 1.6, 400, 0},
-        {chart_of(Arrangement::square, 1.27, 0, {300, 300}, {203.2, 152.4}, {1.256, 0.004, 10}),
          1.2741, 1.6, 400, 1},
         {chart_of(Arrangement::hexagonal, 1.27, 0, {300, 300}, {203.2, 152.4}, {1.256, 0.004, 10}),
          1.2741, 1.6, 400, 0},
-        {chart_of(Arrangement::hexagonal, 1.27, 0, {300, 300}, {203.2, 152.4}, {1.256, 0.004, 10}),
-         1.2741, 1.6, 400, 1},
     };
     for (const auto& trial : trials) {
         LensSheet truth = trial.chart.sheet;
         truth.pitch = trial.pitch;
         truth.ior = trial.ior;
-        const int bar = most_even(trial.chart, truth, trial.distance, trial.direction, 5);
+        const int bar = most_even(trial.chart, truth, trial.distance, trial.direction, 3);
         LensSheet nominal = trial.chart.sheet;
         nominal.ior = trial.ior;
         const MeasuredSheet found = measured_sheet(nominal, trial.chart.scale,
