@@ -130,7 +130,7 @@ static double error_of_edges(const IntegralCamera& camera, double depth, double 
     double squares = 0;
     int pixels = 0, judged = 0;
     for_each_pixel(camera, true, [&](Vec2 centre) {
-        if (++pixels % 23)
+        if (++pixels % 31)
             return;
         const auto seen = [&](const PixelRay& ray) {
             const BeamRay& at = ray.ray;

@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace integral;
@@ -93,9 +94,11 @@ BOOST_AUTO_TEST_CASE(disc_before_and_behind_the_sheet)
                   {Arrangement::square, 12, {25.4 / 300, 25.4 / 300}},
                   {Arrangement::hexagonal, 0, {0.03, 0.0302}},
                   {Arrangement::hexagonal, 15, {25.4 / 300, 25.4 / 300}}};
+    using Depths = std::array<double, 2>;
     double worst = 0;
     for (const auto& s : sheets)
-        for (const double z : {-60.0, -20.0, 20.0, 60.0}) {
+        // Half of the depths for each sheet, and all for each arrangement.
+        for (const double z : s.slant == 0 ? Depths{-60.0, 20.0} : Depths{-20.0, 60.0}) {
             FrameMetadata m;
             m.sheet = {s.arrangement, 1.27, 3.08, 1.6, s.slant, {}};
             m.film = {int(56 / s.pixel.x), int(56 / s.pixel.y), s.pixel};
