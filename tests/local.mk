@@ -165,7 +165,7 @@ programs_of_cli = $(programs_of_render) build/tests/scan build/bench/error_again
   build/bench/large_frames $(cups_programs) $(screen_programs)
 programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitized/integral \
   build/sanitized/mutations
-chosen_layers = $(or $(LAYERS),unit render replay cli sanitized)
+chosen_layers = $(or $(LAYERS),unit render replay cli days sanitized)
 test_programs = $(sort $(foreach layer,$(chosen_layers),$(programs_of_$(layer))))
 
 # The unmodified POV-Ray that the tests compare with (tests/unmodified): compiled here only where
