@@ -66,12 +66,12 @@ void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
 void IntegralGrammar::Warn_Of_Scale(const integral::IntegralCamera& optics)
 {
     const double pitch = optics.optics.sheet().pitch * optics.placement.units_per_mm;
-    if (pitch < 0.05 || pitch > 100)
+    if (pitch < 0.01 || pitch > 5000)
         parser.Warning(
             0,
             "Integral camera: the lens pitch is %.3g scene units. POV-Ray's tolerances are "
             "absolute, and\n"
-            "pixels go wrong outside of 0.05 to 100: make scene and camera about %s.",
+            "pixels go wrong outside of 0.01 to 5000: make scene and camera about %s.",
             pitch, By_About(optics.optics.sheet().pitch / pitch).c_str());
 }
 
