@@ -9,6 +9,7 @@
 #include "backend/render/integralprobes.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
+#include "integral/base/number_text.h"
 #include "integral/optics/coverage.h"
 
 #include <algorithm>
@@ -66,13 +67,15 @@ void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
 void IntegralGrammar::Warn_Of_Scale(const integral::IntegralCamera& optics)
 {
     const double pitch = optics.optics.sheet().pitch * optics.placement.units_per_mm;
-    if (pitch < 0.01 || pitch > 5000)
+    if (pitch < 0.002 || pitch > 10000)
         parser.Warning(
             0,
-            "Integral camera: the lens pitch is %.3g scene units. POV-Ray's tolerances are "
+            "Integral camera: the lens pitch is %s scene units. POV-Ray's tolerances are "
             "absolute, and\n"
-            "pixels go wrong outside of 0.01 to 5000: make scene and camera about %s.",
-            pitch, By_About(optics.optics.sheet().pitch / pitch).c_str());
+            "pixels go wrong outside of 0.002 to 10000: make scene and camera about %s.",
+            (pitch < 1000 ? integral::with_digits(pitch, 3) : integral::with_decimals(pitch, 0))
+                .c_str(),
+            By_About(optics.optics.sheet().pitch / pitch).c_str());
 }
 
 void IntegralGrammar::Warn_Of_Eye(const IntegralStatement& statement)
