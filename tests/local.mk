@@ -97,6 +97,7 @@ unit_sources = \
   tests/unit/optics_beam_oracle.h \
   tests/unit/optics_cells.cpp \
   tests/unit/optics_fill.cpp \
+  tests/unit/optics_film.cpp \
   tests/unit/optics_lattice.cpp \
   tests/unit/optics_mapping.cpp \
   tests/unit/optics_models.cpp \

@@ -69,7 +69,7 @@ std::string refused_keyword(const std::string& name)
     const auto is = [&](std::initializer_list<const char*> names) {
         return is_one_of(name, names);
     };
-    if (is({"integral_camera"}))
+    if (is({"integral_camera", "integral_sheet"}))
         return of_sheet;
     if (is({"width", "height"}))
         return of_size;

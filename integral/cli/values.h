@@ -4,6 +4,7 @@
 #define INTEGRAL_CLI_VALUES_H
 
 #include "integral/lightfield/view_grid.h"
+#include "integral/optics/film.h"
 
 #include <initializer_list>
 #include <optional>
@@ -25,10 +26,6 @@ std::vector<double> parse_numbers(const char* option, const std::string& text, c
 
 /// One number for both axes, or two separated by a comma.
 Vec2 parse_one_or_two(const char* option, const std::string& text, const char* form);
-
-struct PixelSize {
-    int width = 0, height = 0;
-};
 
 /// WxH, each from 1 to `most`; `form` is what a complaint calls it.
 PixelSize parse_size(const char* option, const std::string& text, int most,

@@ -20,7 +20,7 @@
 namespace integral {
 namespace {
 
-constexpr int largest_side = 32768; // pixels
+constexpr int largest_picture_side = 32768; // pixels
 constexpr int most_threads = 1024;
 
 struct ViewsOptions : CommonOptions {
@@ -75,16 +75,17 @@ std::string text_of(PixelSize size)
 
 void check_view_size(PixelSize size)
 {
-    if (std::max(size.width, size.height) > largest_side)
+    if (std::max(size.width, size.height) > largest_picture_side)
         throw UsageError("views of " + text_of(size) + " pixels have more than " +
-                         std::to_string(largest_side) + " one way");
+                         std::to_string(largest_picture_side) + " one way");
 }
 
 void check_quilt_size(ViewGrid grid, PixelSize size)
 {
-    if (std::max(double(grid.columns) * size.width, double(grid.rows) * size.height) > largest_side)
+    if (std::max(double(grid.columns) * size.width, double(grid.rows) * size.height) >
+        largest_picture_side)
         throw UsageError("a quilt of " + text_of(grid) + " views of " + text_of(size) +
-                         " pixels has more than " + std::to_string(largest_side) +
+                         " pixels has more than " + std::to_string(largest_picture_side) +
                          " one way; fewer views would do");
 }
 
@@ -105,7 +106,7 @@ ViewGrid grid_of(const ViewsOptions& o, const FrameMetadata& metadata)
 PixelSize size_to_look_at(const ViewsOptions& o, const Film& film)
 {
     if (o.size)
-        return parse_size("size", *o.size, largest_side);
+        return parse_size("size", *o.size, largest_picture_side);
     constexpr int default_longer_side = 500;
     View view;
     set_view_size(view, film, default_longer_side);

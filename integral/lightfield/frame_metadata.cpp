@@ -76,6 +76,8 @@ RenderRecord render_from(const JsonObject& object)
             refuse(object.path_of(name), "must be true or false");
         return object.at(name).get<bool>();
     };
+    if (object.has("draft"))
+        render.draft = whole_at(object, "draft", 1, largest_side);
     render.pseudoscopic = flag("pseudoscopic");
     render.display_prefilter = flag("display_prefilter");
     if (object.has("error"))
@@ -141,6 +143,8 @@ Json json_of(const RenderRecord& render)
                  {"pixel_samples", render.pixel_samples},
                  {"beam_samples", render.beam_samples},
                  {"seconds", render.seconds}};
+    if (render.draft > 1)
+        json["draft"] = render.draft;
     if (render.pseudoscopic)
         json["pseudoscopic"] = true;
     if (render.display_prefilter)

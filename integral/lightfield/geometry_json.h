@@ -9,7 +9,6 @@
 
 namespace integral {
 
-constexpr int largest_side = 1000000;                           // pixels
 constexpr double least_distance = 1e-2, largest_distance = 1e9; // mm, as make_camera allows
 constexpr double largest_extent = 1e30;                         // mm, of an aperture
 

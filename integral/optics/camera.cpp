@@ -22,6 +22,22 @@ void check_view(const ViewFrame& view)
         fail("right, up and direction must not lie in one plane");
 }
 
+/// k, scene units per mm. `film_width`: mm.
+double scale_of(const CameraParameters& p, const ViewFrame& view, double film_width)
+{
+    const double window = view.sheet_distance_ratio * length(view.right); // S, scene units
+    const double k = p.film.units_per_mm.value_or(window / film_width);
+    if (p.print_size && std::fabs(k - window / film_width) > 0.01 * k) {
+        std::ostringstream text;
+        text << "units_per_mm " << k << " and print_size <" << p.print_size->x << ", "
+             << p.print_size->y << "> contradict each other: the camera's window in the sheet's "
+             << "plane is " << window << " scene units wide, so that print_size alone makes "
+             << "units_per_mm " << window / film_width << "; leave one of them out";
+        fail(text.str());
+    }
+    return k;
+}
+
 /// d, mm: from the aperture to the sheet, by k scene units per mm.
 double aperture_distance(const CameraParameters& p, const ViewFrame& view, double k)
 {
@@ -101,9 +117,7 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     check_view(view);
 
     const Film film{width, height, p.film.pixel_pitch, p.film.subpixels};
-    const double window = view.sheet_distance_ratio * length(view.right); // S, scene units
-    const double k = p.film.units_per_mm ? *p.film.units_per_mm
-                                         : window / (width * film.pixel_pitch.x);
+    const double k = scale_of(p, view, size_of(film).x);
     const Aperture aperture = make_aperture(p, aperture_distance(p, view, k));
     return {SheetOptics(p.sheet, aperture, p.model),
             film,
@@ -156,8 +170,8 @@ std::optional<StartRegion> start_region(const IntegralCamera& camera)
     const double margin = cell_circumradius(optics.sheet()) + 1e-3 * optics.sheet().pitch;
     Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
     if (!at_aperture) { // between aperture and sheet a ray is within the larger of the two
-        half.x = std::max(half.x, 0.5 * camera.film.width * camera.film.pixel_pitch.x);
-        half.y = std::max(half.y, 0.5 * camera.film.height * camera.film.pixel_pitch.y);
+        half.x = std::max(half.x, 0.5 * size_of(camera.film).x);
+        half.y = std::max(half.y, 0.5 * size_of(camera.film).y);
         if (camera.pseudoscopic)
             half = half + Vec2{2 * optics.sheet().pitch, 2 * optics.sheet().pitch};
     }

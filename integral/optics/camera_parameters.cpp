@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/optics/camera_parameters.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace integral {
@@ -68,6 +70,10 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     if (p.viewing_distance)
         c.require(in(*p.viewing_distance, 1e-2, 1e9), "viewing_distance", *p.viewing_distance,
                   "it is in mm from the sheet to the eye, 0.01 to 1e9");
+    if (p.print_size)
+        for (const double extent : {p.print_size->x, p.print_size->y})
+            c.require(in(extent, 1e-3, 1e6), "print_size", extent,
+                      "the picture's width and height are in mm, 0.001 to 1000000");
     if (p.capture_aperture)
         for (const double extent : {p.capture_aperture->x, p.capture_aperture->y})
             c.require(in(extent, 0, 1e12), "capture_aperture", extent,
@@ -107,6 +113,14 @@ std::string aperture_error(const LensSheet& sheet, Vec2 extent)
                                           "than 0: nothing would be imaged";
 }
 
+std::string pixels_error(Vec2 print_size, double pixels)
+{
+    std::ostringstream text;
+    text << "print_size <" << print_size.x << ", " << print_size.y << "> mm is " << pixels
+         << " pixels of this film across or down; 1 to " << largest_side << " are possible";
+    return text.str();
+}
+
 /// The sentence for a model that needs a curved surface, of a sheet that has none.
 std::string surface_error(const LensSheet& sheet, LensModel model)
 {
@@ -126,6 +140,11 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     auto errors = find_value_errors(p);
     if (!errors.empty())
         return errors;
+    if (p.print_size)
+        for (const double pixels :
+             {p.print_size->x / p.film.pixel_pitch.x, p.print_size->y / p.film.pixel_pitch.y})
+            if (!in(pixels, 0.5, largest_side))
+                errors.push_back(pixels_error(*p.print_size, pixels));
     if (refracts_at_surface(p.model) && !has_surface(p.sheet))
         errors.push_back(surface_error(p.sheet, p.model));
     constexpr double most_rays = 1 << 20;
@@ -150,6 +169,15 @@ std::vector<std::string> find_errors(const CameraParameters& p)
             errors.push_back(error);
     }
     return errors;
+}
+
+PixelSize print_pixels(const CameraParameters& p)
+{
+    const auto pixels = [](double mm, double pitch) {
+        return static_cast<int>(std::lround(std::clamp(mm / pitch, 1.0, double(largest_side))));
+    };
+    return {pixels(p.print_size->x, p.film.pixel_pitch.x),
+            pixels(p.print_size->y, p.film.pixel_pitch.y)};
 }
 
 int default_beam_samples(const CameraParameters& p)

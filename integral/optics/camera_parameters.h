@@ -30,6 +30,9 @@ struct CameraParameters {
     /// mm from the sheet to the viewer's eye. The eye moves along the line of sight; the sheet and
     /// its window stay. Nothing: the eye stays where the scene has it.
     std::optional<double> viewing_distance;
+    /// Width and height of the picture on paper, mm; the frame has to have print_pixels. Nothing:
+    /// as large as the frame's pixels make it.
+    std::optional<Vec2> print_size;
     std::optional<Vec2> capture_aperture; ///< mm; default: filling_aperture
     ApertureShape aperture_shape = ApertureShape::rectangle;
     LensModel model = LensModel::extended_pinhole;
@@ -45,6 +48,9 @@ struct CameraParameters {
     std::optional<Vec2> depth_range;
     bool pseudoscopic = false; ///< Lippmann's single-stage capture: inverted in depth
 };
+
+/// Pixels across and down a picture of print_size (which must be given) on this film.
+PixelSize print_pixels(const CameraParameters& parameters);
 
 /// 16 where there is an area to integrate over (the full model's lens, or a slit that has height),
 /// 4 for the display prefilter, else 1: the pole.

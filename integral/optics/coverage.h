@@ -15,6 +15,11 @@ struct Coverage {
     double searched = 0; ///< part of `imaged`: pixels that only the accurate search images
 };
 
+/// The centre of the k-th of `count` pixels that are spread evenly over the film, 0 <= k < count:
+/// every pixel if count is their number, else on a rank-1 lattice, which does not fall into step
+/// with the lenses. Continuous pixel coordinates.
+Vec2 spread_pixel(const Film& film, int k, int count);
+
 /// Maps the centres of at most `samples` pixels, spread evenly over the film.
 Coverage coverage(const IntegralCamera& camera, int samples);
 

@@ -5,15 +5,42 @@
 
 #include "integral/optics/subpixels.h"
 
+#include <algorithm>
+
 namespace integral {
 
 constexpr double mm_per_inch = 25.4;
+constexpr int largest_side = 1000000; ///< pixels of a film across or down
+
+/// The size of a picture in pixels.
+struct PixelSize {
+    int width = 0, height = 0;
+};
 
 struct Film {
     int width = 0, height = 0; ///< pixels; > 0
     Vec2 pixel_pitch;          ///< mm; > 0; mm_per_inch / dpi, and may differ between x and y
     Subpixels subpixels = {};
 };
+
+/// Its size on paper, mm.
+inline Vec2 size_of(const Film& film)
+{
+    return {film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
+}
+
+/// A draft of a film: as large in mm, with one pixel for `n` x `n` (n >= 1). Where n does not
+/// divide the number of pixels, it is rounded, and the pitch is what fills the size.
+inline Film draft_of(const Film& film, int n)
+{
+    const auto pixels = [n](int side) { return std::max(1, (side + n / 2) / n); };
+    Film draft = film;
+    draft.width = pixels(film.width);
+    draft.height = pixels(film.height);
+    draft.pixel_pitch.x *= double(film.width) / draft.width;
+    draft.pixel_pitch.y *= double(film.height) / draft.height;
+    return draft;
+}
 
 /// Film point (mm, sheet frame) of continuous pixel coordinates: origin at the top-left corner
 /// of the top-left pixel, pixel (i, j) centred at (i + 1/2, j + 1/2).

@@ -12,11 +12,6 @@
 namespace integral {
 namespace {
 
-Vec2 size_of(const Film& film)
-{
-    return {film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
-}
-
 bool fills_lenses(const Panel& panel)
 {
     const auto filling = filling_aperture(panel.sheet, panel.aperture.distance);

@@ -26,6 +26,7 @@ struct State
     std::mutex mutex;
     std::string scene;
     std::string fingerprint;
+    std::optional<integral::PixelSize> size;
     std::optional<integral::FrameMetadata> metadata;
     Clock::time_point begun;
     std::optional<Clock::time_point> ended;
@@ -72,8 +73,10 @@ void IntegralFrame::Expect(const integral::IntegralCamera *camera)
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
     state.fingerprint.clear();
+    state.size.reset();
     if (camera)
     {
+        state.size = integral::PixelSize{camera->film.width, camera->film.height};
         std::string text = integral::to_json(Metadata_Of(*camera));
         for (const int choice :
              {int(camera->optics.model()), int(camera->mapping), camera->pixel_samples,
@@ -86,7 +89,14 @@ void IntegralFrame::Expect(const integral::IntegralCamera *camera)
     }
 }
 
-void IntegralFrame::Begin(const integral::IntegralCamera& camera)
+std::optional<integral::PixelSize> IntegralFrame::Expected_Size()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return state.size;
+}
+
+void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
@@ -94,6 +104,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera)
     state.metadata->render = integral::RenderRecord();
     state.metadata->render->program = "povray-integral 3.7.0.10";
     state.metadata->render->scene = state.scene;
+    state.metadata->render->draft = draft;
     state.metadata->render->model = camera.optics.model();
     state.metadata->render->mapping = camera.mapping;
     state.metadata->render->pixel_samples = camera.pixel_samples;

@@ -22,8 +22,12 @@ public:
     /// interrupted render is continued only with the same geometry.
     static void Expect(const integral::IntegralCamera *camera);
 
-    /// From now on pictures are frames of this camera. Starts the measurement of time.
-    static void Begin(const integral::IntegralCamera& camera);
+    /// The size of the picture that the camera passed to Expect needs; nothing if it was null.
+    static std::optional<integral::PixelSize> Expected_Size();
+
+    /// From now on pictures are frames of this camera. Starts the measurement of time. `draft`: the
+    /// number of Integral_Draft=.
+    static void Begin(const integral::IntegralCamera& camera, int draft);
 
     /// Call it when the picture is rendered, with its error if known. Ends the measurement of time,
     /// which excludes the error estimate.

@@ -14,6 +14,10 @@ enum
     kIntegralAttrib_Sharing = 'IgSh', ///< option Integral_Sharing=: auto, on, off or a number of
                                       ///< patches
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
+    kIntegralAttrib_Sheet = 'IgSf', ///< option Integral_Sheet=: file with a lens sheet
+    kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel in pixels
+    kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
+    kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
     kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged
@@ -26,6 +30,8 @@ enum
     kIntegralAttrib_PatchShadings = 'IgPs',     ///< those of them that computed it
     kIntegralAttrib_Containers = 'IgCo',        ///< objects inside which rays may start
     kIntegralAttrib_Objects = 'IgOb',           ///< objects in the scene
+    kIntegralAttrib_PrintWidth = 'IgPw',        ///< mm across the picture
+    kIntegralAttrib_PrintHeight = 'IgPh',       ///< mm down the picture
     kIntegralAttrib_ViewingDistance = 'IgVd',   ///< mm from the eye to the sheet
     kIntegralAttrib_SceneDistance = 'IgVs',     ///< the same, as the scene has it; only if another
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
@@ -43,6 +49,8 @@ enum
 /// The integral camera's rows in the front end's table of INI keywords.
 #define INTEGRAL_INI_KEYWORDS                                                                      \
     {"Integral_Camera", kIntegralAttrib_Camera, kPOVMSType_UCS2String},                            \
+        {"Integral_Sheet", kIntegralAttrib_Sheet, kPOVMSType_UCS2String},                          \
+        {"Integral_Draft", kIntegralAttrib_Draft, kPOVMSType_UCS2String},                          \
         {"Integral_Audit", kIntegralAttrib_Audit, kPOVMSType_UCS2String},                          \
         {"Integral_Seed", kIntegralAttrib_Seed, kPOVMSType_Int},                                   \
         {"Integral_Depth_Image", kIntegralAttrib_DepthPicture, kPOVMSType_UCS2String},             \

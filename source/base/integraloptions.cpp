@@ -85,6 +85,17 @@ void Read_Sharing(const std::string& text, IntegralRenderOptions& result)
             "from 1 to 10000");
 }
 
+/// The number of Integral_Draft=; 1 for an empty text.
+int Draft_In(const std::string& text)
+{
+    const double number = text.empty() ? 1 : Number_In(text, "");
+    if (!(number >= 1 && number <= 100 && number == std::floor(number)))
+        throw std::invalid_argument("Integral_Draft=" + text +
+                                    " is not a whole number from 1 to 100: how many times fewer "
+                                    "pixels the draft has across and down");
+    return int(number);
+}
+
 /// Whether the option selects anti-aliasing in the light field.
 bool Read_Antialiasing(const std::string& text)
 {
@@ -160,7 +171,7 @@ void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 
 }
 
-IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
+IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
 {
     IntegralRenderOptions result;
     const auto text = [&](POVMSType key)
@@ -180,7 +191,7 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
     result.depth_picture = text(kIntegralAttrib_DepthPicture);
     if (!result.depth_picture.empty())
         Check_Depth_Picture(result.depth_picture);
-    Read_Rows(text(kIntegralAttrib_Rows), options.TryGetInt(kPOVAttrib_Height, 0), result.rows);
+    Read_Rows(text(kIntegralAttrib_Rows), height, result.rows);
     result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
     result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize,
                                                       result.block_side)); // POV-Ray's minimum
@@ -202,17 +213,26 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
     return result;
 }
 
-std::string Problem_Of_Integral_Options(POVMS_Object& options)
+std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Object& options)
 {
+    IntegralSceneOptions result;
+    const auto text = [&](POVMSType key)
+    { return UCS2toASCIIString(options.TryGetUCS2String(key, "")); };
+    result.camera = text(kIntegralAttrib_Camera);
+    result.sheet = text(kIntegralAttrib_Sheet);
+    result.free_width = options.TryGetBool(kIntegralAttrib_FreeWidth, false);
+    result.free_height = options.TryGetBool(kIntegralAttrib_FreeHeight, false);
     try
     {
-        Read_Integral_Options(options);
-        return "";
+        result.draft = Draft_In(text(kIntegralAttrib_Draft));
+        const bool size_is_known = result.draft == 1 && !result.free_height;
+        Read_Integral_Options(options, size_is_known ? options.TryGetInt(kPOVAttrib_Height, 0) : 0);
     }
     catch (const std::invalid_argument& problem)
     {
-        return problem.what();
+        result.problem = problem.what();
     }
+    return std::make_shared<IntegralSceneOptions>(result);
 }
 
 unsigned int Integral_Bounding(POVMS_Object& options, unsigned int method)

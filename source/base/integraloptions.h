@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "integral/lightfield/error_estimate.h"
@@ -32,6 +33,20 @@ struct IntegralRows
     bool Meet(int top, int bottom) const { return top <= last && bottom >= first; }
 };
 
+/// The options that count while the scene is parsed.
+struct IntegralSceneOptions
+{
+    std::string camera;       ///< the words of Integral_Camera=; empty: none
+    std::string sheet;        ///< Integral_Sheet=: a file; empty: none
+    int draft = 1;            ///< Integral_Draft=: pixels of the final across one of the draft
+    bool free_width = false;  ///< the width is a default, which print_size may replace
+    bool free_height = false; ///< and the height
+    std::string problem;      ///< what is wrong with the options, for the user; empty: nothing
+};
+
+/// Reads the options; problems that Read_Integral_Options would report are in `problem`.
+std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Object& options);
+
 struct IntegralRenderOptions
 {
     bool audit = true;      ///< false with Integral_Audit=off: no error estimate
@@ -51,11 +66,9 @@ struct IntegralRenderOptions
     integral::OutputCurve output; ///< from the renderer's values to those of the picture file
 };
 
-/// Reads the options. Throws std::invalid_argument with a message for the user.
-IntegralRenderOptions Read_Integral_Options(POVMS_Object& options);
-
-/// The message with which Read_Integral_Options refuses the options; empty if they are valid.
-std::string Problem_Of_Integral_Options(POVMS_Object& options);
+/// Reads the options. Throws std::invalid_argument with a message for the user. `height`: of the
+/// picture, pixels; 0 if it is not known yet.
+IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height);
 
 /// The bounding method: `method` (POV-Ray's value) if the options specify one, else
 /// integral_bounding_open, which means that it is chosen after the scene is parsed.

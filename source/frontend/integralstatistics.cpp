@@ -47,6 +47,21 @@ static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
                     statistics.GetString(kIntegralAttrib_ErrorPicture).c_str());
 }
 
+/// Prints the picture's size and the viewing distance.
+static void Print_Geometry(POVMS_Object& statistics, TextStreamBuffer *out)
+{
+    const auto number = [&](POVMSType key) { return double(statistics.TryGetFloat(key, 0)); };
+    out->printf("%-19s %15.1f x %.1f mm\n", "Picture size:", number(kIntegralAttrib_PrintWidth),
+                number(kIntegralAttrib_PrintHeight));
+    if (const int draft = statistics.TryGetInt(kIntegralAttrib_Draft, 1); draft > 1)
+        out->printf("%-19s %15d   times fewer pixels across and down\n",
+                    "  a draft, with:", draft);
+    out->printf("%-19s %15.1f   mm", "Viewing distance:", number(kIntegralAttrib_ViewingDistance));
+    if (statistics.Exist(kIntegralAttrib_SceneDistance))
+        out->printf(" (the scene's own camera: %.1f mm)", number(kIntegralAttrib_SceneDistance));
+    out->printf("\n");
+}
+
 void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
 {
     if (!statistics.Exist(kIntegralAttrib_FilmPoints))
@@ -76,12 +91,7 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
     out->printf("%-19s %15d   of %d objects\n",
                 "    among:", statistics.TryGetInt(kIntegralAttrib_Containers, 0),
                 statistics.TryGetInt(kIntegralAttrib_Objects, 0));
-    out->printf("%-19s %15.1f   mm",
-                "Viewing distance:", statistics.TryGetFloat(kIntegralAttrib_ViewingDistance, 0));
-    if (statistics.Exist(kIntegralAttrib_SceneDistance))
-        out->printf(" (the scene's own camera: %.1f mm)",
-                    statistics.GetFloat(kIntegralAttrib_SceneDistance));
-    out->printf("\n");
+    Print_Geometry(statistics, out);
     if (const double shared = count(kIntegralAttrib_SharedShadings))
     {
         out->printf("%-19s %15.0f\n", "Shared shadings:", shared);

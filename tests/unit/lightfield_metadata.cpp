@@ -25,7 +25,7 @@ const char complete[] =
     R"( "camera": {"origin": [1, 2, 3], "x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1], "units_per_mm": 0.5},)"
     R"( "encoding": {"kind": "power", "gamma": 1.8},)"
     R"( "render": {"program": "p 1", "scene": "s.pov", "model": "full", "mapping": "accurate",)"
-    R"( "pixel_samples": 4, "beam_samples": 16, "pseudoscopic": true, "display_prefilter": true, "seconds": 7,)"
+    R"( "pixel_samples": 4, "beam_samples": 16, "draft": 4, "pseudoscopic": true, "display_prefilter": true, "seconds": 7,)"
     R"( "error": {"rms": 0.01, "low": 0.005, "high": 0.02, "confidence": 0.95, "method": "audit", "pixels": 1000,)"
     R"( "lit_pixels": 19200, "samples": 17, "seconds": 0.5}}})";
 
@@ -93,6 +93,7 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
     BOOST_CHECK(m.render->model == LensModel::full);
     BOOST_TEST(m.render->pixel_samples == 4);
     BOOST_TEST(m.render->beam_samples == 16);
+    BOOST_TEST(m.render->draft == 4);
     BOOST_TEST(m.render->pseudoscopic);
     BOOST_TEST(m.render->display_prefilter);
     BOOST_REQUIRE(m.render->error);
@@ -199,6 +200,7 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
             record.pixel_samples = 1 + i;
             record.beam_samples = 65536 - i;
             record.pseudoscopic = i % 5 == 0;
+            record.draft = 1 + i % 7;
             record.display_prefilter = i % 7 == 0;
             record.seconds = between(0, 1e6);
             if (i % 2)
@@ -251,6 +253,7 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
             BOOST_TEST(n.render->pixel_samples == m.render->pixel_samples);
             BOOST_TEST(n.render->beam_samples == m.render->beam_samples);
             BOOST_TEST(n.render->pseudoscopic == m.render->pseudoscopic);
+            BOOST_TEST(n.render->draft == m.render->draft);
             BOOST_TEST(n.render->display_prefilter == m.render->display_prefilter);
             BOOST_REQUIRE(n.render->error.has_value() == m.render->error.has_value());
             if (m.render->error) {

@@ -8,14 +8,21 @@
 
 namespace vfePlatform
 {
-void QuoteIntegralCamera(char **argv)
+static bool Begins_With(const std::string& argument, const std::string& option)
+{
+    return strncasecmp(argument.c_str(), option.c_str(), option.size()) == 0;
+}
+
+void QuoteIntegralArguments(char **argv)
 {
     static std::list<std::string> replaced;
-    const std::string option = "Integral_Camera=";
     for (; *argv != NULL; ++argv)
     {
         const std::string argument = *argv;
-        if (strncasecmp(argument.c_str(), option.c_str(), option.size()) != 0)
+        std::string option = "Integral_Camera=";
+        if (!Begins_With(argument, option))
+            option = "Integral_Sheet=";
+        if (!Begins_With(argument, option))
             continue;
         const std::string value = argument.substr(option.size());
         if (value.empty() || value[0] == '"' || value[0] == '\'')

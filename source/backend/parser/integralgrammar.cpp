@@ -3,7 +3,6 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/parser/integralgrammar.h"
-#include "backend/parser/integraloption.h"
 #include "backend/parser/parse.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -96,6 +95,7 @@ const std::vector<IntegralGrammar::Word>& IntegralGrammar::Words()
          Word::Replace<&P::film>},
         Word::Value<&P::sheet_distance, &G::Parse_Number>("sheet_distance"),
         Word::Value<&P::viewing_distance, &G::Parse_Number>("viewing_distance"),
+        Word::Value<&P::print_size, &G::Parse_Vector>("print_size"),
         Word::Value<&P::capture_aperture, &G::Parse_Vector>("capture_aperture"),
         Word::Value<&P::aperture_shape, &G::Parse_Kind<integral::ApertureShape>>("aperture_shape"),
         Word::Value<&P::model, &G::Parse_Kind<integral::LensModel>>("lens_model"),
@@ -283,6 +283,18 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
     };
 
     parser.Parse_Begin();
+    if (UCS2 *file = parser.Parse_String(true, false))
+    {
+        const UCS2String name(file);
+        POV_FREE(file);
+        sheet = Read_Sheet(name);
+        if (Next_Word() != "}")
+            parser.Error("'%s' in lens_sheet follows the name of a file, which gives the whole "
+                         "sheet: '}' expected.",
+                         Next_Word().c_str());
+        parser.Parse_End();
+        return;
+    }
     while (true)
     {
         if (Accept("lenticular"))
@@ -316,7 +328,8 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
     parser.Parse_End();
 
     if (!given.count("arrangement"))
-        parser.Error("lens_sheet needs an arrangement: lenticular, square or hexagonal.");
+        parser.Error("lens_sheet needs an arrangement: lenticular, square or hexagonal; or the "
+                     "name of a file with a measured sheet, in quotes.");
     for (const char *word : {"pitch", "thickness", "ior"})
         if (!given.count(word))
             parser.Error("lens_sheet needs %s%s.", word, std::string(word) == "ior" ? "" : " (mm)");
@@ -402,45 +415,6 @@ void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
     if (subpixels.number == 0)
         parser.Error("cells needs the places of red, green and blue in a pixel: three vectors <x, "
                      "y> a cell, in pixels.");
-}
-
-void IntegralGrammar::Parse_Option()
-{
-    const UCS2String& text = parser.sceneData->integralCamera;
-    if (text.empty())
-        return;
-
-    // Push the text on the stack of include files, from which the parser removes it at its end.
-    option_level = ++parser.Include_File_Index;
-    parser.Input_File = &parser.Include_Files[option_level];
-    parser.Input_File->In_File = new pov_base::ITextStream(
-        ASCIItoUCS2String("Integral_Camera").c_str(),
-        new OptionTextStream("{ " + UCS2toASCIIString(text) + " }"));
-    parser.Input_File->R_Flag = false;
-    parser.Echo_Indx = 0;
-    parser.Add_Sym_Table();
-
-    // A #version in the text must not set the scene's language version.
-    const auto version = parser.sceneData->languageVersion;
-    const bool version_set = parser.sceneData->languageVersionSet;
-
-    option = std::make_shared<IntegralStatement>();
-    parser.Parse_Begin();
-    while (Parse_Word(*option))
-        ;
-    if (Next_Word() != "}")
-        parser.Error("'%s' is not a word of Integral_Camera: %s expected.", Next_Word().c_str(),
-                     List_Of_Words().c_str());
-    parser.Parse_End();
-    if (parser.Skip_Spaces())
-        parser.Error("Integral_Camera has a '}' too many.");
-    option_level = 0;
-
-    parser.sceneData->languageVersion = version;
-    parser.sceneData->languageVersionSet = version_set;
-    parser.sceneData->languageVersionLate = false;
-    parser.messageFactory.SetLanguageVersion(version);
-    parser.token_count = 0;
 }
 
 }

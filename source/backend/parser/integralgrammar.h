@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "integral/optics/subpixels.h"
+#include "backend/frame.h"
+#include "integral/lightfield/frame_metadata.h"
 
 namespace pov
 {
@@ -24,8 +25,8 @@ public:
     /// The grammar of a parser, created at the first call.
     static IntegralGrammar& Of(Parser& parser);
 
-    /// Reads the words of the INI option Integral_Camera=, if it is given. Call it before the
-    /// scene's first token is read.
+    /// Reads the INI options Integral_Camera= and Integral_Sheet=, if they are given. Call it
+    /// before the scene's first token is read.
     void Parse_Option();
 
     /// Reads the camera type `integral` if it is the next token.
@@ -76,8 +77,20 @@ private:
     integral::Vec2 Parse_Vector();
     bool Parse_Flag();
     void Apply_Option(IntegralStatement& statement);
-    bool Frame_Size(int& width, int& height);
+    void Parse_Text(const std::string& text);
+    void Use_Print_Size();
+    integral::LensSheet Read_Sheet(const UCS2String& file);
+    bool Frame_Size(integral::PixelSize& size);
+    void Check_Type(Camera& camera, IntegralStatement& statement);
+    void Check_Print_Size(const IntegralStatement& statement, integral::PixelSize size);
+    void Make_Optics(Camera& camera, IntegralStatement& statement);
     void Warn(const Camera& camera);
+    void Warn_Of_Shape(const Camera& camera);
+    void Warn_Of_Scale(const integral::IntegralCamera& optics);
+    void Warn_Of_Eye(const IntegralStatement& statement);
+    void Warn_Of_Film(const integral::IntegralCamera& optics);
+    void Warn_Of_Draft(const IntegralStatement& statement);
+    void Warn_Of_Starts(const integral::IntegralCamera& optics);
 
     Parser& parser;
     std::shared_ptr<IntegralStatement> option; ///< the words of Integral_Camera=, or null

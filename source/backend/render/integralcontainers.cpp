@@ -17,23 +17,12 @@
 namespace pov
 {
 
-namespace
-{
-
 using integral::StartRegion;
 using integral::Vec3;
 
-/// Whether the interior changes a ray that is inside this object only.
-bool Matters(const Interior& interior)
-{
-    return !interior.hollow || interior.IOR != 1.0f || interior.Dispersion != 1.0f ||
-           interior.Old_Refract != 1.0f || interior.Fade_Power != 0.0f || !interior.media.empty() ||
-           interior.subsurface != NULL;
-}
-
-/// Whether the region and a bounding box intersect, by the separating axis theorem: no plane
-/// parallel to a face of the box, to the region or to an edge of each separates them.
-bool Meet(const StartRegion& region, const BBOX& box)
+/// By the separating axis theorem: no plane parallel to a face of the box, to the region or to an
+/// edge of each separates them.
+bool Region_Meets(const StartRegion& region, const BBOX& box)
 {
     const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
     const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y], 0.5 * box.Lengths[Z]}; // single
@@ -56,11 +45,22 @@ bool Meet(const StartRegion& region, const BBOX& box)
     return true;
 }
 
+namespace
+{
+
+/// Whether the interior changes a ray that is inside this object only.
+bool Matters(const Interior& interior)
+{
+    return !interior.hollow || interior.IOR != 1.0f || interior.Dispersion != 1.0f ||
+           interior.Old_Refract != 1.0f || interior.Fade_Power != 0.0f || !interior.media.empty() ||
+           interior.subsurface != NULL;
+}
+
 /// Whether an object may contain a point of the region. For a plane it is enough to test the four
 /// corners: its outside is convex, so if they are outside, the whole region is.
 bool May_Contain(const ObjectPtr object, const StartRegion& region, TraceThreadData *thread)
 {
-    if (!Meet(region, object->BBox))
+    if (!Region_Meets(region, object->BBox))
         return false;
     if (dynamic_cast<const Plane *>(object) == NULL || !object->Clip.empty())
         return true;

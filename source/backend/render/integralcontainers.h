@@ -14,6 +14,9 @@ namespace pov
 class Ray;
 class SceneData;
 
+/// Whether a region and a bounding box intersect.
+bool Region_Meets(const integral::StartRegion& region, const BBOX& box);
+
 /// The objects of a scene that may contain the start of a camera ray; none if no interior among
 /// them affects a ray. They are chosen once for a view, so that each ray is tested against these
 /// only.

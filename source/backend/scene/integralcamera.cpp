@@ -25,18 +25,24 @@
 namespace pov
 {
 
-/// The perspective camera that the integral one starts from.
+/// The perspective camera that the integral one starts from: of an orthographic camera, the one
+/// with the same window in the sheet's plane.
 static integral::ViewFrame View_Of(const Camera& camera)
 {
-    return {From_POV(camera.Location), From_POV(camera.Direction), From_POV(camera.Right),
-            From_POV(camera.Up), camera.Integral->sheet_distance_ratio};
+    const IntegralStatement& statement = *camera.Integral;
+    const double window = statement.orthographic ? 1 / statement.sheet_distance_ratio : 1;
+    return {From_POV(camera.Location), From_POV(camera.Direction), window * From_POV(camera.Right),
+            window * From_POV(camera.Up), statement.sheet_distance_ratio};
 }
 
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera,
                                                                      int width, int height)
 {
+    integral::CameraParameters parameters = camera.Integral->parameters;
+    if (camera.Integral->draft_pitch)
+        parameters.film.pixel_pitch = *camera.Integral->draft_pitch;
     return std::make_shared<integral::IntegralCamera>(
-        integral::make_camera(camera.Integral->parameters, View_Of(camera), width, height));
+        integral::make_camera(parameters, View_Of(camera), width, height));
 }
 
 /// The number of patches in a beam, chosen so that the error of the patches is small compared with
@@ -72,6 +78,14 @@ void Choose_Integral_Bounding(SceneData& scene)
         scene.boundingMethod = 2;
 }
 
+/// Puts the camera where the viewer's eye is, for radiosity and whatever else asks for its place.
+static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
+{
+    const integral::Vec3 eye = scene_from_sheet(optics.placement,
+                                                {0, 0, -optics.optics.aperture().distance});
+    Make_Vector(camera.Location, eye.x, eye.y, eye.z);
+}
+
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)
 {
     camera.Integral_View.reset();
@@ -85,7 +99,8 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
     try
     {
         view->optics = Make_Integral_Optics(camera, width, height);
-        const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options);
+        const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options,
+                                                                                      height);
         view->sampler = std::make_shared<integral::PixelSampler>(*view->optics, given.seed);
         view->rows = given.rows;
         view->error = {given.audit, given.audit_share, given.output, given.error_picture};
@@ -109,7 +124,9 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         throw POV_EXCEPTION(kParamErr, problem.what());
     }
     camera.Integral_View = view;
-    pov_base::IntegralFrame::Begin(*view->optics);
+    if (camera.Integral->parameters.viewing_distance)
+        Move_To_Eye(camera, *view->optics);
+    pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft);
 }
 
 /// The error estimate of the frame; nothing if none was requested or none is possible.
@@ -170,6 +187,10 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetInt(kIntegralAttrib_Containers, counts.containers);
     statistics.SetInt(kIntegralAttrib_Objects, counts.objects);
 
+    const integral::Vec2 size = size_of(view.optics->film);
+    statistics.SetFloat(kIntegralAttrib_PrintWidth, size.x);
+    statistics.SetFloat(kIntegralAttrib_PrintHeight, size.y);
+    statistics.SetInt(kIntegralAttrib_Draft, camera.Integral->draft);
     statistics.SetFloat(kIntegralAttrib_ViewingDistance, view.optics->optics.aperture().distance);
     if (camera.Integral->parameters.viewing_distance)
         statistics.SetFloat(

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The part of IntegralGrammar that warns of a camera which works but may not do what its user
+// wants.
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/parser/integralgrammar.h"
+#include "backend/parser/parse.h"
+#include "backend/render/integralprobes.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/integralcamera.h"
+#include "integral/base/number_text.h"
+#include "integral/optics/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+/// "20 times as large", or "20 times as small": a factor to one digit, in words.
+static std::string By_About(double factor)
+{
+    const double times = factor < 1 ? 1 / factor : factor;
+    const double digit = std::pow(10.0, std::floor(std::log10(times)));
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << std::round(times / digit) * digit
+         << (factor < 1 ? " times as small" : " times as large");
+    return text.str();
+}
+
+void IntegralGrammar::Warn(const Camera& camera)
+{
+    Warn_Of_Shape(camera);
+    Warn_Of_Scale(*camera.Integral->optics);
+    Warn_Of_Eye(*camera.Integral);
+    Warn_Of_Film(*camera.Integral->optics);
+    Warn_Of_Draft(*camera.Integral);
+    Warn_Of_Starts(*camera.Integral->optics);
+}
+
+void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
+{
+    const integral::Vec2 size = size_of(camera.Integral->optics->film);
+    DBL right, up;
+    VLength(right, camera.Right);
+    VLength(up, camera.Up);
+    const double wanted = size.y / size.x;
+    if (!(std::fabs(up / right - wanted) > 0.01 * wanted))
+        return;
+    std::ostringstream print_size;
+    if (camera.Integral->parameters.print_size)
+        print_size << std::setprecision(4) << "; or print_size <" << size.x << ", "
+                   << size.x * up / right << ">";
+    parser.Warning(0,
+                   "Integral camera: |up|/|right| is %.4g, but the film's height is %.4g of "
+                   "its width, and the\n"
+                   "picture keeps the film's. A right of length %.6g beside this up would fit%s.",
+                   up / right, wanted, up / wanted, print_size.str().c_str());
+}
+
+void IntegralGrammar::Warn_Of_Scale(const integral::IntegralCamera& optics)
+{
+    const double pitch = optics.optics.sheet().pitch * optics.placement.units_per_mm;
+    if (pitch < 0.002 || pitch > 10000)
+        parser.Warning(
+            0,
+            "Integral camera: the lens pitch is %s scene units. POV-Ray's tolerances are "
+            "absolute, and\n"
+            "pixels go wrong outside of 0.002 to 10000: make scene and camera about %s.",
+            (pitch < 1000 ? integral::with_digits(pitch, 3) : integral::with_decimals(pitch, 0))
+                .c_str(),
+            By_About(optics.optics.sheet().pitch / pitch).c_str());
+}
+
+void IntegralGrammar::Warn_Of_Eye(const IntegralStatement& statement)
+{
+    const integral::IntegralCamera& optics = *statement.optics;
+    const integral::Vec2 size = size_of(optics.film);
+    const double distance = optics.optics.aperture().distance,
+                 diagonal = std::hypot(size.x, size.y), panels = 2.5 * diagonal;
+    const bool is_panel = optics.film.subpixels != integral::Subpixels::none;
+    if (is_panel && !statement.parameters.viewing_distance &&
+        !(distance > panels / 1.5 && distance < panels * 1.5))
+        parser.Warning(0,
+                       "Integral camera: the eye is %.4g mm from a panel of %.4g x %.4g mm, which "
+                       "is looked at from about %.0f mm.\n"
+                       "Give viewing_distance: `integral lcd --panel NAME --camera` says the "
+                       "panel's.",
+                       distance, size.x, size.y, panels);
+    else if (distance < diagonal)
+        parser.Warning(0,
+                       "Integral camera: the eye is %.4g mm from a picture of %.4g x %.4g mm: "
+                       "nearer than its diagonal.\n"
+                       "viewing_distance %.0f, for example, moves the eye and leaves the sheet "
+                       "where it is.",
+                       distance, size.x, size.y,
+                       10 * std::ceil(std::max(300.0, 2 * diagonal) / 10));
+}
+
+void IntegralGrammar::Warn_Of_Film(const integral::IntegralCamera& optics)
+{
+    const integral::Aperture& aperture = optics.optics.aperture();
+    const auto filling = integral::filling_aperture(
+        integral::modelled_sheet(optics.optics.sheet(), optics.optics.model()), aperture.distance);
+    const auto too_wide = [](double extent, double fills)
+    { return fills > 0 && extent > 1.1 * fills; }; // no warning for the length of a slit
+    if (filling &&
+        (too_wide(aperture.width, filling->width) || too_wide(aperture.height, filling->height)))
+        parser.Warning(
+            0,
+            "Integral camera: capture_aperture <%.4g, %.4g> is wider than the <%.4g, %.4g> mm that "
+            "fill a lens:\n"
+            "what its edges see stands behind the neighbouring lenses, and is seen double.",
+            aperture.width, aperture.height, filling->width, filling->height);
+
+    const integral::Coverage part = integral::coverage(optics, 20000);
+    if (part.imaged == 0)
+        parser.Warning(0, "Integral camera: nothing will be imaged: every film point misses the "
+                          "capture aperture.");
+    else if (part.imaged < (optics.mapping == integral::LensMapping::closest ? 0.99 : 0.9))
+        parser.Warning(0,
+                       "Integral camera: about %.0f%% of the film will stay empty (%.0f%% misses "
+                       "the capture aperture,\n"
+                       "%.0f%% is totally reflected)%s.",
+                       100 * (part.outside_aperture + part.total_reflection),
+                       100 * part.outside_aperture, 100 * part.total_reflection,
+                       optics.mapping == integral::LensMapping::closest
+                           ? "; lens_mapping auto would lose less"
+                           : "");
+}
+
+void IntegralGrammar::Warn_Of_Draft(const IntegralStatement& statement)
+{
+    const integral::IntegralCamera& optics = *statement.optics;
+    const integral::Vec2 pixel = optics.film.pixel_pitch;
+    const double lens = optics.optics.sheet().pitch, pixels = lens / std::max(pixel.x, pixel.y);
+    if (statement.draft > 1 && pixels < 2)
+        parser.Warning(0,
+                       "Integral camera: Integral_Draft=%d leaves %.1f pixels a lens, too few to "
+                       "show how views differ. %d would leave 2.",
+                       statement.draft, pixels,
+                       std::max(1, int(std::floor(0.5 * pixels * statement.draft))));
+}
+
+void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
+{
+    const IntegralStarts starts = Probe_Integral_Starts(optics, *parser.sceneData,
+                                                        parser.GetParserDataPtr());
+    if (starts.parted < 0.01)
+        return;
+    const integral::Aperture& aperture = optics.optics.aperture();
+    const double k = optics.placement.units_per_mm, smaller = starts.clear;
+    std::ostringstream help;
+    help << std::setprecision(3);
+    if (smaller > 0.1)
+        help << "capture_aperture <" << smaller * aperture.width << ", "
+             << smaller * aperture.height << "> keeps them out, and so does a sheet_distance "
+             << "or viewing_distance of " << smaller
+             << " times as much; or move location away from them";
+    else
+        help << "Move location away from them";
+    parser.Warning(0,
+                   "Integral camera: %.0f%% of the rays start below the ground or inside of "
+                   "things, and views from there\n"
+                   "flicker: the capture aperture, %.3g x %.3g scene units around the eye, "
+                   "reaches into them.\n%s.",
+                   100 * starts.parted, k * aperture.width, k * aperture.height,
+                   help.str().c_str());
+}
+
+}

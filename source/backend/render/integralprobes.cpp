@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integralprobes.h"
+#include "backend/render/integralcontainers.h"
+#include "backend/render/ray.h"
+#include "backend/scene/integralcamera.h"
+#include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
+#include "integral/optics/coverage.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+using integral::Vec2;
+using integral::Vec3;
+
+/// The seen objects near the aperture, but for containers of media.
+std::vector<ObjectPtr> Objects_Near(const integral::StartRegion& region, const SceneData& scene)
+{
+    std::vector<ObjectPtr> near;
+    for (const ObjectPtr object : scene.objects)
+    {
+        const bool is_container = Test_Flag(object, HOLLOW_FLAG) && object->interior != NULL &&
+                                  !object->interior->media.empty();
+        if (!is_container && !Test_Flag(object, NO_IMAGE_FLAG) &&
+            Region_Meets(region, object->BBox))
+            near.push_back(object);
+    }
+    return near;
+}
+
+/// Whether a surface of one of the objects is between two points.
+bool Are_Parted(Vec3 from, Vec3 to, const std::vector<ObjectPtr>& objects, TraceThreadData *thread)
+{
+    const double distance = length(to - from);
+    if (!(distance > 0))
+        return false;
+    const Vec3 direction = (1 / distance) * (to - from);
+    Ray ray;
+    Make_Vector(ray.Origin, from.x, from.y, from.z);
+    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
+    return std::any_of(objects.begin(), objects.end(),
+                       [&](const ObjectPtr object)
+                       {
+                           Intersection found;
+                           return Find_Intersection(&found, object, ray, thread) &&
+                                  found.Depth < distance;
+                       });
+}
+
+/// Looks from the eye to points of the aperture, until a deadline.
+struct Look
+{
+    using Clock = std::chrono::steady_clock;
+
+    const integral::IntegralCamera& camera;
+    TraceThreadData *thread;
+    std::vector<ObjectPtr> near;
+    Clock::time_point end = Clock::now() + std::chrono::milliseconds(20);
+
+    bool Time_Left() const { return Clock::now() < end; }
+    Vec3 Scene_Point(Vec2 point) const
+    {
+        return scene_from_sheet(camera.placement,
+                                {point.x, point.y, -camera.optics.aperture().distance});
+    }
+    bool Is_Parted(Vec2 point) const
+    {
+        return Are_Parted(Scene_Point({0, 0}), Scene_Point(point), near, thread);
+    }
+};
+
+/// The share of the rays of at most 128 film points that start at a parted point.
+double Parted_Rays(const Look& look)
+{
+    const integral::Film& film = look.camera.film;
+    const int most = int(std::min(128.0, double(film.width) * film.height));
+    int rays = 0, parted = 0;
+    for (int k = 0; k < most && look.Time_Left(); k++)
+    {
+        const Vec2 point = film_from_pixel(film, spread_pixel(film, k, most));
+        if (const auto ray = look.camera.optics.map(point, look.camera.mapping).ray)
+        {
+            rays++;
+            parted += look.Is_Parted(ray->aperture_point);
+        }
+    }
+    return rays > 0 ? double(parted) / rays : 0;
+}
+
+/// How large a part of the aperture about its middle has no parted point on its edge, in
+/// twentieths of its width and height.
+double Clear_Part(const Look& look, Vec2 half)
+{
+    constexpr int steps = 20, around = 24;
+    for (int step = 1; step <= steps && look.Time_Left(); step++)
+        for (int k = 0; k < around; k++)
+        {
+            const double angle = 2 * M_PI * (k + 0.5) / around, c = std::cos(angle),
+                         s = std::sin(angle), to_edge = 1 / std::max(std::fabs(c), std::fabs(s));
+            const double part = double(step) / steps * to_edge;
+            if (look.Is_Parted({part * c * half.x, part * s * half.y}))
+                return double(step - 1) / steps;
+        }
+    return 1;
+}
+
+}
+
+IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, const SceneData& scene,
+                                     TraceThreadData *thread)
+{
+    const integral::Aperture& aperture = camera.optics.aperture();
+    const Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
+    IntegralStarts starts;
+    if (camera.pseudoscopic || (camera.depth_range && camera.depth_range->x < aperture.distance))
+        return starts;
+    Look look{camera, thread, {}};
+    look.near = Objects_Near(
+        {look.Scene_Point({0, 0}), half.x * camera.placement.x, half.y * camera.placement.y},
+        scene);
+    if (look.near.empty())
+        return starts;
+    starts.parted = Parted_Rays(look);
+    if (starts.parted > 0)
+        starts.clear = Clear_Part(look, half);
+    return starts;
+}
+
+}

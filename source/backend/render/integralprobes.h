@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Finds out before a render whether the capture aperture of an integral camera reaches below the
+// ground or into things.
+#ifndef POVRAY_BACKEND_INTEGRALPROBES_H
+#define POVRAY_BACKEND_INTEGRALPROBES_H
+
+#include "backend/frame.h"
+#include "integral/optics/camera.h"
+
+namespace pov
+{
+
+class SceneData;
+
+/// Where the camera rays of a sample of the film's points start, seen from the eye, which is the
+/// middle of the aperture.
+struct IntegralStarts
+{
+    double parted = 0; ///< the share of rays, 0 to 1, that start beyond a surface from the eye
+    double clear = 1;  ///< how much of the aperture's width and height, about its middle, has no
+                       ///< such ray, 0 to 1
+};
+
+/// Looks along straight lines from the eye to at most 128 rays' starts, for at most 20 ms. Objects
+/// that the camera does not see and containers of media do not count. With depth_range or
+/// pseudoscopic, whose rays start nearer to the sheet, nothing is found.
+IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, const SceneData& scene,
+                                     TraceThreadData *thread);
+
+}
+
+#endif
