@@ -57,6 +57,10 @@ std::optional<RgbdPicture> rgbd_picture(const Frame& frame, const DepthFrame& de
         }
     if (!(nearest <= farthest))
         throw std::invalid_argument("no surface is seen in it");
+    const double eye = view.eye.distance, range = 1 / (eye + nearest) - 1 / (eye + farthest);
+    const auto part = [&](double depth) { // of the way from black to white
+        return range > 0 ? (1 / (eye + depth) - 1 / (eye + farthest)) / range : 1;
+    };
     Image both = form_of(std::min(16, sample_bits(frame.image)), 2 * width, height, 3, Encoding());
     both = blank_like(both, both.width, both.height);
     const LinearReader light(*colours);
@@ -64,8 +68,7 @@ std::optional<RgbdPicture> rgbd_picture(const Frame& frame, const DepthFrame& de
         for (int x = 0; x < width; ++x) {
             store_linear(both, x, y, light(x, y));
             const float* at = &values[3 * (std::size_t(y) * width + x)];
-            const double range = farthest - nearest;
-            const float grey = at[1] > 0 ? float(range > 0 ? (farthest - at[0]) / range : 1) : 0;
+            const float grey = at[1] > 0 ? float(part(at[0])) : 0;
             store_pixel(both, width + x, y, {grey, grey, grey, 1});
         }
     return RgbdPicture{std::move(both), nearest, farthest};

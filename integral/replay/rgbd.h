@@ -18,9 +18,11 @@ struct RgbdPicture {
 };
 
 /// What the centre eye sees of a frame, width x height pixels, and to its right how far off that
-/// is: grey, white at the nearest surface, black at the farthest and where there is none, in equal
-/// steps between. Both are side by side, depth right, as Looking Glass Studio reads them; so its
-/// RGBDToQuilt has it (github.com/NullandKale/NullEngine-Bridge: "White is close, black is far").
+/// is: grey, white at the nearest surface, black at the farthest and where there is none. Between
+/// them equal steps are equal steps of parallax: of 1/distance from the eye, as in the maps that
+/// programs estimate from photographs, and which shifts of a picture's pixels make views of. Both
+/// are side by side, depth right, as Looking Glass Studio reads them; near is white, as in its
+/// maker's RGBDToQuilt (github.com/NullandKale/NullEngine-Bridge: "White is close, black is far").
 /// Samples are 8 or 16 bits, sRGB; the greys are stored values. `threads` and `progress` as in
 /// replay; nothing if `progress` stopped the work. Throws std::invalid_argument where the depths
 /// are of a frame of another size, or no surface is seen.
