@@ -14,6 +14,7 @@ enum
     kIntegralAttrib_Sharing = 'IgSh', ///< option Integral_Sharing=: auto, on, off or a number of
                                       ///< patches
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
+    kIntegralAttrib_Quilt = 'IgQu', ///< option Integral_Quilt=: views across and up
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
     kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged
@@ -49,6 +50,7 @@ enum
         {"Integral_Error_Image", kIntegralAttrib_ErrorPicture, kPOVMSType_UCS2String},             \
         {"Integral_Antialiasing", kIntegralAttrib_Antialiasing, kPOVMSType_UCS2String},            \
         {"Integral_Sharing", kIntegralAttrib_Sharing, kPOVMSType_UCS2String},                      \
+        {"Integral_Quilt", kIntegralAttrib_Quilt, kPOVMSType_UCS2String},                          \
         {"Integral_Rows", kIntegralAttrib_Rows, kPOVMSType_UCS2String},
 
 #endif

@@ -3,6 +3,7 @@
 // configbase.h must be the first POV-Ray file included within base
 #include "configbase.h"
 #include "base/integraloptions.h"
+#include "base/integralframe.h"
 #include "base/integralmsgid.h"
 #include "base/integralpicture.h"
 #include "base/povmscpp.h"
@@ -140,6 +141,40 @@ void Read_Rows(const std::string& text, int height, IntegralRows& rows)
     rows = {first - 1, last - 1};
 }
 
+/// Reads Integral_Quilt=, and refuses what is of frames alone.
+void Read_Quilt(const std::string& text, POVMS_Object& options, IntegralRenderOptions& result)
+{
+    constexpr int most = 256;
+    if (text.empty())
+        return;
+    integral::ViewGrid grid;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%4dx%4d%n", &grid.columns, &grid.rows, &end) != 2 ||
+        end != int(text.size()) || grid.columns < 1 || grid.rows < 1 ||
+        std::max(grid.columns, grid.rows) > most)
+        throw std::invalid_argument("Integral_Quilt=" + text +
+                                    " is not the views across and up, each from 1 to 256, as in "
+                                    "8x6");
+    const int width = options.TryGetInt(kPOVAttrib_Width, grid.columns),
+              height = options.TryGetInt(kPOVAttrib_Height, grid.rows);
+    if (width < grid.columns || height < grid.rows)
+        throw std::invalid_argument("Integral_Quilt=" + text + ": a picture of " +
+                                    std::to_string(width) + "x" + std::to_string(height) +
+                                    " pixels has no room for so many views; give a larger +W and "
+                                    "+H");
+    const char *const other = !result.depth_picture.empty()         ? "Integral_Depth_Image"
+                              : !result.error_picture.empty()       ? "Integral_Error_Image"
+                              : options.Exist(kIntegralAttrib_Rows) ? "Integral_Rows"
+                                                                    : nullptr;
+    if (other)
+        throw std::invalid_argument("Integral_Quilt and " + std::string(other) +
+                                    " do not go together: that is of a frame");
+    if (result.antialias && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) == 2)
+        throw std::invalid_argument("Integral_Quilt does not go with +AM2, whose samples at the "
+                                    "corners of pixels would mix neighbouring views; use +AM1");
+    result.quilt = grid;
+}
+
 void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 {
     if (text.empty())
@@ -189,6 +224,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options)
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&
                        options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
+    Read_Quilt(word(kIntegralAttrib_Quilt), options, result);
+
     result.output.working = Encoding_Of(
         options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),
         options.TryGetFloat(kPOVAttrib_WorkingGamma, DEFAULT_WORKING_GAMMA));
@@ -206,7 +243,7 @@ std::string Problem_Of_Integral_Options(POVMS_Object& options)
 {
     try
     {
-        Read_Integral_Options(options);
+        IntegralFrame::Set_Quilt(Read_Integral_Options(options).quilt);
         return "";
     }
     catch (const std::invalid_argument& problem)

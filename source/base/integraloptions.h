@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "integral/lightfield/error_estimate.h"
+#include "integral/lightfield/view_grid.h"
 
 class POVMS_Object;
 
@@ -43,9 +45,10 @@ struct IntegralRenderOptions
     std::string error_picture;  ///< Integral_Error_Image=; empty: none
     std::string depth_picture;  ///< Integral_Depth_Image=; empty: none
     IntegralRows rows;          ///< Integral_Rows=
-    bool antialias = false;     ///< +A with a method other than 0
-    bool light_field = true;    ///< Integral_Antialiasing=light_field; false: pixels
-    int block_side = 32;        ///< width and height of a block, pixels
+    std::optional<integral::ViewGrid> quilt; ///< Integral_Quilt=; nothing: a frame
+    bool antialias = false;                  ///< +A with a method other than 0
+    bool light_field = true;                 ///< Integral_Antialiasing=light_field; false: pixels
+    int block_side = 32;                     ///< width and height of a block, pixels
     std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< +MI: limit for an image
                                                                        ///< in main memory, bytes
     integral::OutputCurve output; ///< from the renderer's values to those of the picture file
@@ -54,7 +57,8 @@ struct IntegralRenderOptions
 /// Reads the options. Throws std::invalid_argument with a message for the user.
 IntegralRenderOptions Read_Integral_Options(POVMS_Object& options);
 
-/// The message with which Read_Integral_Options refuses the options; empty if they are valid.
+/// The message with which Read_Integral_Options refuses the options; empty if they are valid. Also
+/// tells IntegralFrame of a quilt.
 std::string Problem_Of_Integral_Options(POVMS_Object& options);
 
 /// The bounding method: `method` (POV-Ray's value) if the options specify one, else
