@@ -74,6 +74,7 @@ unit_sources = \
   tests/unit/output_device_text.cpp \
   tests/unit/output_interlace.cpp \
   tests/unit/looking_glass_devices.h \
+  tests/unit/output_cubevi.cpp \
   tests/unit/output_looking_glass.cpp \
   tests/unit/output_html_page.cpp \
   tests/unit/output_page.cpp \

@@ -17,5 +17,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/number_text.h \
   integral/base/parallel.cpp \
   integral/base/parallel.h \
+  integral/base/program_path.cpp \
+  integral/base/program_path.h \
   integral/base/unfinished_file.cpp \
   integral/base/unfinished_file.h

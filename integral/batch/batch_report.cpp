@@ -105,6 +105,21 @@ std::optional<std::string> thumbnail(const std::string& job, const std::string& 
     }
 }
 
+/// A preview that moves, as an element of a page: in place of the thumbnail, `still`, where the
+/// reader has not asked for pages that keep still.
+std::string moving_picture(const std::string& job, const std::string& file,
+                           const std::string& still)
+{
+    const auto source = still.find("data:");
+    const std::string quiet = source == std::string::npos
+                                  ? ""
+                                  : "<source media=\"(prefers-reduced-motion: reduce)\" srcset=\"" +
+                                        still.substr(source, still.find('"', source) - source) +
+                                        "\">";
+    return "<picture>" + quiet + "<img alt=\"" + job + ", moving\" src=\"" + link_to(file) +
+           "\"></picture>";
+}
+
 /// A job's part of the page. `folder` is where its files are.
 std::string job_article(const Json& job, const BatchFolder& folder)
 {
@@ -112,7 +127,7 @@ std::string job_article(const Json& job, const BatchFolder& folder)
     std::string picture = state == "failed" ? "failed"
                           : state == "done" ? "no picture"
                                             : "not yet made",
-                links, remarks;
+                links, remarks, moving;
     for (const Json& step : job.at("steps")) {
         if (step.at("state") != "done")
             continue;
@@ -121,6 +136,8 @@ std::string job_article(const Json& job, const BatchFolder& folder)
             picture = thumbnail(name, folder.path + "/" + file).value_or(picture);
             continue;
         }
+        if (kind == "preview" && moving.empty() && extension_of(file) == "webp")
+            moving = file;
         const std::string target = markup_text(text_at(step, "target"));
         if (step.at("remark").is_string())
             remarks += "<p>" + kind + " " + target + ": " + markup_text(text_at(step, "remark")) +
@@ -128,6 +145,8 @@ std::string job_article(const Json& job, const BatchFolder& folder)
         links += "<a href=\"" + link_to(file) + "\">" + kind +
                  (kind == "frame" ? "" : " " + target) + "</a>\n";
     }
+    if (!moving.empty())
+        picture = moving_picture(name, moving, picture);
     std::string article = "<article class=\"" + state + "\"><div class=\"picture\">" + picture +
                           "</div>\n<h2>" + name + "</h2>\n";
     if (job.at("render_seconds").is_number())

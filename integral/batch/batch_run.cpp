@@ -25,8 +25,11 @@ bool exists(const std::string& path) { return access(path.c_str(), F_OK) == 0; }
 
 class Run {
 public:
-    Run(PlannedBatch& batch, const BatchPlan& plan, const RunOptions& options)
+    Run(PlannedBatch& batch, const BatchPlan& plan, const RunOptions& options,
+        const BatchReporter& reporter)
         : plan_(plan),
+          jobs_(batch.manifest.jobs),
+          reporter_(reporter),
           inputs_(batch.inputs),
           options_(options),
           folder_(batch.folder),
@@ -38,7 +41,6 @@ public:
         for (std::size_t i = 0; i < plan.steps.size(); ++i)
             if (options.jobs.empty() || options.jobs.count(plan.steps[i].job))
                 pending_.push_back(int(i));
-        total_ = int(pending_.size());
     }
 
     /// Finishes those pending steps that are done already.
@@ -59,7 +61,7 @@ public:
         pending_.remove_if([&](int i) { return result(i).fate == StepFate::kept; });
     }
 
-    void run(const Progress& progress)
+    void run()
     {
         struct sigaction wake = {};
         wake.sa_handler = [](int) {};
@@ -67,9 +69,12 @@ public:
         keep_done();
         tidy_up();
         sort_longest_first(pending_, plan_, folder_);
+        meter_.emplace(plan_, jobs_, pending_);
+        begun_ = Clock::now();
+        BatchState state = meter_->state({}, 0);
         auto next_look = Clock::now(), next_refresh = Clock::now() + refresh_after;
         while (!pending_.empty() || !running_.none()) {
-            if (!progress(total_ - int(pending_.size()) - running_.count(), total_))
+            if (!reporter_.state(state))
                 stop_all();
             std::list<RunningStep> ended = running_.take_ended();
             const bool any_ended = !ended.empty();
@@ -77,6 +82,7 @@ public:
                 start_some(ended); // so that the cores work while outputs are hashed and published
                 conclude(ended);
                 start_some(ended);
+                state = state_now();
                 next_look = Clock::now() + look_after;
             }
             if (Clock::now() >= next_refresh) {
@@ -87,8 +93,7 @@ public:
             if (!any_ended)
                 poll(nullptr, 0, poll_milliseconds); // SIGCHLD interrupts it
         }
-        if (total_ > 0)
-            progress(total_, total_);
+        reporter_.state(meter_->state({}, 0));
     }
 
     std::vector<StepResult> results() const { return results_; }
@@ -125,6 +130,22 @@ private:
     {
         set_finished(i, fate, record);
         pending_.remove(i);
+        count_end(i, false, fate == StepFate::made ? record.seconds : 0);
+    }
+
+    /// Notes that a step has ended, and tells of its job if that has.
+    void count_end(int i, bool failed, double seconds)
+    {
+        if (const auto job = meter_->end(i, failed, seconds))
+            reporter_.job_ended(*job);
+    }
+
+    BatchState state_now() const
+    {
+        std::map<int, double> parts;
+        for (const int i : running_.steps())
+            parts[i] = step_at(i).frame < 0 ? rendered_part(said_file(step_at(i))) : 0;
+        return meter_->state(parts, std::chrono::duration<double>(Clock::now() - begun_).count());
     }
 
     /// Deletes what batches that were killed have left: working folders of steps that are done, and
@@ -152,10 +173,12 @@ private:
         pending_.remove(i);
         const bool log = exists(folder_.log(step));
         say(i, reason + (log ? "; see " + folder_.log(step) : ""));
+        count_end(i, true, 0);
         pending_.remove_if([&](int other) {
             if (step_at(other).frame != i)
                 return false;
             result(other) = {StepFate::blocked, "its frame failed"};
+            count_end(other, true, 0);
             return true;
         });
     }
@@ -170,6 +193,7 @@ private:
 
     void say(int i, const std::string& what) const
     {
+        reporter_.before_line();
         integral::say("batch", step_at(i).name + ": " + what);
     }
 
@@ -316,11 +340,9 @@ private:
         const BatchStep& step = step_at(i);
         if (interrupted()) // that is why it failed: there is nothing to keep
             return clean(step);
-        std::error_code failed;
-        std::filesystem::copy_file(said_file(step), folder_.log(step),
-                                   std::filesystem::copy_options::overwrite_existing, failed);
-        if (failed) // half a log says less than none
-            std::filesystem::remove(folder_.log(step), failed);
+        std::error_code ignored;
+        if (!copy_log(said_file(step), folder_.log(step))) // half a log says less than none
+            std::filesystem::remove(folder_.log(step), ignored);
         clean(step);
         record.state = StepState::failed;
         record.reason = reason;
@@ -351,6 +373,8 @@ private:
     }
 
     const BatchPlan& plan_;
+    const std::vector<BatchJob>& jobs_;
+    const BatchReporter& reporter_;
     StepInputs& inputs_;
     const RunOptions& options_;
     const BatchFolder& folder_;
@@ -363,7 +387,8 @@ private:
     std::map<std::string, int> by_inputs_; ///< by hash of inputs, the step that makes or has made
                                            ///< the output of them
     MemoryForecast memory_;
-    int total_ = 0;
+    std::optional<WorkMeter> meter_; ///< of what this run has to do
+    Clock::time_point begun_;
 };
 
 } // namespace
@@ -383,28 +408,29 @@ const char* name_of(StepFate fate)
 
 std::vector<StepResult> survey(PlannedBatch& batch, const RunOptions& options)
 {
-    Run run(batch, batch.plan, options);
+    const BatchReporter nobody;
+    Run run(batch, batch.plan, options, nobody);
     run.keep_done();
     return run.results();
 }
 
 std::vector<StepResult> run_batch(PlannedBatch& batch, const RunOptions& options,
-                                  const Progress& progress)
+                                  const BatchReporter& reporter)
 {
-    return run_steps(batch, batch.plan, options, progress);
+    return run_steps(batch, batch.plan, options, reporter);
 }
 
 std::vector<StepResult> run_steps(PlannedBatch& batch, const BatchPlan& plan,
-                                  const RunOptions& options, const Progress& progress)
+                                  const RunOptions& options, const BatchReporter& reporter)
 {
     make_batch_folder(batch.manifest.output, plan);
-    Run run(batch, plan, options);
+    Run run(batch, plan, options, reporter);
     std::string holder;
     if (options.jobs.empty() && !run.batch_lock.take(batch.folder.lock("batch"), holder))
         throw OutputError(
             batch.manifest.output + ": another batch, " + holder +
             ", works in this folder; wait for it, or give this manifest another \"output\"");
-    run.run(progress);
+    run.run();
     return run.results();
 }
 

@@ -3,8 +3,8 @@
 #ifndef INTEGRAL_BATCH_BATCH_RUN_H
 #define INTEGRAL_BATCH_BATCH_RUN_H
 
-#include "integral/base/parallel.h"
 #include "integral/batch/batch_memory.h"
+#include "integral/batch/batch_progress.h"
 #include "integral/batch/planned_batch.h"
 
 #include <set>
@@ -42,11 +42,11 @@ std::vector<StepResult> survey(PlannedBatch& batch, const RunOptions& options);
 /// error at once. Throws Interrupted, with what was finished kept, and OutputError if the output
 /// folder cannot be written or, when all jobs are run, another batch works in it.
 std::vector<StepResult> run_batch(PlannedBatch& batch, const RunOptions& options,
-                                  const Progress& progress);
+                                  const BatchReporter& reporter);
 
 /// The same for a plan of other steps in the batch's folder, as strips are.
 std::vector<StepResult> run_steps(PlannedBatch& batch, const BatchPlan& plan,
-                                  const RunOptions& options, const Progress& progress);
+                                  const RunOptions& options, const BatchReporter& reporter);
 
 } // namespace integral
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/batch_steps.h"
 
+#include "integral/base/program_path.h"
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/io/codecs.h"
@@ -28,13 +29,7 @@ std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe
 /// The path on PATH of the program that a bare name would run; other names stay as they are.
 std::string found_on_path(const std::string& name)
 {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "");
-    std::string folder;
-    while (name.find('/') == std::string::npos && std::getline(folders, folder, ':'))
-        if (access((folder + "/" + name).c_str(), X_OK) == 0)
-            return std::filesystem::weakly_canonical(folder + "/" + name).string();
-    return name;
+    return name.find('/') == std::string::npos ? program_on_path(name).value_or(name) : name;
 }
 
 /// Words with single blanks between them.

@@ -165,7 +165,7 @@ StripPlan plan_strips(PlannedBatch& batch, int job, int number)
 }
 
 bool render_strip(PlannedBatch& batch, int job, std::size_t number, RunOptions options,
-                  const Progress& progress)
+                  const BatchReporter& reporter)
 {
     const BatchStep& frame = batch.frame_of(job);
     const std::string inputs = batch.inputs.hash(frame, "");
@@ -180,7 +180,7 @@ bool render_strip(PlannedBatch& batch, int job, std::size_t number, RunOptions o
     BatchPlan one;
     one.steps = {strip_steps(frame, *plan).steps[number - 1]};
     options.jobs = {job};
-    return run_steps(batch, one, options, progress)[0].fate != StepFate::failed;
+    return run_steps(batch, one, options, reporter)[0].fate != StepFate::failed;
 }
 
 namespace {

@@ -34,7 +34,7 @@ std::optional<StripPlan> read_strip_plan(const BatchFolder& folder, const BatchS
 /// made; if not, the reason was said on standard error. Throws InputError if the frame has no such
 /// strip; else as run_steps does.
 bool render_strip(PlannedBatch& batch, int job, std::size_t number, RunOptions options,
-                  const Progress& progress);
+                  const BatchReporter& reporter);
 
 /// Makes a job's frame of its strips, unless it is done, and deletes them. Returns "", or why it
 /// cannot be made, which is also written to the frame's record. Throws OutputError.

@@ -5,6 +5,7 @@
 #ifndef INTEGRAL_BATCH_CLUSTER_H
 #define INTEGRAL_BATCH_CLUSTER_H
 
+#include "integral/base/parallel.h"
 #include "integral/batch/batch_run.h"
 
 namespace integral {

@@ -6,6 +6,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/batch_folder.h \
   integral/batch/batch_memory.cpp \
   integral/batch/batch_memory.h \
+  integral/batch/batch_progress.cpp \
+  integral/batch/batch_progress.h \
   integral/batch/batch_report.cpp \
   integral/batch/batch_report.h \
   integral/batch/batch_run.cpp \

@@ -47,8 +47,8 @@ BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
         step.words.push_back("+W" + std::to_string(step.size.width));
         step.words.push_back("+H" + std::to_string(step.size.height));
     }
-    // One picture, without window, waiting or files of its own beside it.
-    for (const char* word : {"+KFI1", "+KFF1", "-D", "-P", "-C", "-V"})
+    // One picture, without window, waiting or files of its own beside it; with progress.
+    for (const char* word : {"+KFI1", "+KFF1", "-D", "-P", "-C", "+V"})
         step.words.push_back(word);
     step.words.push_back(manifest.frame_format == "exr" ? "+FE" : "+FN");
     if (manifest.frame_bits > 0)

@@ -62,6 +62,7 @@ constexpr char
     of_one_frame[] = "a job is one frame", of_log[] = "the batch keeps what the renderer says",
     of_window[] = "a batch has no window",
     of_resume[] = "the batch itself continues where it was interrupted",
+    of_frames[] = "a batch makes frames; integral views makes quilts of them",
     of_input[] = "there is the field \"file\"";
 
 std::string refused_keyword(const std::string& name)
@@ -71,6 +72,8 @@ std::string refused_keyword(const std::string& name)
     };
     if (is({"integral_camera", "integral_sheet"}))
         return of_sheet;
+    if (is({"integral_quilt"}))
+        return of_frames;
     if (is({"width", "height"}))
         return of_size;
     if (is({"output_file_name", "output_file_type", "output_to_file"}))

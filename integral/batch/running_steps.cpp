@@ -12,6 +12,14 @@ constexpr int poll_milliseconds = 5;
 
 } // namespace
 
+std::vector<int> RunningSteps::steps() const
+{
+    std::vector<int> steps;
+    for (const RunningStep& one : running_)
+        steps.push_back(one.step);
+    return steps;
+}
+
 std::list<RunningStep> RunningSteps::take_ended()
 {
     std::list<RunningStep> ended;

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <functional>
 #include <list>
+#include <vector>
 
 namespace integral {
 
@@ -32,6 +33,8 @@ public:
     int count() const { return int(running_.size()); }
     bool none() const { return running_.empty(); }
     void add(RunningStep step) { running_.push_back(std::move(step)); }
+
+    std::vector<int> steps() const;
 
     /// Looks which programs have ended since; they are no longer counted.
     std::list<RunningStep> take_ended();

@@ -7,6 +7,7 @@
 #include "integral/batch/batch_strips.h"
 #include "integral/batch/cluster.h"
 #include "integral/cli/batch_check.h"
+#include "integral/cli/batch_progress.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
@@ -173,7 +174,7 @@ int make_strip(PlannedBatch& batch, const std::string& text, const RunOptions& w
         number.find_first_not_of("0123456789") != std::string::npos)
         throw UsageError("--strip " + text + ": JOB:K is expected, K from 1 on");
     const int job = job_called("strip", text.substr(0, colon), batch.manifest);
-    const bool made = render_strip(batch, job, std::stoul(number), wanted, progress_bar("strip"));
+    const bool made = render_strip(batch, job, std::stoul(number), wanted, batch_reporter());
     return made ? exit_done : exit_check_failed;
 }
 
@@ -193,9 +194,8 @@ bool merge_job(PlannedBatch& batch, const std::string& name, RunOptions& wanted)
 int run_and_report(PlannedBatch& batch, const RunOptions& wanted, const BatchOptions& o)
 {
     const bool only_summary = o.summary || o.follow;
-    const auto results = o.dry_run || only_summary
-                             ? survey(batch, wanted)
-                             : run_batch(batch, wanted, progress_bar("batch"));
+    const auto results = o.dry_run || only_summary ? survey(batch, wanted)
+                                                   : run_batch(batch, wanted, batch_reporter());
     const auto summary = batch_summary(batch.manifest, batch.plan, results, wanted.jobs);
     if (!o.dry_run && wanted.jobs.empty())
         write_summary(batch.folder, summary);

@@ -5,6 +5,7 @@
 #include "integral/cli/lcd_options.h"
 #include "integral/io/image_file.h"
 #include "integral/io/picture_series.h"
+#include "integral/output/quilt.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <set>
 
 namespace integral {
 namespace {
@@ -91,14 +93,24 @@ void print_report(const PlayReport& report, bool as_json)
     std::cout << text;
 }
 
-/// The path of one of several images.
+/// The path of one of several images. A panel's image is no quilt, so that its name in a folder
+/// loses a quilt's end.
 std::string path_of(const std::string& output, const std::vector<std::string>& group, int index,
                     int count)
 {
     if (std::filesystem::is_directory(output))
-        return (std::filesystem::path(output) / std::filesystem::path(group[0]).filename())
+        return (std::filesystem::path(output) /
+                std::filesystem::path(without_grid(group[0])).filename())
             .string();
     return count == 1 ? output : numbered(output, index + 1, count);
+}
+
+/// Throws UsageError for the name of a quilt, which a panel's image would be taken for.
+void check_name(const std::string& path)
+{
+    if (grid_in_name(path))
+        throw UsageError("-o " + path + ": such a name says that it is a quilt; " +
+                         without_grid(path) + " would do");
 }
 
 void check_outputs(const std::string& output, const std::vector<std::vector<std::string>>& groups)
@@ -111,8 +123,13 @@ void check_outputs(const std::string& output, const std::vector<std::vector<std:
             throw OutputError(output + ": there is no such folder; make it first");
         format_for(output);
     }
+    std::set<std::string> paths;
     for (int k = 0; k < count; ++k) {
         const std::string path = path_of(output, groups[k], k, count);
+        check_name(path);
+        if (!paths.insert(path).second)
+            throw UsageError("-o " + output + ": two inputs would make " + path +
+                             "; -o NAME.png numbers the images");
         format_for(path);
         check_writable(path);
         for (const std::string& input : groups[k])
@@ -129,6 +146,7 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
     if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
     if (!lcd.output.empty() && lcd.card) {
+        check_name(lcd.output);
         format_for(lcd.output);
         check_writable(lcd.output);
     } else if (!lcd.output.empty()) {
@@ -158,6 +176,20 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
                   << '\n';
 }
 
+/// An INI file's lines that render for a panel: its image, or a quilt of so many views.
+std::string settings_for(Panel panel, const std::optional<ViewGrid>& quilt)
+{
+    constexpr int longer_side = 4096; // of a quilt, pixels at least
+    Film& film = panel.film;
+    if (quilt) {
+        const int finer = (longer_side - 1) / std::max(film.width, film.height) + 1;
+        film = {film.width * finer, film.height * finer, (1.0 / finer) * film.pixel_pitch};
+    }
+    return "Width=" + std::to_string(film.width) + "\nHeight=" + std::to_string(film.height) +
+           "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n" +
+           (quilt ? "Integral_Quilt=" + size_text(quilt->columns, quilt->rows) + "\n" : "");
+}
+
 /// All that --panel does: makes images, or prints what the panel is.
 void use_panel(const LcdOptions& o, const LcdRequest& lcd)
 {
@@ -176,9 +208,7 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
     if (o.describe)
         return print_result(o.output, to_json(panel));
     if (o.camera)
-        return print_result(o.output, "Width=" + std::to_string(panel.film.width) +
-                                          "\nHeight=" + std::to_string(panel.film.height) +
-                                          "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n");
+        return print_result(o.output, settings_for(panel, lcd.image.views));
     make_images(o, lcd, panel);
 }
 
@@ -262,7 +292,7 @@ const Command lcd_command = {
     "any other the views of its own zone are drawn first. Several frames or quilts make several "
     "images.\n"
     "\n"
-    "Panels with a Looking Glass calibration are interlaced by the mapping that its maker "
+    "Panels with a maker's calibration are interlaced by the mapping that its maker "
     "publishes,\n"
     "others through the exact optics of their lenses. The image carries the geometry of a frame, "
     "so that\n"

@@ -75,7 +75,7 @@ void declare(options::options_description& all, LcdOptions& o)
     all.add_options()(
         "panel", fills(o.panel, "NAME|FILE.json"),
         "the panel: one of --list, a description as --describe writes, or the calibration file of "
-        "a Looking Glass display");
+        "a Looking Glass or CubeVi display");
     all.add_options()(
         "views", fills(o.views, "CxR"),
         "views of a quilt whose name does not tell, across and up, or how many to see a frame of "
@@ -109,7 +109,8 @@ void declare(options::options_description& all, LcdOptions& o)
                       "print the panel's description, to be changed and given to --panel");
     all.add_options()(
         "camera", sets(o.camera),
-        "print what povray-integral needs to render for the panel: an INI file's lines");
+        "print what povray-integral needs to render for the panel: an INI file's lines; with "
+        "--views those for a quilt");
     all.add_options()("show", fills(o.show, "DISPLAY"),
                       "show the picture on this display, pixel for pixel: its number or name, or "
                       "auto, the only one of the picture's size. "

@@ -4,8 +4,11 @@
 #include "integral/cli/replay_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/io/mpo_file.h"
 #include "integral/lightfield/names.h"
 #include "integral/replay/replay_page.h"
+
+#include <limits>
 
 namespace integral {
 namespace {
@@ -31,35 +34,92 @@ void check_html_options(const ReplayOptions& o)
             "--html and --lens-model full do not go together: the page has ideal lenses");
 }
 
-/// Begins what -o names: a series if the eye moves, else one picture, whose path is checked.
+/// Throws UsageError for options that several frames do not go with.
+void check_frames(const ReplayOptions& o)
+{
+    if (o.inputs.size() < 2)
+        return;
+    if (o.html)
+        throw UsageError("--html takes one frame; several make an animation, -o FILE.webp");
+    if (o.output.value_or("").empty())
+        throw UsageError("-o FILE.webp is missing: several frames make an animation");
+}
+
+/// Begins what -o names: a series of several frames or if the eye moves, else one picture, whose
+/// path is checked.
 std::optional<PictureSeries> begin_output(const ReplayOptions& o,
                                           const std::optional<EyeMovement>& movement)
 {
     const std::string output = o.output.value_or("");
-    if (movement)
-        return begin_series(o.series, output, movement->steps, 1);
+    if (is_mpo(output)) {
+        if (!o.stereo || o.anaglyph || o.cross_eyed || o.half || movement || o.inputs.size() > 1)
+            throw UsageError("-o " + output +
+                             ": such a file holds a pair; --stereo MM makes one, of one frame and "
+                             "without --path, --half, --cross-eyed and --anaglyph");
+        check_writable(output);
+        return std::nullopt;
+    }
+    const bool several = o.inputs.size() > 1;
+    if (several || movement)
+        return begin_series(o.series, output, several ? int(o.inputs.size()) : movement->steps, 1,
+                            !several && ends_apart(*movement));
     if (output.empty())
         return std::nullopt;
     if (is_animation(output))
-        throw UsageError("-o " + output + ": an animation needs --path, how the eye moves");
+        throw UsageError("-o " + output +
+                         ": an animation needs --path, how the eye moves, or several frames");
     format_for(output);
     check_writable(output);
     return std::nullopt;
 }
 
-void write_views(const Frame& frame, const ReplayRequest& request, const std::string& output,
+/// Writes a pair that stands side by side as an MPO.
+void write_mpo(const std::string& output, const Image& pair, const ReplayOptions& o)
+{
+    constexpr int usual_quality = 95;
+    const int width = pair.width / 2,
+              quality = in_range("quality", o.series.quality.value_or(usual_quality), 0, 100);
+    const std::vector<Image> views = {part_of(pair, 0, 0, width, pair.height),
+                                      part_of(pair, width, 0, width, pair.height)};
+    try {
+        write_file(output, mpo_of_views(views, quality, *arrangement_of(o).separation));
+    } catch (const OutputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw OutputError(output + ": " + reason_of(error));
+    }
+}
+
+/// Writes what the eye sees: of one frame all that is asked for, of several a picture each.
+void write_views(const ReplayOptions& o, Frame first, ReplayRequest request,
                  std::optional<PictureSeries>& series)
 {
     const auto take = [&](Image picture) {
         if (series)
             series->add(std::move(picture));
+        else if (is_mpo(*o.output))
+            write_mpo(*o.output, picture, o);
         else
-            write_frame(output, Frame{std::move(picture), std::nullopt});
+            write_frame(*o.output, Frame{std::move(picture), std::nullopt});
     };
-    if (!replay_pictures(frame, request, take, progress_bar("replay")))
-        throw Interrupted();
+    const Progress bar = progress_bar("replay");
+    const int count = int(o.inputs.size());
+    const std::vector<Eye> eyes = eyes_of(request, *first.metadata);
+    if (count > 1)
+        request.movement.reset(); // it goes on from frame to frame
+    for (int k = 0; k < count; ++k) {
+        const Frame frame = k == 0 ? std::move(first)
+                                   : read_frame_with_metadata(o.inputs[std::size_t(k)],
+                                                              o.sheet.value_or(""));
+        if (count > 1) {
+            request.view.eye = eyes[eyes.size() > 1 ? std::size_t(k) : 0];
+            check_view(request.view, *frame.metadata);
+        }
+        if (!replay_pictures(frame, request, take, count > 1 ? piece_of(bar, k, count) : bar))
+            throw Interrupted();
+    }
     if (series)
-        series->finish(ends_apart(*request.movement));
+        series->finish();
 }
 
 int run(const ReplayOptions& o)
@@ -67,6 +127,7 @@ int run(const ReplayOptions& o)
     const std::string output = o.output.value_or("");
     if (o.html)
         check_html_options(o);
+    check_frames(o);
     if (output.empty() && !o.html)
         throw UsageError("-o VIEW is missing");
     if (o.focus && !o.pupil && !o.html)
@@ -81,7 +142,7 @@ int run(const ReplayOptions& o)
     request.movement = movement_of(o);
     std::optional<PictureSeries> series = begin_output(o, request.movement);
 
-    const Frame frame = read_frame_with_metadata(o.inputs[0], o.sheet.value_or(""));
+    Frame frame = read_frame_with_metadata(o.inputs[0], o.sheet.value_or(""));
     stop_if_interrupted();
     if (!o.eye)
         request.view.eye = centre_eye(*frame.metadata);
@@ -93,7 +154,7 @@ int run(const ReplayOptions& o)
             return exit_done;
         if (!o.size)
             set_view_size(request.view, frame.metadata->film, default_longer_side);
-        write_views(frame, request, output, series);
+        write_views(o, std::move(frame), request, series);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
@@ -105,14 +166,15 @@ int run(const ReplayOptions& o)
 const Command replay_command = {
     "replay",
     "what an eye sees of a frame through its lens sheet",
-    "FRAME (-o VIEW | --html PAGE) [--eye X,Y,DISTANCE] [--size WxH] [--stereo MM | --grid CxR] "
+    "FRAME... (-o VIEW | --html PAGE) [--eye X,Y,DISTANCE] [--size WxH] [--stereo MM | --grid CxR] "
     "[--path KIND]",
     "Draws the view that an eye at a given place has of a frame under its lens sheet. The sheet\n"
     "fills the picture. From the aperture's centre (the default) it is the picture that the\n"
     "scene's perspective camera takes; beyond the viewing zone the eye sees side lobes, and black\n"
-    "where it looks past the film. A pupil blurs what is not at the depth that it focuses on.\n",
+    "where it looks past the film. A pupil blurs what is not at the depth that it focuses on.\n"
+    "Several frames, those of an animation, give a picture each, from one place or along --path.\n",
     1,
-    1,
+    std::numeric_limits<int>::max(),
     described<ReplayOptions>,
     run_with<ReplayOptions, run>};
 

@@ -55,10 +55,11 @@ EyePath parse_path(const std::string& word, const std::string& text)
 {
     for (const auto& [name, path] :
          {std::pair("turntable", EyePath::turntable), std::pair("sweep", EyePath::sweep),
-          std::pair("circle", EyePath::circle), std::pair("dolly", EyePath::dolly)})
+          std::pair("sway", EyePath::sway), std::pair("circle", EyePath::circle),
+          std::pair("dolly", EyePath::dolly)})
         if (word == name)
             return path;
-    throw UsageError("--path " + text + ": turntable, sweep, circle or dolly is expected");
+    throw UsageError("--path " + text + ": turntable, sweep, sway, circle or dolly is expected");
 }
 
 } // namespace
@@ -67,8 +68,9 @@ void declare(options::options_description& all, ReplayOptions& o)
 {
     all.add_options()("output,o", fills(o.output, "VIEW"),
                       "the picture to write: .png, .exr or .tiff; - writes a PNG to standard "
-                      "output; with --path FILE.webp, an animation, or "
-                      "FILE.png, files with numbers")(
+                      "output; with --stereo .mpo, two JPEGs in one file; with --path or several "
+                      "frames .webp, .webm or .mp4, an animation, or FILE.png, files with "
+                      "numbers")(
         "html", fills(o.html, "FILE"),
         "a page for any browser, of the frame and its replay, to look at from all sides; the "
         "options of a view "
@@ -99,14 +101,18 @@ void declare(options::options_description& all, ReplayOptions& o)
         "a pair of views, of eyes so many mm apart, side by side: the left eye's on the left")(
         "cross-eyed", sets(o.cross_eyed), "the left eye's on the right")(
         "anaglyph", sets(o.anaglyph), "the pair for red-cyan glasses: the left eye's in red")(
+        "half", sets(o.half),
+        "each view of the pair squeezed to half of its width, so that both fill --size")(
         "grid", fills(o.grid, "CxR"),
         "a contact sheet: C by R views of eyes spread over the frame's capture aperture, the eye's "
         "distance away")("path", fills(o.path, "KIND[,SPAN]"),
                          "several views of an eye that moves: turntable (the sheet turns, SPAN "
-                         "degrees), sweep (sideways, SPAN mm), circle (SPAN mm) "
-                         "or dolly (nearer, by a factor of SPAN); by default across the viewing "
-                         "zone, and 4 times nearer")("steps", fills(o.steps, "N (=48)"),
-                                                     "views along the path, 2 to 10000")(
+                         "degrees), sweep (sideways, SPAN mm), sway (to the right, the left "
+                         "and back, SPAN mm), circle (SPAN mm) or dolly (nearer, by a factor of "
+                         "SPAN); by default across the viewing "
+                         "zone, and 4 times nearer")(
+        "steps", fills(o.steps, "N (=48)"),
+        "views along the path, 2 to 10000; of several frames one each")(
         "sheet", fills(o.sheet, "FILE.json"),
         "geometry for a frame that carries none, or instead of its own")(
         "threads", fills(o.threads, "N")->default_value(o.threads),
@@ -144,14 +150,18 @@ ViewArrangement arrangement_of(const ReplayOptions& o)
     ViewArrangement arrangement;
     arrangement.crossed = o.cross_eyed;
     arrangement.anaglyph = o.anaglyph;
+    arrangement.half = o.half;
     if (o.stereo)
         read_mm("stereo", o.stereo, 0, "a distance from 0 to 1e6 mm",
                 arrangement.separation.emplace());
-    if ((o.cross_eyed || o.anaglyph) && !o.stereo)
-        throw UsageError(std::string(o.cross_eyed ? "--cross-eyed" : "--anaglyph") +
+    if ((o.cross_eyed || o.anaglyph || o.half) && !o.stereo)
+        throw UsageError(std::string(o.cross_eyed ? "--cross-eyed"
+                                     : o.anaglyph ? "--anaglyph"
+                                                  : "--half") +
                          " needs --stereo MM, the eyes' distance");
-    if (o.cross_eyed && o.anaglyph)
-        throw UsageError("--cross-eyed and --anaglyph do not go together");
+    if (o.anaglyph && (o.cross_eyed || o.half))
+        throw UsageError(std::string(o.half ? "--half" : "--cross-eyed") +
+                         " and --anaglyph do not go together");
     if (!o.grid)
         return arrangement;
     if (o.stereo)
@@ -167,6 +177,11 @@ std::optional<EyeMovement> movement_of(const ReplayOptions& o)
     EyeMovement movement;
     if (o.steps)
         movement.steps = in_range("steps", *o.steps, 2, 10000);
+    if (o.inputs.size() > 1) {
+        if (o.steps)
+            throw UsageError("--steps is for one frame: of several frames, each is a step");
+        movement.steps = int(o.inputs.size());
+    }
     if (!o.path) {
         if (o.steps)
             throw UsageError("--steps needs --path, how the eye moves");

@@ -13,7 +13,7 @@ struct ReplayOptions : CommonOptions {
     std::optional<std::string> eye, size, part, pupil, focus, lens_model, film_gap, lens_blur;
     std::optional<int> samples;
     std::optional<std::string> stereo, grid, path;
-    bool cross_eyed = false, anaglyph = false;
+    bool cross_eyed = false, anaglyph = false, half = false;
     std::optional<int> steps;
     int threads = 0;
     SeriesOptions series;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/series_options.h"
 
+#include "integral/base/file_bytes.h"
 #include "integral/cli/values.h"
 
 namespace integral {
@@ -10,19 +11,22 @@ void declare(options::options_description& all, SeriesOptions& series)
     all.add_options()("fps", fills(series.fps, "N"),
                       "pictures a second of an animation, 0.1 to 100 (default: 25)")(
         "quality", fills(series.quality, "N (=90)"),
-        "of an animation's pictures, 0 to 100; 100 keeps every 8-bit value");
+        "of an animation's or a pair's pictures, 0 to 100; 100 of .webp keeps every 8-bit value");
 }
 
 void check_series_options(const SeriesOptions& given, const std::string& output)
 {
-    if (!is_animation(output) && (given.fps || given.quality))
-        throw UsageError("--fps and --quality are for animations, whose names end in .webp");
+    const bool has_quality = is_animation(output) || extension_of(output) == "mpo";
+    if ((!is_animation(output) && given.fps) || (!has_quality && given.quality))
+        throw UsageError("--fps and --quality are for animations, whose names end in .webp, .webm "
+                         "or .mp4, and --quality for pairs, .mpo");
 }
 
 PictureSeries begin_series(const SeriesOptions& given, const std::string& output, int count,
-                           int first)
+                           int first, bool there_and_back)
 {
     AnimationSettings settings;
+    settings.there_and_back = there_and_back;
     read_number("fps", given.fps, settings.pictures_a_second);
     if (!(settings.pictures_a_second >= 0.1 && settings.pictures_a_second <= 100))
         throw UsageError("--fps " + given.fps.value_or("") +

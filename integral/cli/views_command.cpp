@@ -12,6 +12,7 @@
 #include "integral/replay/arrange.h"
 #include "integral/replay/parallel_views.h"
 #include "integral/replay/perspective_views.h"
+#include "integral/replay/rgbd.h"
 #include "integral/replay/view_files.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ constexpr int largest_picture_side = 32768; // pixels
 constexpr int most_threads = 1024;
 
 struct ViewsOptions : CommonOptions {
-    std::optional<std::string> output, views, size, sheet;
+    std::optional<std::string> output, views, size, sheet, rgbd;
     bool eyes = false, files = false, upright = false, to_frame = false;
     int threads = 0;
     SeriesOptions series;
@@ -35,10 +36,11 @@ void declare(options::options_description& all, ViewsOptions& o)
     all.add_options()("output,o", fills(o.output, "FILE"),
                       "the quilt, or with --to-frame the frame: .png, .exr or .tiff; a quilt's "
                       "name gets _qsCxRaASPECT before the extension, "
-                      "unless it has such an end; .webp: an animation");
+                      "unless it has such an end; .webp, .webm or .mp4: an animation");
     all.add_options()("views", fills(o.views, "CxR"),
-                      "views across and up (default: as many as whole pixels are nearest to a "
-                      "lens's; with --to-frame what the quilt says)");
+                      "the quilt's views across and up; those of lenticular lenses all go from "
+                      "left to right, row after row from the bottom (default: as many as whole "
+                      "pixels are nearest to a lens's; with --to-frame what the quilt says)");
     all.add_options()("eyes", sets(o.eyes),
                       "what eyes see that are spread over the frame's viewing zone, in place of "
                       "parallel views; needs --views");
@@ -52,6 +54,10 @@ void declare(options::options_description& all, ViewsOptions& o)
     all.add_options()("size", fills(o.size, "WxH"),
                       "pixels of each view of --eyes and --upright (default: 500 on the longer "
                       "side)");
+    all.add_options()("rgbd", fills(o.rgbd, "DEPTH.exr"),
+                      "what the centre eye sees and, to its right, its depth frame "
+                      "(Integral_Depth_Image), near white: for programs that make a quilt of "
+                      "the two; .png or .tiff");
     all.add_options()("to-frame", sets(o.to_frame),
                       "back: the frame that shows the views of a quilt, or of files");
     all.add_options()("sheet", fills(o.sheet, "FILE.json"),
@@ -159,10 +165,11 @@ struct ViewsOutput {
 /// Parallel views, a pixel for each lens.
 void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid, int threads)
 {
-    state_loss(frame, grid, threads);
+    const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
+    state_loss(frame, directions, threads);
     FrameMetadata metadata = *frame.metadata;
     metadata.quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
-    const ParallelViews views(frame, grid);
+    const ParallelViews views(frame, directions);
     const Progress bar = progress_bar("views");
     if (output.series)
         write_views(*output.series, frame, views, grid, metadata, threads, bar);
@@ -174,12 +181,13 @@ void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
 void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, PixelSize size,
                    bool of_eyes, int threads)
 {
-    std::vector<Image> views = of_eyes ? views_of_eyes(frame, grid, size.width, size.height,
+    const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
+    std::vector<Image> views = of_eyes ? views_of_eyes(frame, directions, size.width, size.height,
                                                        threads, progress_bar("views"))
-                                       : upright_views(frame, grid, size.width, size.height,
+                                       : upright_views(frame, directions, size.width, size.height,
                                                        threads, progress_bar("views"));
     if (is_animation(output.path))
-        return write_animation(*output.series, views, grid);
+        return write_animation(*output.series, views, directions);
     std::optional<FrameMetadata> metadata; // no frame can be made of upright views
     if (of_eyes) {
         metadata = *frame.metadata;
@@ -196,6 +204,60 @@ void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, Pixel
     }
 }
 
+/// --rgbd: a picture and its depths.
+int make_rgbd(const ViewsOptions& o, const std::string& output, int threads)
+{
+    if (format_for(output) == ImageFormat::exr)
+        throw UsageError("-o " + output + ": colour and depth are stored values; .png or .tiff");
+    check_writable(output);
+    const Frame frame = read_frame_with_metadata(o.inputs[0], o.sheet.value_or(""));
+    const DepthFrame depths = read_depths(*o.rgbd);
+    PixelSize size = size_to_look_at(o, frame.metadata->film);
+    check_quilt_size({2, 1}, size);
+    try {
+        auto picture = rgbd_picture(frame, depths, size.width, size.height, threads,
+                                    progress_bar("views"));
+        if (!picture)
+            throw Interrupted();
+        write_frame(output, Frame{std::move(picture->image), std::nullopt});
+        say("views", "depths: white is " + with_decimals(picture->white, 1) +
+                         " mm behind the sheet, black " + with_decimals(picture->black, 1) +
+                         " (negative: in front)");
+    } catch (const std::invalid_argument& error) {
+        throw UsageError("--rgbd " + *o.rgbd + ": " + error.what());
+    }
+    return exit_done;
+}
+
+/// Several frames, those of an animation: an animation of their quilts.
+int make_quilts(const ViewsOptions& o, const std::string& output, int threads)
+{
+    std::optional<PictureSeries> series;
+    const Progress bar = progress_bar("views");
+    const int count = int(o.inputs.size());
+    for (int k = 0; k < count; ++k) {
+        const Frame frame = read_frame_with_metadata(o.inputs[std::size_t(k)],
+                                                     o.sheet.value_or(""));
+        stop_if_interrupted();
+        const ViewGrid grid = parse_view_grid(*o.views);
+        const PixelSize size = size_to_look_at(o, frame.metadata->film);
+        if (!series) {
+            check_view_size(size);
+            check_quilt_size(grid, size);
+            const std::string path = quilt_path(output, grid, frame.metadata->film);
+            series.emplace(begin_series(o.series, path, count, 1, false));
+            if (path != output)
+                std::cout << path << '\n';
+        }
+        series->add(
+            quilt_of_views(views_of_eyes(frame, directions_of(grid, frame.metadata->sheet),
+                                         size.width, size.height, threads, piece_of(bar, k, count)),
+                           grid));
+    }
+    series->finish();
+    return exit_done;
+}
+
 int make_views(const ViewsOptions& o, const std::string& name, int threads)
 {
     const std::string& input = o.inputs[0];
@@ -207,12 +269,9 @@ int make_views(const ViewsOptions& o, const std::string& name, int threads)
     const PixelSize size = size_to_look_at(o, metadata.film);
     ViewsOutput output{name, std::nullopt};
     if (o.files || animated)
-        output.series.emplace(begin_series(o.series, name, grid.count(), 0));
+        output.series.emplace(begin_series(o.series, name, grid.count(), 0, true));
     else
         output.path = quilt_path(name, grid, metadata.film);
-    if (metadata.sheet.arrangement == Arrangement::lenticular && grid.rows > 1)
-        throw UsageError("--views " + o.views.value_or("") +
-                         ": lenticular lenses show nothing new from above: one row is expected");
     // Also of upright ones, which are refused where there are no parallel views.
     const PixelSize parallel = o.eyes ? size : size_of_parallel_views(input, metadata);
     const PixelSize of_a_view = upright ? size : parallel;
@@ -264,14 +323,15 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
         eyes = given.metadata->quilt->eyes;
     if (o.eyes && given.metadata && !eyes)
         throw UsageError(input + ": it says that it holds parallel views, not those of --eyes");
+    const ViewGrid directions = directions_of(given.grid, geometry.sheet);
     const double distance = geometry.aperture.distance;
     if (o.eyes && !eyes)
         eyes = EyeGrid{viewing_zone(geometry, distance), distance};
     try {
         const Progress bar = progress_bar("views");
-        auto image = eyes ? frame_from_perspective_views(given.views, geometry, given.grid, *eyes,
+        auto image = eyes ? frame_from_perspective_views(given.views, geometry, directions, *eyes,
                                                          threads, bar)
-                          : frame_from_views(given.views, geometry, given.grid, threads, bar);
+                          : frame_from_views(given.views, geometry, directions, threads, bar);
         if (!image)
             throw Interrupted();
         Frame frame{std::move(*image), std::nullopt};
@@ -295,11 +355,17 @@ void check_options(const ViewsOptions& o, bool animated)
     if (o.upright && (o.to_frame || o.eyes))
         throw UsageError(std::string("--upright does not go with ") +
                          (o.to_frame ? "--to-frame" : "--eyes, whose views are upright"));
-    if (o.size && (o.to_frame || (!o.eyes && !animated && !o.upright)))
-        throw UsageError("--size is for --eyes, --upright and animations; else parallel views have "
-                         "a pixel a lens");
-    if (!o.to_frame && o.inputs.size() > 1)
-        throw UsageError("one frame is expected; --to-frame takes several views");
+    if (o.size && (o.to_frame || (!o.eyes && !animated && !o.upright && !o.rgbd)))
+        throw UsageError(
+            "--size is for --eyes, --upright, --rgbd and animations; else parallel views have "
+            "a pixel a lens");
+    if (o.rgbd && (o.to_frame || o.eyes || o.upright || o.files || o.views || animated))
+        throw UsageError("--rgbd makes one picture, of one view; only --size and --sheet go with "
+                         "it");
+    if (!o.to_frame && o.inputs.size() > 1 && !(animated && o.eyes))
+        throw UsageError("one frame is expected; several frames make an animation of quilts, by "
+                         "--eyes --views CxR and -o FILE.webm, .mp4 or .webp, and --to-frame "
+                         "takes several views");
 }
 
 int run(const ViewsOptions& o)
@@ -307,13 +373,19 @@ int run(const ViewsOptions& o)
     const std::string output = o.output.value_or("");
     if (output.empty())
         throw UsageError("-o FILE is missing");
+    if (is_mpo(output))
+        throw UsageError("-o " + output + ": integral replay --stereo MM makes pairs");
     const bool animated = is_animation(output);
     if (!animated || o.to_frame)
         format_for(output);
     check_series_options(o.series, output);
     check_options(o, animated);
     const int threads = in_range("threads", o.threads, 0, most_threads);
-    return o.to_frame ? make_frame(o, output, threads) : make_views(o, output, threads);
+    if (o.to_frame)
+        return make_frame(o, output, threads);
+    if (o.rgbd)
+        return make_rgbd(o, output, threads);
+    return o.inputs.size() > 1 ? make_quilts(o, output, threads) : make_views(o, output, threads);
 }
 
 } // namespace
@@ -321,12 +393,14 @@ int run(const ViewsOptions& o)
 const Command views_command = {
     "views",
     "the views that are in a frame, as a quilt, files or an animation; and back",
-    "FRAME -o QUILT [--views CxR] [--eyes] | --to-frame VIEWS... -o FRAME [--sheet FILE.json]",
+    "FRAME -o QUILT [--views CxR] [--eyes] | FRAME --rgbd DEPTH.exr -o PICTURE | FRAME... --eyes "
+    "--views CxR -o QUILTS.webm | --to-frame VIEWS... -o FRAME [--sheet FILE.json]",
     "Takes a frame apart into its parallel views: what eyes endlessly far away see, a pixel a\n"
     "lens, one view for each direction (thesis 5.3). They stand in one picture, a quilt: view 0,\n"
-    "from the far left and below, at the bottom left. With whole pixels a lens nothing is lost,\n"
-    "and --to-frame gives the frame back to the bit. Quilts and files carry the frame's geometry,\n"
-    "so that nothing else has to be said on the way back; other programs' need --sheet.\n",
+    "from the far left and below, at the bottom left, the last at the top right. With whole\n"
+    "pixels a lens nothing is lost, and --to-frame gives the frame back to the bit. Quilts and\n"
+    "files carry the frame's geometry, so that nothing else has to be said on the way back;\n"
+    "other programs' need --sheet.\n",
     1,
     most_views_a_side* most_views_a_side,
     described<ViewsOptions>,

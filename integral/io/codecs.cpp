@@ -40,11 +40,13 @@ std::unique_ptr<RowReader> read_any(const InputFile& file)
         return read_png(file);
     if (magic == "\x76\x2f\x31\x01")
         return read_exr(file);
+    if (magic.compare(0, 3, "\xff\xd8\xff") == 0)
+        return read_jpeg(file);
     for (const auto& tiff : {"II*\0"s, "MM\0*"s, "II+\0"s, "MM\0+"s})
         if (magic == tiff)
             return read_tiff(file);
-    throw std::runtime_error(magic.empty() ? "it is empty"
-                                           : "it is no PNG, OpenEXR or TIFF; convert it first");
+    throw std::runtime_error(
+        magic.empty() ? "it is empty" : "it is no PNG, OpenEXR, TIFF or JPEG; convert it first");
 }
 
 Image whole_blank(const Image& form)

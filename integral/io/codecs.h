@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Readers and writers of the image formats PNG, OpenEXR and TIFF, row by row or as whole files in
-// memory. To be included only by image_file.cpp, printed pages, the strips of a frame, the replay's
-// page and the tests; others use image_file.h.
+// Readers and writers of the image formats PNG, OpenEXR, TIFF and JPEG, row by row or as whole
+// files in memory. To be included only by image_file.cpp, printed pages, the strips of a frame, the
+// replay's page and the tests; others use image_file.h.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
@@ -49,6 +49,7 @@ protected:
 std::unique_ptr<RowReader> read_png(const InputFile& file);
 std::unique_ptr<RowReader> read_exr(const InputFile& file);
 std::unique_ptr<RowReader> read_tiff(const InputFile& file);
+std::unique_ptr<RowReader> read_jpeg(const InputFile& file);
 
 /// The same for whichever format the file's first bytes indicate.
 std::unique_ptr<RowReader> read_any(const InputFile& file);
@@ -113,6 +114,10 @@ std::unique_ptr<RowWriter> write_tiff(ByteSink& sink, const DecodedImage& head);
 std::string encode_png(const DecodedImage& picture);
 std::string encode_exr(const DecodedImage& picture);
 std::string encode_tiff(const DecodedImage& picture);
+
+/// A picture as the bytes of a JPEG without JFIF or Exif: 8 bits of sRGB. `quality`: 0 to 100.
+/// Throws std::runtime_error.
+std::string encode_jpeg(const Image& picture, int quality);
 
 /// Throws std::runtime_error if `raw_bytes` of pixels cannot be stored in a file of `file_bytes`,
 /// where `ratio` is the highest compression ratio of the format. It prevents huge allocations for a

@@ -122,7 +122,7 @@ std::string html_page(const std::string& title, const std::string& style, const 
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
-           "data:; style-src 'unsafe-inline'\">\n"
+           "'self' data:; style-src 'unsafe-inline'\">\n"
            "<title>" +
            markup_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" +
            page_style + style + "</style>\n</head>\n<body>\n<main>\n" + body +

@@ -2,6 +2,7 @@
 #include "integral/io/image_file.h"
 
 #include "integral/io/codecs.h"
+#include "integral/io/mpo_file.h"
 
 #include <algorithm>
 #include <new>
@@ -219,6 +220,24 @@ Views read_views(const std::string& path, bool needs_geometry)
     if (views.metadata && !views.metadata->quilt)
         views.metadata.reset();
     return views;
+}
+
+bool is_mpo(const std::string& path) { return extension_of(path) == "mpo"; }
+
+std::vector<Image> read_mpo(const std::string& path)
+{
+    const std::string bytes = read_file(path);
+    return guarded(path, [&] {
+        std::vector<std::size_t> places = pictures_in_mpo(bytes);
+        if (places.empty())
+            places = {0};
+        std::vector<Image> pictures;
+        for (const std::size_t place : places) {
+            const std::string one = bytes.substr(place);
+            pictures.push_back(whole_picture(*read_jpeg(InputFile::of_bytes(one))).image);
+        }
+        return pictures;
+    });
 }
 
 std::pair<int, int> picture_size(const std::string& path)

@@ -65,6 +65,12 @@ struct Views {
 /// `needs_geometry` and its geometry is not valid.
 Views read_views(const std::string& path, bool needs_geometry);
 
+/// Whether a path names a pair, or more, of views in one file: it ends in .mpo, in any case.
+bool is_mpo(const std::string& path);
+
+/// The pictures of such a file, the leftmost first; of a plain JPEG one. Throws InputError.
+std::vector<Image> read_mpo(const std::string& path);
+
 /// Width and height of a picture, without reading its pixels. Throws InputError.
 std::pair<int, int> picture_size(const std::string& path);
 

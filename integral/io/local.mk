@@ -15,10 +15,13 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/image_file.h \
   integral/io/input_file.cpp \
   integral/io/input_file.h \
+  integral/io/jpeg_codec.cpp \
   integral/io/markup.cpp \
   integral/io/markup.h \
   integral/io/memory.cpp \
   integral/io/memory.h \
+  integral/io/mpo_file.cpp \
+  integral/io/mpo_file.h \
   integral/io/picture_series.cpp \
   integral/io/picture_series.h \
   integral/io/pdf_file.cpp \
@@ -35,4 +38,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/release.h \
   integral/io/sheet_plots.cpp \
   integral/io/sheet_plots.h \
-  integral/io/tiff_codec.cpp
+  integral/io/tiff_codec.cpp \
+  integral/io/video.cpp \
+  integral/io/video.h

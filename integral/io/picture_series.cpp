@@ -8,19 +8,29 @@
 
 namespace integral {
 
-bool is_animation(const std::string& path) { return extension_of(path) == "webp"; }
+bool is_animation(const std::string& path)
+{
+    return extension_of(path) == "webp" || is_video(path);
+}
 
 PictureSeries::PictureSeries(const std::string& path, const AnimationSettings& settings, int count,
                              int first)
     : path_(path),
       last_(first + count - 1),
       next_(first),
-      pictures_a_second_(settings.pictures_a_second),
+      settings_(settings),
       animation_(settings.quality)
 {
     if (path == "-")
-        throw std::invalid_argument("-o -: several pictures need a name, FILE.webp for an "
-                                    "animation or FILE.png for files with numbers");
+        throw std::invalid_argument(
+            "-o -: several pictures need a name, FILE.webp, .webm or .mp4 for an "
+            "animation or FILE.png for files with numbers");
+    if (is_video(path)) {
+        check_writable(path);
+        video_ = std::make_unique<Video>(path, settings.quality, settings.pictures_a_second,
+                                         settings.there_and_back);
+        return;
+    }
     if (is_animation(path)) {
         if (!can_animate())
             throw OutputError(path + ": this program was built without libwebp; a name that ends "
@@ -46,6 +56,8 @@ void PictureSeries::add(Image picture, const std::optional<FrameMetadata>& metad
         write_frame(numbered(path_, next_++, last_), Frame{std::move(picture), metadata});
         return;
     }
+    if (video_)
+        return video_->add(picture);
     try {
         animation_.add(picture);
     } catch (const std::runtime_error& error) {
@@ -53,15 +65,18 @@ void PictureSeries::add(Image picture, const std::optional<FrameMetadata>& metad
     }
 }
 
-void PictureSeries::finish(bool there_and_back)
+void PictureSeries::finish()
 {
     if (!is_animation(path_))
         return;
+    if (video_)
+        return video_->finish();
     constexpr double milliseconds_a_second = 1000;
     std::string bytes;
     try {
-        bytes = animation_.bytes(int(std::lround(milliseconds_a_second / pictures_a_second_)),
-                                 there_and_back);
+        bytes = animation_.bytes(
+            int(std::lround(milliseconds_a_second / settings_.pictures_a_second)),
+            settings_.there_and_back);
     } catch (const std::runtime_error& error) {
         throw OutputError(path_ + ": " + error.what());
     }

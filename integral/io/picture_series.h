@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Several pictures written one after another: into an animated WebP, or into numbered files.
+// Several pictures written one after another: into an animated WebP, a video, or numbered files.
 #ifndef INTEGRAL_IO_PICTURE_SERIES_H
 #define INTEGRAL_IO_PICTURE_SERIES_H
 
 #include "integral/io/animation.h"
+#include "integral/io/video.h"
 #include "integral/lightfield/frame.h"
 
 #include <optional>
@@ -11,7 +12,7 @@
 
 namespace integral {
 
-/// Whether a path names an animation: it ends in .webp, in any case.
+/// Whether a path names an animation: it ends in .webp, or is_video.
 bool is_animation(const std::string& path);
 
 /// The path of one of several files: its number stands before the extension, with as many digits
@@ -22,28 +23,29 @@ std::string numbered(const std::string& path, int number, int last);
 struct AnimationSettings {
     int quality = 90;              ///< 0 to 100; 100 keeps every 8-bit value
     double pictures_a_second = 25; ///< > 0
+    bool there_and_back = false;   ///< after the last picture it plays back to the first
 };
 
 class PictureSeries {
 public:
-    /// `path`: NAME.webp for an animation, which alone `settings` are for; or NAME.png, .exr or
-    /// .tiff for files of the numbers `first` to first + count - 1. Throws std::invalid_argument
-    /// for "-", OutputError for a path that cannot be written.
+    /// `path`: NAME.webp, .webm or .mp4 for an animation, which alone `settings` are for; or
+    /// NAME.png, .exr or .tiff for files of the numbers `first` to first + count - 1. Throws
+    /// std::invalid_argument for "-", OutputError for a path that cannot be written.
     PictureSeries(const std::string& path, const AnimationSettings& settings, int count, int first);
 
     /// Takes the next picture. A numbered file is written at once, with `metadata` as its document
     /// where there is some. Throws OutputError.
     void add(Image picture, const std::optional<FrameMetadata>& metadata = std::nullopt);
 
-    /// Writes the animation, if it is one. there_and_back: after the last picture it plays back to
-    /// the first. Throws OutputError.
-    void finish(bool there_and_back);
+    /// Writes the animation, if it is one. Throws OutputError.
+    void finish();
 
 private:
     std::string path_;
     int last_, next_;
-    double pictures_a_second_;
+    AnimationSettings settings_;
     Animation animation_;
+    std::unique_ptr<Video> video_;
 };
 
 } // namespace integral

@@ -24,6 +24,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/names.h \
   integral/lightfield/pixel_sampler.cpp \
   integral/lightfield/pixel_sampler.h \
+  integral/lightfield/quilt_name.cpp \
+  integral/lightfield/quilt_name.h \
+  integral/lightfield/quilt_sampler.cpp \
+  integral/lightfield/quilt_sampler.h \
   integral/lightfield/refinement.cpp \
   integral/lightfield/refinement.h \
   integral/lightfield/sample_points.cpp \

@@ -3,19 +3,27 @@
 #ifndef INTEGRAL_LIGHTFIELD_VIEW_GRID_H
 #define INTEGRAL_LIGHTFIELD_VIEW_GRID_H
 
-#include "integral/optics/vec.h"
+#include "integral/optics/lens_sheet.h"
 
 #include <optional>
 
 namespace integral {
 
-/// The number of view directions across and up. A view has the number row * columns + column;
-/// column 0 is the leftmost viewpoint, row 0 the lowest, as in quilts. (The thesis numbers views by
-/// the film's pixels, which have the opposite order.)
+/// The views of a frame, or the tiles of a quilt, across and up: both > 0. A view has the number
+/// row * columns + column; column 0 is the leftmost viewpoint, row 0 the lowest, as in quilts. (The
+/// thesis numbers views by the film's pixels, which have the opposite order.)
 struct ViewGrid {
-    int columns = 0, rows = 0; ///< > 0; lenticular: rows is 1
+    int columns = 0, rows = 0;
     int count() const { return columns * rows; }
 };
+
+/// The view directions, across and up, of the views that fill a quilt's tiles. Behind lenticular
+/// lenses views differ across alone: 8 x 6 tiles are 48 views from left to right, which begin at
+/// the bottom left and go on, row by row, to the top right.
+inline ViewGrid directions_of(ViewGrid tiles, const LensSheet& sheet)
+{
+    return sheet.arrangement == Arrangement::lenticular ? ViewGrid{tiles.count(), 1} : tiles;
+}
 
 /// The eyes of perspective views: at the centres of equal parts of a rectangle in front of the
 /// sheet, centred on its axis. Lengths in mm.
@@ -26,7 +34,7 @@ struct EyeGrid {
 
 /// Metadata of a picture of views.
 struct QuiltRecord {
-    ViewGrid grid;
+    ViewGrid grid;           ///< the tiles of the quilt that all views fill
     std::optional<int> view; ///< the number of the only view in the picture; if absent, the picture
                              ///< has all views, with view 0 at the bottom left
     std::optional<EyeGrid> eyes; ///< absent for parallel views

@@ -85,4 +85,15 @@ std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance
     return Aperture{distance, *width, *height, ApertureShape::rectangle};
 }
 
+Vec2 viewing_zone(const LensSheet& sheet, const Aperture& aperture)
+{
+    const Vec2 cell = cell_extent(sheet);
+    const auto extent = [&](double captured, double filled) {
+        return std::min(
+            captured,
+            filling_width(sheet, aperture.distance, filled).value_or(2 * aperture.distance));
+    };
+    return {extent(aperture.width, cell.x), extent(aperture.height, cell.y)};
+}
+
 } // namespace integral

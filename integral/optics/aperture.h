@@ -54,6 +54,10 @@ Vec2 cell_extent(const LensSheet& sheet);
 /// cell_extent (optics.md section 5). Nothing if no finite aperture is.
 std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance);
 
+/// Width and height, mm, of the viewing zone at the aperture's distance: the aperture, but no
+/// larger than what fills the lens on the axis (or, if no aperture does, than twice the distance).
+Vec2 viewing_zone(const LensSheet& sheet, const Aperture& aperture);
+
 } // namespace integral
 
 #endif

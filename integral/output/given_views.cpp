@@ -13,6 +13,17 @@ namespace integral {
 
 namespace {
 
+/// The views of an MPO, which stand from left to right.
+GivenViews read_pair(const std::string& input, const ViewsRequest& request)
+{
+    GivenViews all{read_mpo(input), {}, std::nullopt};
+    all.grid = request.grid.value_or(ViewGrid{int(all.views.size()), 1});
+    if (all.grid.count() != int(all.views.size()))
+        throw RequestError(input + ": it holds " + std::to_string(all.views.size()) +
+                           " views; leave --views out");
+    return all;
+}
+
 GivenViews read_quilt(const std::string& input, const ViewsRequest& request)
 {
     Views quilt = read_views(input, request.needs_geometry);
@@ -94,7 +105,9 @@ GivenViews read_files(const std::vector<std::string>& inputs, const ViewsRequest
 
 GivenViews read_given_views(const std::vector<std::string>& inputs, const ViewsRequest& request)
 {
-    return inputs.size() == 1 ? read_quilt(inputs[0], request) : read_files(inputs, request);
+    if (inputs.size() > 1)
+        return read_files(inputs, request);
+    return is_mpo(inputs[0]) ? read_pair(inputs[0], request) : read_quilt(inputs[0], request);
 }
 
 std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, int width, int height,

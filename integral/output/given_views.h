@@ -36,7 +36,7 @@ struct ViewsRequest {
                           ///< its views
 };
 
-/// Reads one quilt, or the files of all views. Throws RequestError and InputError.
+/// Reads one quilt, an MPO, or the files of all views. Throws RequestError and InputError.
 GivenViews read_given_views(const std::vector<std::string>& inputs, const ViewsRequest& request);
 
 /// The views of a frame that eyes have which are spread over its viewing zone, by number: pictures

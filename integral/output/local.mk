@@ -6,6 +6,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/chart_page.h \
   integral/output/colour_profile.cpp \
   integral/output/colour_profile.h \
+  integral/output/cubevi.cpp \
+  integral/output/cubevi.h \
   integral/output/cups_raster.cpp \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \

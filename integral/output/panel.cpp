@@ -5,6 +5,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/number_text.h"
 #include "integral/lightfield/geometry_json.h"
+#include "integral/output/cubevi.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -70,10 +71,17 @@ LensSheet read_sheet(const JsonObject& object, double distance)
     return sheet;
 }
 
+/// A display's calibration in the form of any maker that is known.
+LookingGlassCalibration calibration_in(const Json& document)
+{
+    const auto cubevi = cubevi_from_json(document);
+    return cubevi ? *cubevi : looking_glass_from_json(document);
+}
+
 LookingGlassCalibration read_calibration(const JsonObject& document)
 {
     try {
-        return looking_glass_from_json(document.at("calibration"));
+        return calibration_in(document.at("calibration"));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(std::string("calibration: ") + error.what());
     }
@@ -196,12 +204,13 @@ Panel panel_from_json(const std::string& text)
         if (json.is_object() && json.contains(field))
             return read_document({json, ""});
     try {
-        return panel_from(looking_glass_from_json(json));
+        return panel_from(calibration_in(json));
     } catch (const NoCalibration&) {
         throw std::invalid_argument(std::string("holds neither a panel's description: an object "
                                                 "with panel, sheet and viewing_distance_mm, "
                                                 "nor a Looking Glass calibration: ") +
-                                    NoCalibration::wanted);
+                                    NoCalibration::wanted +
+                                    ", nor a CubeVi one, with lineNumber, obliquity and deviation");
     }
 }
 

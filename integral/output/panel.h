@@ -64,8 +64,8 @@ Panel find_panel(const std::string& name);
 /// std::invalid_argument where nothing fills them.
 Panel seen_from(const Panel& panel, double distance);
 
-/// A panel description: a document of our own, or a Looking Glass calibration, told apart by their
-/// fields. The document is
+/// A panel description: a document of our own, or a calibration of Looking Glass or of CubeVi, told
+/// apart by their fields. The document is
 ///
 ///     {"panel": {"name": "...", "width": 1024, "height": 768, "pixel_pitch_mm": 0.207,
 ///     "subpixels": "rgb", "mirrored": "x"},
@@ -74,7 +74,7 @@ Panel seen_from(const Panel& panel, double distance);
 ///
 /// with the fields of a frame's document where they are the same; pixel_pitch_mm may be [x, y], the
 /// sheet may have micro_image_pitch_mm in place of pitch_mm, and `aperture` may stand in place of
-/// viewing_distance_mm. `calibration`, a Looking Glass calibration, may be there too, and in place
+/// viewing_distance_mm. `calibration`, a maker's calibration, may be there too, and in place
 /// of panel and sheet; beside it, `ior` is that of the sheet that is made of it. Throws
 /// std::invalid_argument naming the field.
 Panel panel_from_json(const std::string& text);

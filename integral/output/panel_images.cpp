@@ -154,7 +154,7 @@ std::vector<std::vector<std::string>> PanelImages::groups(
     // view.
     const Views first = read_views(inputs[0], false);
     const bool one_view = first.metadata && first.metadata->quilt->view;
-    bool alone = first.metadata || grid_in_name(inputs[0]);
+    bool alone = first.metadata || grid_in_name(inputs[0]) || is_mpo(inputs[0]);
     if (!first.metadata && !alone)
         alone = read_frame(inputs[0]).metadata.has_value();
     if (one_view || !alone)
@@ -234,7 +234,7 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
 std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& group) const
 {
     const std::string& name = group[0];
-    if (group.size() > 1 || grid_in_name(name) || read_views(name, true).metadata)
+    if (group.size() > 1 || grid_in_name(name) || is_mpo(name) || read_views(name, true).metadata)
         return std::nullopt;
     Frame frame = read_frame(name);
     if (frame.metadata)
@@ -275,10 +275,12 @@ Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
     const FrameMetadata& metadata = *frame.metadata;
     if (likeness(metadata, geometry_).all())
         return native_image(name, frame);
-    const ViewGrid grid = options_.views.value_or(natural_views(geometry_));
-    if (grid.rows > 1 && !(has_round_lenses(geometry_) && has_round_lenses(metadata)))
-        throw RequestError("--views " + size_text(grid.columns, grid.rows) +
-                           ": lenticular lenses show nothing new from above: one row is expected");
+    const ViewGrid grid = directions_of(options_.views.value_or(natural_views(geometry_)),
+                                        geometry_.sheet);
+    if (grid.rows > 1 && !has_round_lenses(metadata))
+        throw RequestError(name + ": its lenses are lenticular and show nothing new from above, "
+                                  "as the panel's round ones do; --camera says what to render for "
+                                  "the panel");
     if (const auto what = near_miss(metadata, geometry_))
         options_.tell(name + ": it is nearly a frame of this panel's own, but " + *what +
                       ": the image is made of " + counted(grid.count(), "view") +

@@ -11,14 +11,8 @@ namespace integral {
 
 Vec2 viewing_zone(const FrameMetadata& metadata, double distance)
 {
-    const Aperture& aperture = metadata.aperture;
-    const Vec2 cell = cell_extent(metadata.sheet);
-    const double scale = distance / aperture.distance;
-    const auto extent = [&](double captured, double filled) {
-        return scale * std::min(captured, filling_width(metadata.sheet, aperture.distance, filled)
-                                              .value_or(2 * aperture.distance));
-    };
-    return {extent(aperture.width, cell.x), extent(aperture.height, cell.y)};
+    return (distance / metadata.aperture.distance) *
+           viewing_zone(metadata.sheet, metadata.aperture);
 }
 
 std::vector<Eye> eye_pair(Eye middle, double separation)
@@ -57,6 +51,9 @@ std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<dou
             break;
         }
         case EyePath::sweep: eye.x += along * span.value_or(zone.x); break;
+        case EyePath::sway:
+            eye.x += 0.5 * span.value_or(0.8 * zone.x) * std::sin(2 * pi * k / steps);
+            break;
         case EyePath::circle: {
             const double longer = std::max(zone.x, zone.y),
                          scale = 0.5 * span.value_or(0.8 * longer), turn = 2 * pi * k / steps;

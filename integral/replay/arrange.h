@@ -26,14 +26,17 @@ enum class EyePath {
     turntable, ///< an arc about the sheet's vertical axis, from left to right, as if the sheet
                ///< turned; span in degrees, < 180
     sweep,     ///< parallel to the sheet, from left to right; span in mm
+    sway,      ///< parallel to the sheet, from the middle to the right, to the left and back,
+               ///< slowly at the ends; span in mm
     circle,    ///< an ellipse about `middle` with the zone's aspect, from the left upwards; span:
                ///< its longer axis, mm
     dolly,     ///< towards the sheet; span: ratio of the first distance to the last, >= 1
 };
 
 /// `steps` > 0 positions of the eye at equal steps (dolly: equal ratios) along a path through
-/// `middle`, or for a circle about it. A circle's last position is one step before its first.
-/// Default span: the width of the viewing zone; for a circle 0.8 of the zone; for dolly 4.
+/// `middle`, or for a circle about it. The last position of circle and sway is one step
+/// before the first.
+/// Default span: the width of the viewing zone; for a circle and sway 0.8 of the zone; for dolly 4.
 std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span,
                           int steps);
 

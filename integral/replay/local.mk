@@ -15,6 +15,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/replay_page.h \
   integral/replay/replay_series.cpp \
   integral/replay/replay_series.h \
+  integral/replay/rgbd.cpp \
+  integral/replay/rgbd.h \
   integral/replay/view_files.cpp \
   integral/replay/view_files.h \
   integral/replay/view_lenses.cpp \

@@ -146,12 +146,26 @@ function set_geometry() {
   floats_texture(1, gl.R32F, gl.RED, 256, 1, Float32Array.from({ length: 256 }, (_, v) => linear(v / 255)));
 }
 
+// Says how much is loaded, 0 to 1, and lets the browser show it and answer to the reader.
+function loaded(part) {
+  element("loading").textContent = `Loading the picture ... ${Math.round(100 * part)} %`;
+  return new Promise((done) => setTimeout(done));
+}
+
+// The frame's file, out of the page's text, piece by piece.
+async function frame_file() {
+  const text = picture.src, begin = text.indexOf(",") + 1, piece = 1 << 22; // a multiple of 4
+  const pieces = [];
+  for (let at = begin; at < text.length; at += piece) {
+    await loaded(0.5 * (at - begin) / (text.length - begin));
+    pieces.push(Uint8Array.from(atob(text.slice(at, at + piece)), (letter) => letter.charCodeAt(0)));
+  }
+  return new Blob(pieces, { type: "image/png" });
+}
+
 // The frame's stored values, bit by bit, in tiles that the graphics processor can hold.
 async function set_film() {
-  const text = atob(picture.src.split(",")[1]), bytes = new Uint8Array(text.length);
-  for (let i = 0; i < bytes.length; ++i)
-    bytes[i] = text.charCodeAt(i);
-  const blob = new Blob([bytes], { type: "image/png" });
+  const blob = await frame_file();
   const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), state.tile);
   const width = Math.min(film.width, most), height = Math.min(film.height, most);
   const columns = Math.ceil(film.width / width), rows = Math.ceil(film.height / height);
@@ -167,6 +181,7 @@ async function set_film() {
   for (let tile = 0; tile < columns * rows; ++tile) {
     const x = tile % columns * width, y = Math.floor(tile / columns) * height;
     const w = Math.min(width, film.width - x), h = Math.min(height, film.height - y);
+    await loaded(0.5 + 0.5 * tile / (columns * rows));
     const bitmap = await createImageBitmap(blob, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
     gl.activeTexture(gl.TEXTURE0);
     gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, tile, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
@@ -411,12 +426,14 @@ async function begin() {
   set_geometry();
   await set_film();
   ready = true;
+  element("loading").hidden = true;
   draw();
 }
 
 // Without WebGL the page shows only the frame.
 function give_up(why) {
   ready = false;
+  element("loading").hidden = true;
   document.body.classList.add("flat");
   trouble(why + " Below is the frame as it is on the film.");
 }

@@ -35,16 +35,6 @@ Image arranged(const ViewArrangement& arrangement, std::vector<Image> views)
     return tiled(views, pair ? 2 : arrangement.columns, pair ? 0 : border);
 }
 
-std::vector<Eye> stops_of(const ReplayRequest& request, const FrameMetadata& metadata)
-{
-    const Eye middle = request.view.eye;
-    if (!request.movement)
-        return {middle};
-    const EyeMovement& movement = *request.movement;
-    return eye_path(movement.path, middle, viewing_zone(metadata, middle.distance), movement.span,
-                    movement.steps);
-}
-
 void check_stop(const Eye& stop, const View& view)
 {
     if (!(stop.distance > 0))
@@ -72,7 +62,23 @@ void check_size(const ViewArrangement& arrangement, const View& view)
                                     " pixels one way; a smaller --size would help");
 }
 
-bool ends_apart(const EyeMovement& movement) { return movement.path != EyePath::circle; }
+std::vector<Eye> eyes_of(const ReplayRequest& request, const FrameMetadata& metadata)
+{
+    const Eye middle = request.view.eye;
+    if (!request.movement)
+        return {middle};
+    const EyeMovement& movement = *request.movement;
+    const auto eyes = eye_path(movement.path, middle, viewing_zone(metadata, middle.distance),
+                               movement.span, movement.steps);
+    for (const Eye& eye : eyes)
+        check_stop(eye, request.view);
+    return eyes;
+}
+
+bool ends_apart(const EyeMovement& movement)
+{
+    return movement.path != EyePath::circle && movement.path != EyePath::sway;
+}
 
 void check_view(const View& view, const FrameMetadata& metadata)
 {
@@ -95,13 +101,13 @@ bool replay_pictures(const Frame& frame, const ReplayRequest& request, const Tak
 {
     const FrameMetadata& metadata = *frame.metadata;
     check_size(request.arrangement, request.view);
-    const std::vector<Eye> stops = stops_of(request, metadata);
-    for (const Eye& stop : stops)
-        check_stop(stop, request.view);
+    const std::vector<Eye> stops = eyes_of(request, metadata);
+    View view = request.view;
+    if (request.arrangement.half)
+        view.width = std::max(1, view.width / 2);
     for (std::size_t i = 0; i < stops.size(); ++i) {
-        auto views = replay_each(frame, request.view,
-                                 eyes_for(request.arrangement, stops[i], metadata), request.threads,
-                                 piece_of(progress, int(i), int(stops.size())));
+        auto views = replay_each(frame, view, eyes_for(request.arrangement, stops[i], metadata),
+                                 request.threads, piece_of(progress, int(i), int(stops.size())));
         if (!views)
             return false;
         take(arranged(request.arrangement, std::move(*views)));

@@ -18,6 +18,7 @@ struct ViewArrangement {
     std::optional<double> separation; ///< mm between the two eyes of a pair
     bool crossed = false;             ///< of a pair: the left eye's view is on the right
     bool anaglyph = false;            ///< of a pair: for red-cyan glasses, in one view's place
+    bool half = false;                ///< of a pair: each view squeezed to half of its width
     int columns = 0, rows = 0;        ///< of a grid of eyes over the viewing zone; 0: none
 };
 
@@ -46,6 +47,10 @@ struct ReplayRequest {
     std::optional<EyeMovement> movement;
     int threads = 0; ///< 0: one per core
 };
+
+/// The eyes of all pictures: one, or one for each step of the movement. Throws
+/// std::invalid_argument where the movement leads the eye behind the sheet or before its focus.
+std::vector<Eye> eyes_of(const ReplayRequest& request, const FrameMetadata& metadata);
 
 /// Takes each picture in order.
 using TakePicture = std::function<void(Image picture)>;

@@ -74,7 +74,7 @@ void write_animation(PictureSeries& series, const std::vector<Image>& views, Vie
             stop_if_interrupted();
             series.add(views[row * grid.columns + (row % 2 ? grid.columns - 1 - i : i)]);
         }
-    series.finish(true);
+    series.finish();
 }
 
 } // namespace integral

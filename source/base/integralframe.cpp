@@ -3,6 +3,8 @@
 // configbase.h must be the first POV-Ray file included within base
 #include "configbase.h"
 #include "base/integralframe.h"
+#include "integral/lightfield/quilt_name.h"
+#include "integral/lightfield/quilt_sampler.h"
 
 #include <chrono>
 #include <cstdint>
@@ -27,6 +29,7 @@ struct State
     std::string scene;
     std::string fingerprint;
     std::optional<integral::PixelSize> size;
+    std::optional<integral::ViewGrid> quilt;
     std::optional<integral::FrameMetadata> metadata;
     Clock::time_point begun;
     std::optional<Clock::time_point> ended;
@@ -68,6 +71,13 @@ void IntegralFrame::Set_Scene(const std::string& file)
     state.scene = file.substr(file.find_last_of("/\\") + 1);
 }
 
+void IntegralFrame::Set_Quilt(const std::optional<integral::ViewGrid>& tiles)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.quilt = tiles;
+}
+
 void IntegralFrame::Expect(const integral::IntegralCamera *camera)
 {
     State& state = The_State();
@@ -85,6 +95,9 @@ void IntegralFrame::Expect(const integral::IntegralCamera *camera)
         if (camera->depth_range)
             text += std::to_string(camera->depth_range->x) + ' ' +
                     std::to_string(camera->depth_range->y);
+        if (state.quilt)
+            text += "quilt " + std::to_string(state.quilt->columns) + 'x' +
+                    std::to_string(state.quilt->rows);
         state.fingerprint = Hash(text);
     }
 }
@@ -111,6 +124,10 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
     state.metadata->render->beam_samples = camera.beam_samples;
     state.metadata->render->pseudoscopic = camera.pseudoscopic;
     state.metadata->render->display_prefilter = camera.display_prefilter;
+    if (state.quilt)
+        state.metadata->quilt = integral::QuiltSampler(camera, *state.quilt, camera.film.width,
+                                                       camera.film.height)
+                                    .record();
     state.begun = Clock::now();
     state.ended.reset();
 }
@@ -138,6 +155,20 @@ bool IntegralFrame::Current()
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
     return state.metadata.has_value();
+}
+
+std::string IntegralFrame::Named(const std::string& file)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    const auto dot = file.find_last_of('.'), slash = file.find_last_of('/');
+    if (!state.metadata || !state.metadata->quilt || dot == std::string::npos ||
+        (slash != std::string::npos && slash > dot))
+        return file;
+    const integral::Film& film = state.metadata->film;
+    return integral::quilt_name(file, state.metadata->quilt->grid,
+                                film.width * film.pixel_pitch.x /
+                                    (film.height * film.pixel_pitch.y));
 }
 
 integral::Vec2 IntegralFrame::Pixel_Pitch()

@@ -18,6 +18,9 @@ public:
     /// Sets the scene's name for the frame's metadata, at the start of parsing.
     static void Set_Scene(const std::string& file);
 
+    /// Whether pictures are to be quilts of so many views, at the start of parsing.
+    static void Set_Quilt(const std::optional<integral::ViewGrid>& tiles);
+
     /// Sets the scene's camera after parsing (null for a camera that is not integral), so that an
     /// interrupted render is continued only with the same geometry.
     static void Expect(const integral::IntegralCamera *camera);
@@ -36,8 +39,11 @@ public:
     /// From now on pictures are not integral frames.
     static void Forget();
 
-    /// Whether the picture is an integral frame.
+    /// Whether the picture is an integral frame, or a quilt of one's views.
     static bool Current();
+
+    /// The name of the picture's file: `file`, with the end that tells a quilt's views.
+    static std::string Named(const std::string& file);
 
     /// Film pixel pitch, mm. Call it only if Current().
     static integral::Vec2 Pixel_Pitch();

@@ -18,6 +18,7 @@ enum
     kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel in pixels
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
     kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
+    kIntegralAttrib_Quilt = 'IgQu', ///< option Integral_Quilt=: views across and up
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
     kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged
@@ -57,6 +58,7 @@ enum
         {"Integral_Error_Image", kIntegralAttrib_ErrorPicture, kPOVMSType_UCS2String},             \
         {"Integral_Antialiasing", kIntegralAttrib_Antialiasing, kPOVMSType_UCS2String},            \
         {"Integral_Sharing", kIntegralAttrib_Sharing, kPOVMSType_UCS2String},                      \
+        {"Integral_Quilt", kIntegralAttrib_Quilt, kPOVMSType_UCS2String},                          \
         {"Integral_Rows", kIntegralAttrib_Rows, kPOVMSType_UCS2String},
 
 #endif

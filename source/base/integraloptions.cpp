@@ -3,6 +3,7 @@
 // configbase.h must be the first POV-Ray file included within base
 #include "configbase.h"
 #include "base/integraloptions.h"
+#include "base/integralframe.h"
 #include "base/integralmsgid.h"
 #include "base/integralpicture.h"
 #include "base/povmscpp.h"
@@ -151,6 +152,40 @@ void Read_Rows(const std::string& text, int height, IntegralRows& rows)
     rows = {first - 1, last - 1};
 }
 
+/// Reads Integral_Quilt=, and refuses what is of frames alone.
+void Read_Quilt(const std::string& text, POVMS_Object& options, IntegralRenderOptions& result)
+{
+    constexpr int most = 256;
+    if (text.empty())
+        return;
+    integral::ViewGrid grid;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%4dx%4d%n", &grid.columns, &grid.rows, &end) != 2 ||
+        end != int(text.size()) || grid.columns < 1 || grid.rows < 1 ||
+        std::max(grid.columns, grid.rows) > most)
+        throw std::invalid_argument("Integral_Quilt=" + text +
+                                    " is not the views across and up, each from 1 to 256, as in "
+                                    "8x6");
+    const int width = options.TryGetInt(kPOVAttrib_Width, grid.columns),
+              height = options.TryGetInt(kPOVAttrib_Height, grid.rows);
+    if (width < grid.columns || height < grid.rows)
+        throw std::invalid_argument("Integral_Quilt=" + text + ": a picture of " +
+                                    std::to_string(width) + "x" + std::to_string(height) +
+                                    " pixels has no room for so many views; give a larger +W and "
+                                    "+H");
+    const char *const other = !result.depth_picture.empty()         ? "Integral_Depth_Image"
+                              : !result.error_picture.empty()       ? "Integral_Error_Image"
+                              : options.Exist(kIntegralAttrib_Rows) ? "Integral_Rows"
+                                                                    : nullptr;
+    if (other)
+        throw std::invalid_argument("Integral_Quilt and " + std::string(other) +
+                                    " do not go together: that is of a frame");
+    if (result.antialias && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) == 2)
+        throw std::invalid_argument("Integral_Quilt does not go with +AM2, whose samples at the "
+                                    "corners of pixels would mix neighbouring views; use +AM1");
+    result.quilt = grid;
+}
+
 void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 {
     if (text.empty())
@@ -200,6 +235,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&
                        options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
+    Read_Quilt(word(kIntegralAttrib_Quilt), options, result);
+
     result.output.working = Encoding_Of(
         options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),
         options.TryGetFloat(kPOVAttrib_WorkingGamma, DEFAULT_WORKING_GAMMA));
@@ -226,7 +263,10 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
     {
         result.draft = Draft_In(text(kIntegralAttrib_Draft));
         const bool size_is_known = result.draft == 1 && !result.free_height;
-        Read_Integral_Options(options, size_is_known ? options.TryGetInt(kPOVAttrib_Height, 0) : 0);
+        IntegralFrame::Set_Quilt(
+            Read_Integral_Options(options,
+                                  size_is_known ? options.TryGetInt(kPOVAttrib_Height, 0) : 0)
+                .quilt);
     }
     catch (const std::invalid_argument& problem)
     {

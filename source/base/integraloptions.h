@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "integral/lightfield/error_estimate.h"
+#include "integral/lightfield/view_grid.h"
 
 class POVMS_Object;
 
@@ -58,9 +60,10 @@ struct IntegralRenderOptions
     std::string error_picture;  ///< Integral_Error_Image=; empty: none
     std::string depth_picture;  ///< Integral_Depth_Image=; empty: none
     IntegralRows rows;          ///< Integral_Rows=
-    bool antialias = false;     ///< +A with a method other than 0
-    bool light_field = true;    ///< Integral_Antialiasing=light_field; false: pixels
-    int block_side = 32;        ///< width and height of a block, pixels
+    std::optional<integral::ViewGrid> quilt; ///< Integral_Quilt=; nothing: a frame
+    bool antialias = false;                  ///< +A with a method other than 0
+    bool light_field = true;                 ///< Integral_Antialiasing=light_field; false: pixels
+    int block_side = 32;                     ///< width and height of a block, pixels
     std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< +MI: limit for an image
                                                                        ///< in main memory, bytes
     integral::OutputCurve output; ///< from the renderer's values to those of the picture file

@@ -4,6 +4,7 @@
 #include "base/configbase.h"
 #include "frontend/integraloutput.h"
 #include "base/fileinputoutput.h"
+#include "base/integralframe.h"
 #include "base/image/integralmetadata.h"
 #include "integral/base/unfinished_file.h"
 
@@ -66,12 +67,16 @@ void Write_Straight(const std::string& name, unsigned int file_type, Image::Imag
 
 }
 
-void Write_Whole_Picture(const UCS2String& file, unsigned int file_type,
-                         Image::ImageFileType format, const Image& image,
-                         const Image::WriteOptions& options)
+void Write_Whole_Picture(UCS2String& file, unsigned int file_type, Image::ImageFileType format,
+                         const Image& image, const Image::WriteOptions& options)
 {
-    const std::string name = UCS2toASCIIString(file);
+    std::string name = UCS2toASCIIString(file);
     const bool special = Is_Special(name);
+    if (!special && IntegralFrame::Named(name) != name)
+    {
+        name = IntegralFrame::Named(name);
+        file = ASCIItoUCS2String(name.c_str());
+    }
     std::optional<integral::UnfinishedFile> unfinished;
     if (!special)
         unfinished.emplace(name);

@@ -166,10 +166,12 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
                "calibration: holds no calibration: an object with pitch, slope, center, DPI, "
                "screenW and screenH");
     for (const char* const nothing : {"{}", "[]", "\"panel\"", R"({"pannel": {"width": 3}})"})
-        BOOST_TEST(refusal(nothing) ==
-                   "holds neither a panel's description: an object with panel, sheet and "
-                   "viewing_distance_mm, nor a Looking Glass "
-                   "calibration: an object with pitch, slope, center, DPI, screenW and screenH");
+        BOOST_TEST(
+            refusal(nothing) ==
+            "holds neither a panel's description: an object with panel, sheet and "
+            "viewing_distance_mm, nor a Looking Glass "
+            "calibration: an object with pitch, slope, center, DPI, screenW and screenH, nor "
+            "a CubeVi one, with lineNumber, obliquity and deviation");
 }
 
 BOOST_AUTO_TEST_CASE(malformed_descriptions_are_refused_in_words)

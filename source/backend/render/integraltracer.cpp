@@ -26,7 +26,8 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
         return;
     containers.Choose(*view->optics, scene, thread);
     counts_error = view->error.wanted && !view->audit;
-    one_ray = view->sampler->gives_one_ray();
+    quilt = view->quilt != nullptr;
+    one_ray = quilt || view->sampler->gives_one_ray();
     run_y = last_y = -1;
     keeps_depth = view->sampling != nullptr;
     std::lock_guard<std::mutex> lock(view->counts->mutex);
@@ -104,6 +105,25 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
         Make_Ray(ray, *seen, pretrace, length);
     imaged = outcome.imaged > 0;
     lens = outcome.lens;
+    if (counted)
+        Count(outcome, imaged);
+    return imaged;
+}
+
+/// The same for a quilt.
+bool IntegralTracer::Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
+                                      DBL& length)
+{
+    integral::PixelOutcome outcome;
+    outcome.film_points = 1;
+    if (const auto seen = view->quilt->ray({x + 0.5, y + 0.5}))
+    {
+        outcome.imaged = 1;
+        Make_Ray(ray, *seen, pretrace, length);
+    }
+    else
+        outcome.outside_aperture = 1; // left over beside the views
+    imaged = outcome.imaged > 0;
     if (counted)
         Count(outcome, imaged);
     return imaged;

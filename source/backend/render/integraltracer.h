@@ -95,6 +95,7 @@ private:
     };
 
     bool Choose_Rays(DBL x, DBL y, bool counted);
+    bool Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     bool Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     void Count(const integral::PixelOutcome& outcome, std::size_t traced) const;
     int Place_In_Run(DBL x, DBL y);
@@ -125,6 +126,7 @@ private:
     bool keeps_depth = false; ///< whether Depth is available
     double last_depth = 0;
     bool one_ray = false;        ///< whether each pixel has at most one ray
+    bool quilt = false;          ///< whether the picture is a quilt of views; then one_ray is true
     integral::PixelRun run;      ///< pixels of a row mapped at once: the last run that was computed
     DBL run_x = 0, run_y = -1;   ///< its first pixel; initially none
     DBL last_x = 0, last_y = -1; ///< the last pixel that was traced
@@ -139,7 +141,8 @@ void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Tr
     if (mode == camera_rays && one_ray)
     {
         Ray ray;
-        if (Choose_One_Ray(x, y, counted, pretrace, ray, length))
+        if (quilt ? Choose_Quilt_Ray(x, y, counted, pretrace, ray, length)
+                  : Choose_One_Ray(x, y, counted, pretrace, ray, length))
             Met(ray, trace(ray, length, colour));
         else
             colour.transm() = 1.0;

@@ -86,6 +86,14 @@ static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
     Make_Vector(camera.Location, eye.x, eye.y, eye.z);
 }
 
+/// A quilt's rays are those of perspective cameras: what shares, samples and estimates the light of
+/// lenses does not go with them.
+static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width, int height)
+{
+    view.quilt = std::make_shared<integral::QuiltSampler>(*view.optics, tiles, width, height);
+    view.error.wanted = false;
+}
+
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)
 {
     camera.Integral_View.reset();
@@ -102,6 +110,13 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options,
                                                                                       height);
         view->sampler = std::make_shared<integral::PixelSampler>(*view->optics, given.seed);
+        if (given.quilt)
+        {
+            Start_Quilt(*view, *given.quilt, width, height);
+            camera.Integral_View = view;
+            pov_base::IntegralFrame::Begin(*view->optics);
+            return;
+        }
         view->rows = given.rows;
         view->error = {given.audit, given.audit_share, given.output, given.error_picture};
         view->caches_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;

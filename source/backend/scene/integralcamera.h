@@ -16,6 +16,7 @@
 #include "base/integraloptions.h"
 #include "integral/lightfield/error_estimate.h"
 #include "integral/lightfield/pixel_sampler.h"
+#include "integral/lightfield/quilt_sampler.h"
 #include "integral/optics/camera.h"
 
 class POVMS_Object;
@@ -99,6 +100,7 @@ struct IntegralView
 {
     std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const integral::PixelSampler> sampler;
+    std::shared_ptr<const integral::QuiltSampler> quilt; ///< null: the picture is a frame
     std::shared_ptr<IntegralCounts> counts;
     std::shared_ptr<IntegralShadingCache> shading_cache; ///< null: rays do not share shading
     bool caches_dear_shading_only = false;      ///< use the cache only where shading is expensive

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Multi-picture files (MPO, CIPA DC-007-2009): several JPEGs one behind another, and an index of
+// them in the first. 3D cameras, televisions and viewers know those of two views.
+#ifndef INTEGRAL_IO_MPO_FILE_H
+#define INTEGRAL_IO_MPO_FILE_H
+
+#include "integral/lightfield/image.h"
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// The bytes of a file of views, the leftmost first: disparity images, sRGB, 8 bits. `quality` of
+/// the JPEGs: 0 to 100. `baseline`: mm between the eyes of neighbouring views. Throws
+/// std::runtime_error.
+std::string mpo_of_views(const std::vector<Image>& views, int quality, double baseline);
+
+/// Where the pictures of such a file begin: offsets from the beginning of its bytes, in the index's
+/// order, the first one 0. Empty for other files, plain JPEGs among them. Throws
+/// std::runtime_error where there is an index that makes no sense.
+std::vector<std::size_t> pictures_in_mpo(const std::string& bytes);
+
+} // namespace integral
+
+#endif

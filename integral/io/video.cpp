@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/io/video.h"
+
+#include "integral/base/file_bytes.h"
+#include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
+#include "integral/base/program_path.h"
+
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace integral {
+namespace {
+
+/// What ffmpeg is told: pictures on its standard input, a file of that name.
+std::vector<std::string> words_of(const std::string& path, const std::string& file, int width,
+                                  int height, double pictures_a_second, int quality)
+{
+    const bool webm = extension_of(path) == "webm";
+    // The encoders' scale is 0 (nothing is lost that can be seen) to 63 or 51.
+    const long lossy = std::lround((webm ? 63 : 51) * std::sqrt(1 - quality / 100.0));
+    std::vector<std::string> words = {"ffmpeg",
+                                      "-hide_banner",
+                                      "-loglevel",
+                                      "error",
+                                      "-y",
+                                      "-f",
+                                      "rawvideo",
+                                      "-pixel_format",
+                                      "rgb24",
+                                      "-video_size",
+                                      std::to_string(width) + "x" + std::to_string(height),
+                                      "-framerate",
+                                      with_digits(pictures_a_second, 10),
+                                      "-i",
+                                      "-",
+                                      "-vf",
+                                      "scale=out_color_matrix=bt709",
+                                      "-pix_fmt",
+                                      "yuv420p",
+                                      "-colorspace",
+                                      "bt709",
+                                      "-color_primaries",
+                                      "bt709",
+                                      "-color_trc",
+                                      "bt709",
+                                      "-crf",
+                                      std::to_string(lossy)};
+    const auto add = [&](std::initializer_list<const char*> more) {
+        words.insert(words.end(), more.begin(), more.end());
+    };
+    if (webm)
+        add({"-c:v", "libvpx-vp9", "-b:v", "0", "-row-mt", "1", "-f", "webm"});
+    else
+        add({"-c:v", "libx264", "-movflags", "+faststart", "-f", "mp4"});
+    words.push_back("file:" + file);
+    return words;
+}
+
+} // namespace
+
+/// ffmpeg as a child process that reads from a socket, whose end does not kill this program by a
+/// signal.
+class Video::Encoder {
+public:
+    explicit Encoder(const std::vector<std::string>& words)
+    {
+        int input[2] = {-1, -1}, said[2] = {-1, -1};
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0 ||
+            pipe2(said, O_CLOEXEC) != 0)
+            error_ = errno;
+        input_ = input[0];
+        said_ = said[0];
+        std::vector<char*> arguments;
+        for (const std::string& word : words)
+            arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        posix_spawn_file_actions_t files;
+        posix_spawn_file_actions_init(&files);
+        posix_spawn_file_actions_adddup2(&files, input[1], 0);
+        posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_adddup2(&files, said[1], 2);
+        if (error_ == 0)
+            error_ = posix_spawnp(&process_, arguments[0], &files, nullptr, arguments.data(),
+                                  environ);
+        posix_spawn_file_actions_destroy(&files);
+        for (const int end : {input[1], said[1]})
+            if (end >= 0)
+                close(end);
+    }
+
+    ~Encoder()
+    {
+        for (const int end : {input_, said_})
+            if (end >= 0)
+                close(end);
+        if (process_ > 0) {
+            kill(process_, SIGKILL);
+            wait_for_end();
+        }
+    }
+
+    /// Whether it has taken all bytes.
+    bool write(const std::uint8_t* bytes, std::size_t count)
+    {
+        while (error_ == 0 && count > 0) {
+            const ssize_t sent = send(input_, bytes, count, MSG_NOSIGNAL);
+            if (sent < 0 && errno != EINTR)
+                return false;
+            stop_if_interrupted();
+            bytes += sent > 0 ? sent : 0;
+            count -= sent > 0 ? std::size_t(sent) : 0;
+        }
+        return error_ == 0;
+    }
+
+    /// Ends its input and waits for it. Returns what went wrong, nothing if it did well.
+    std::string end()
+    {
+        close(input_);
+        input_ = -1;
+        std::string text;
+        char some[4096];
+        for (ssize_t n; error_ == 0 && (n = read(said_, some, sizeof some)) != 0;)
+            if (n > 0)
+                text.append(some, std::size_t(n));
+            else if (errno != EINTR)
+                break;
+        const int status = process_ > 0 ? wait_for_end() : -1;
+        if (error_ != 0)
+            return std::strerror(error_);
+        if (status == 0)
+            return "";
+        const std::string line = text.substr(0, text.find('\n'));
+        return line.empty() ? "it ended with status " + std::to_string(status) : line;
+    }
+
+private:
+    int wait_for_end()
+    {
+        int status = -1;
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR)
+            ;
+        process_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    pid_t process_ = -1;
+    int input_ = -1, said_ = -1, error_ = 0;
+};
+
+bool is_video(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    return extension == "webm" || extension == "mp4";
+}
+
+Video::Video(const std::string& path, int quality, double pictures_a_second, bool there_and_back)
+    : path_(path),
+      quality_(quality),
+      pictures_a_second_(pictures_a_second),
+      there_and_back_(there_and_back)
+{
+    if (!program_on_path("ffmpeg"))
+        fail("a video needs the program ffmpeg, which is not installed (Debian's package ffmpeg); "
+             "a name that ends in .webp gives an animation without it");
+}
+
+Video::~Video() = default;
+
+void Video::fail(const std::string& what) const { throw OutputError(path_ + ": " + what); }
+
+void Video::add(const Image& picture)
+{
+    if (!encoder_) {
+        width_ = picture.width;
+        height_ = picture.height;
+        if (extension_of(path_) == "mp4" && (width_ % 2 != 0 || height_ % 2 != 0))
+            fail("an MP4 has an even number of pixels both ways, and these pictures have " +
+                 std::to_string(width_) + "x" + std::to_string(height_) +
+                 "; another --size, or a name that ends in .webm, would do");
+        const std::string target = target_of(path_),
+                          folder = target.substr(0, target.rfind('/') + 1);
+        file_ = std::make_unique<UnfinishedFile>(folder + unfinished_name("video"), target);
+        encoder_ = std::make_unique<Encoder>(
+            words_of(path_, file_->name(), width_, height_, pictures_a_second_, quality_));
+    }
+    if (picture.width != width_ || picture.height != height_)
+        fail("the pictures differ in size");
+    Image plain = converted(picture, 8, Encoding(), false);
+    if (plain.channels == 4) { // over black
+        Image opaque = make_image<std::uint8_t>(width_, height_, 3, plain.encoding);
+        const LinearReader light(plain);
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x)
+                store_linear(opaque, x, y, light(x, y));
+        plain = std::move(opaque);
+    }
+    const auto& samples = std::get<std::vector<std::uint8_t>>(plain.samples);
+    if (!encoder_->write(samples.data(), samples.size()))
+        fail("ffmpeg failed: " + encoder_->end());
+    if (there_and_back_)
+        kept_.push_back(std::move(plain));
+}
+
+void Video::finish()
+{
+    if (!encoder_)
+        fail("there are no pictures");
+    for (std::size_t i = kept_.size(); i-- > 2;) {
+        const auto& samples = std::get<std::vector<std::uint8_t>>(kept_[i - 1].samples);
+        if (!encoder_->write(samples.data(), samples.size()))
+            break; // end() tells why
+    }
+    const std::string trouble = encoder_->end();
+    if (!trouble.empty())
+        fail("ffmpeg failed: " + trouble);
+    if (const int error = file_->finish())
+        fail(std::string("it cannot be written: ") + std::strerror(error));
+}
+
+} // namespace integral

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Names of quilts' files, by the Looking Glass quilt standard
+// (lookingglassfactory.com/tutorial/what-is-a-quilt): they end in _qs<columns>x<rows>a<aspect>
+// before the extension, as in first_qs8x6a0.75.png.
+#ifndef INTEGRAL_LIGHTFIELD_QUILT_NAME_H
+#define INTEGRAL_LIGHTFIELD_QUILT_NAME_H
+
+#include "integral/lightfield/view_grid.h"
+
+#include <optional>
+#include <string>
+
+namespace integral {
+
+/// The columns and rows that a quilt's file name says; nothing if it does not.
+std::optional<ViewGrid> grid_in_name(const std::string& path);
+
+/// The path with such an end; as it is if it has one already. `aspect`: a view's width by its
+/// height, as it is to be seen.
+std::string quilt_name(const std::string& path, ViewGrid grid, double aspect);
+
+/// The path without such an end, if it has one.
+std::string without_grid(const std::string& path);
+
+} // namespace integral
+
+#endif
