@@ -5,6 +5,7 @@
 #include "integral/cli/lcd_options.h"
 #include "integral/io/image_file.h"
 #include "integral/io/picture_series.h"
+#include "integral/lightfield/camera_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -178,7 +179,8 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
     if (o.camera)
         return print_result(o.output, "Width=" + std::to_string(panel.film.width) +
                                           "\nHeight=" + std::to_string(panel.film.height) +
-                                          "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n");
+                                          "\nIntegral_Camera=\"" +
+                                          camera_words(frame_geometry(panel)) + "\"\n");
     make_images(o, lcd, panel);
 }
 

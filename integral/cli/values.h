@@ -34,6 +34,9 @@ struct PixelSize {
 PixelSize parse_size(const char* option, const std::string& text, int most,
                      const char* form = "WxH");
 
+/// WxH in mm, as 150x100; each from 1 to `most`.
+Vec2 parse_size_mm(const char* option, const std::string& text, double most);
+
 /// An option's name, and whether the line has it.
 struct GivenOption {
     GivenOption(const char* option, bool is_given) : name(option), given(is_given) {}
