@@ -56,12 +56,14 @@ unit_sources = \
   tests/unit/batch_files.cpp \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
+  tests/unit/batch_tune.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
   tests/unit/lightfield_depth_range.cpp \
   tests/unit/lightfield_error_estimate.cpp \
   tests/unit/lightfield_image.cpp \
+  tests/unit/lightfield_known_sheets.cpp \
   tests/unit/lightfield_lens_profile.cpp \
   tests/unit/lightfield_metadata.cpp \
   tests/unit/lightfield_pixel_beam.cpp \

@@ -5,6 +5,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/constants.h \
   integral/base/file_bytes.cpp \
   integral/base/file_bytes.h \
+  integral/base/first_steps.cpp \
+  integral/base/first_steps.h \
   integral/base/interrupt.cpp \
   integral/base/interrupt.h \
   integral/base/json.cpp \

@@ -80,10 +80,11 @@ std::optional<ChildEnd> ChildProcess::ended()
     return end;
 }
 
-ChildEnd ChildProcess::wait()
+ChildEnd ChildProcess::wait(const std::function<void()>& meanwhile)
 {
+    constexpr int naps_between = 20;
     bool told = false; // an interrupt may have come to this program alone
-    for (;;) {
+    for (int nap = 0;; ++nap) {
         if (const auto end = ended()) {
             stop_if_interrupted();
             return *end;
@@ -92,6 +93,8 @@ ChildEnd ChildProcess::wait()
             stop();
             told = true;
         }
+        if (meanwhile && nap % naps_between == 0)
+            meanwhile();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 }

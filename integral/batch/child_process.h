@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_BATCH_CHILD_PROCESS_H
 #define INTEGRAL_BATCH_CHILD_PROCESS_H
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <sys/types.h>
@@ -39,8 +40,8 @@ public:
     /// How it has ended; nothing while it runs. Must not be called again once it has ended.
     std::optional<ChildEnd> ended();
     /// Waits for its end; must not be called again. If this program is interrupted, asks it to end,
-    /// waits for that, and throws Interrupted.
-    ChildEnd wait();
+    /// waits for that, and throws Interrupted. Calls `meanwhile`, if any, ten times a second.
+    ChildEnd wait(const std::function<void()>& meanwhile = {});
     /// Asks it to end.
     void stop();
     /// Bytes that it has in memory now.

@@ -53,4 +53,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/step_record.cpp \
   integral/batch/step_record.h \
   integral/batch/strips.cpp \
-  integral/batch/strips.h
+  integral/batch/strips.h \
+  integral/batch/tune.cpp \
+  integral/batch/tune.h \
+  integral/batch/tune_report.cpp \
+  integral/batch/tune_report.h

@@ -3,10 +3,13 @@
 
 #include "integral/batch/child_process.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <unistd.h>
 
 namespace integral {
@@ -74,13 +77,48 @@ InputError no_renderer(const std::string& said)
                       "; it belongs beside this program, or on PATH");
 }
 
+std::vector<std::string> scene_words(const std::string& path)
+{
+    read_file(path);
+    std::vector<std::string> words;
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    if (!folder.empty())
+        words.push_back("+L\"" + folder + "\"");
+    words.push_back(extension_of(path) == "pov" ? "+I\"" + path + "\"" : "\"" + path + "\"");
+    for (const char* word : {"-D", "+KFI1", "+KFF1"})
+        words.push_back(word);
+    return words;
+}
+
+/// The last characters of a growing file; none of one that cannot be read.
+static std::string end_of(const std::string& path)
+{
+    constexpr std::streamoff most = 1000;
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(0, std::ios::end);
+    file.seekg(-std::min(most, std::streamoff(file.tellg())), std::ios::end);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The last "(NN%)" that the renderer has printed, in hundredths; 0 before any.
+static int hundredths_in(const std::string& said)
+{
+    const auto end = said.rfind("%)");
+    const auto begin = end == std::string::npos ? end : said.rfind('(', end);
+    return begin == std::string::npos ? 0 : std::clamp(std::atoi(said.c_str() + begin + 1), 0, 100);
+}
+
 void render(const std::string& what, const std::vector<std::string>& options,
-            const ScratchFolder& scratch)
+            const ScratchFolder& scratch, const Progress& progress)
 {
     std::vector<std::string> words = options;
     words.insert(words.begin(), renderer_program());
     const std::string log = scratch.path("said.txt");
-    const ChildEnd end = ChildProcess(words, ".", log).wait();
+    const auto tell = [&] { progress(hundredths_in(end_of(log)), 100); };
+    const ChildEnd end = ChildProcess(words, ".", log)
+                             .wait(progress ? std::function(tell) : std::function<void()>());
+    if (progress)
+        progress(100, 100);
     if (end.status == program_cannot_be_run)
         throw InputError(what + ": " + no_renderer(read_file(log)).what());
     if (end.status != 0)

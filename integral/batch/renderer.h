@@ -4,6 +4,7 @@
 #define INTEGRAL_BATCH_RENDERER_H
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/parallel.h"
 
 #include <string>
 #include <vector>
@@ -36,11 +37,16 @@ std::string reason_in(const std::string& said);
 /// printed.
 InputError no_renderer(const std::string& said);
 
+/// The words of povray-integral's command line for a scene (.pov, .ini): one picture of an
+/// animation, no window. Throws InputError where the scene cannot be read.
+std::vector<std::string> scene_words(const std::string& path);
+
 /// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its
 /// end. What it prints goes to a file in `scratch`. If it fails, throws InputError with `what` (the
-/// scene's name) and the renderer's reason; Interrupted if it was interrupted.
+/// scene's name) and the renderer's reason; Interrupted if it was interrupted. `progress` counts
+/// hundredths of the pixels, by what the renderer prints.
 void render(const std::string& what, const std::vector<std::string>& options,
-            const ScratchFolder& scratch);
+            const ScratchFolder& scratch, const Progress& progress = {});
 
 } // namespace integral
 

@@ -3,17 +3,25 @@
 #ifndef INTEGRAL_BATCH_SCENE_DEPTHS_H
 #define INTEGRAL_BATCH_SCENE_DEPTHS_H
 
+#include "integral/base/parallel.h"
 #include "integral/lightfield/depth_range.h"
+#include "integral/lightfield/frame.h"
 
 #include <string>
 #include <vector>
 
 namespace integral {
 
+struct SceneDepths {
+    DepthFrame depths;
+    std::optional<Frame> colours; ///< the scene's frame without lights; none of a depth frame
+};
+
 /// Reads a depth frame (.exr); or has povray-integral trace a scene (.pov, .ini) with one ray a
-/// pixel and quality 1, and reads the depth frame of that. `options` are further words of
-/// povray-integral's command line. Throws InputError.
-DepthFrame depths_of_scene(const std::string& path, const std::vector<std::string>& options);
+/// pixel and quality 1, and reads the frames of that. `options` are further words of
+/// povray-integral's command line. `progress` counts hundredths. Throws InputError.
+SceneDepths depths_of_scene(const std::string& path, const std::vector<std::string>& options,
+                            const Progress& progress = {});
 
 } // namespace integral
 

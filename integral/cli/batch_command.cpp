@@ -81,7 +81,6 @@ void declare(options::options_description& all, BatchOptions& o)
     all.add_options()("summary", sets(o.summary),
                       "only write summary.json and index.html, of what is there");
     all.add_options()("json", sets(o.json), "print the summary, or the plan of --dry-run, as JSON");
-    all.add_options()("help", sets(o.help), "print this");
     declare_cluster(all, o);
 }
 

@@ -33,6 +33,11 @@ options::variables_map parsed(const options::options_description& described, con
 
 } // namespace
 
+void declare_help(options::options_description& all, CommonOptions& read)
+{
+    all.add_options()("help", sets(read.help), "print this");
+}
+
 void read_words(const options::options_description& described, const Words& words, Words& inputs)
 {
     options::variables_map arguments = parsed(described, words);

@@ -69,7 +69,7 @@ struct Command {
 };
 
 extern const Command sheet_command, replay_command, views_command, print_command, lcd_command,
-    compare_command, rectify_command, batch_command;
+    compare_command, rectify_command, tune_command, batch_command;
 
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();
@@ -93,6 +93,9 @@ template <class T> options::typed_value<T>* fills(std::optional<T>& field, const
 /// For a declare function: an option without a value, which sets a field true.
 inline options::typed_value<bool>* sets(bool& field) { return options::bool_switch(&field); }
 
+/// --help, which every command has as its last option.
+void declare_help(options::options_description& all, CommonOptions& read);
+
 /// Options that the program gives to itself, which the help leaves out: a command that has some
 /// overloads this with its own struct.
 inline void declare_internal(options::options_description&, CommonOptions&) {}
@@ -111,6 +114,7 @@ template <class Options> options::options_description described()
     Options unused; // the descriptions name its fields, but no line is read by them
     options::options_description all("Options");
     declare(all, unused);
+    declare_help(all, unused);
     return all;
 }
 
@@ -120,6 +124,7 @@ template <class Options> Options read_options(const Words& words)
     Options read;
     options::options_description all("Options");
     declare(all, read);
+    declare_help(all, read);
     declare_internal(all, read);
     read_words(all, words, read.inputs);
     return read;

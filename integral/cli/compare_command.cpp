@@ -3,6 +3,7 @@
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
+#include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
 #include "integral/compare/compare_files.h"
 #include "integral/compare/figures_json.h"
@@ -26,7 +27,7 @@ struct CompareOptions : CommonOptions {
     // With --suite:
     std::optional<std::string> suite, references, tolerances, junit;
     std::optional<Words> accept;
-    std::optional<int> threads;
+    ThreadOptions threads;
 };
 
 std::string option_of(const LimitKind& kind)
@@ -45,8 +46,7 @@ void declare(options::options_description& all, CompareOptions& o)
         "gain", fills(o.gain, "G (=1)"), "multiply the difference picture by G")(
         "sheet", fills(o.sheet, "FILE.json"),
         "geometry for frames that carry none, or instead of their own")(
-        "json", sets(o.json), "print the figures as JSON (a PSNR that is infinite is null)")(
-        "help", sets(o.help), "print this");
+        "json", sets(o.json), "print the figures as JSON (a PSNR that is infinite is null)");
     for (std::size_t i = 0; i < limit_count; ++i)
         all.add_options()(option_of(limit_kinds[i]).c_str(),
                           fills(o.limits[i], limit_kinds[i].value_name),
@@ -65,8 +65,8 @@ void declare(options::options_description& all, CompareOptions& o)
         "there)")("junit", fills(o.junit, "FILE"),
                   "write the outcome as JUnit XML, for CI systems")(
         "accept", fills(o.accept, "NAME...")->multitoken()->composing(),
-        "compare nothing: make these results, by their names within the folder, the references")(
-        "threads", fills(o.threads, "N (=0)"), "threads to work with (0: one per core)");
+        "compare nothing: make these results, by their names within the folder, the references");
+    declare(group, o.threads);
     all.add(group);
 }
 
@@ -167,7 +167,7 @@ int report(const Suite& suite, const CompareOptions& o)
 int run_suite(const CompareOptions& o)
 {
     check_suite_options(o);
-    const int threads = in_range("threads", o.threads.value_or(0), 0, 1024);
+    const int threads = o.threads.count();
     SuitePictures pictures;
     pictures.wanted = !o.output.value_or("").empty();
     read_number("gain", o.gain, pictures.gain);
@@ -197,7 +197,7 @@ int run(const CompareOptions& o)
                                           {"tolerances", o.tolerances},
                                           {"junit", o.junit},
                                           {"accept", o.accept},
-                                          {"threads", o.threads}}))
+                                          {"threads", o.threads.given}}))
         throw UsageError(std::string("--") + option + " goes with --suite FOLDER");
     const Limits limits = limits_of(o);
     if (o.inputs.size() != 2)

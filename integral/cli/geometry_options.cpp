@@ -2,13 +2,39 @@
 #include "integral/cli/geometry_options.h"
 
 #include "integral/cli/values.h"
+#include "integral/lightfield/known_sheets.h"
 #include "integral/lightfield/names.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace integral {
 namespace {
 
 constexpr double default_distance = 300; // mm; the thesis's (3-8)
 constexpr double default_dpi = 300;
+constexpr double largest_size = 20000; // mm, of a page or a print
+
+/// --lpi: the pitch, and what is known of the sheet that is sold by that number.
+void set_lpi(const SheetOptions& given, LensSheet& sheet)
+{
+    if (given.pitch)
+        throw UsageError("--lpi and --pitch say the same; give one of them");
+    const double lpi = parse_number("lpi", *given.lpi, "a number of lenses per inch");
+    if (!(lpi > 0))
+        throw UsageError("--lpi " + *given.lpi + ": it must be greater than 0");
+    const auto known = sheet_of_lpi(lpi);
+    if (!known && !given.thickness)
+        throw UsageError("--lpi " + *given.lpi +
+                         ": no common sheet has so many lenses per inch (integral sheet --list); "
+                         "give its --thickness MM as well");
+    sheet.pitch = mm_per_inch / lpi;
+    if (known) {
+        sheet.arrangement = known->arrangement;
+        sheet.thickness = known->thickness;
+        sheet.ior = known->ior;
+    }
+}
 
 } // namespace
 
@@ -16,9 +42,12 @@ void declare(options::options_description& all, SheetOptions& sheet)
 {
     all.add_options()("arrangement", fills(sheet.arrangement, "KIND"),
                       "lenticular, square or hexagonal (default lenticular)")(
-        "pitch", fills(sheet.pitch, "MM"),
-        "width of a lens (default 1.27)")("thickness", fills(sheet.thickness, "MM"),
-                                          "from the lenses' poles to the film (default 3.08)")(
+        "pitch", fills(sheet.pitch, "MM"), "width of a lens (default 1.27)")(
+        "lpi", fills(sheet.lpi, "N"),
+        "the same as lenses per inch; with 20, 40, 60, 75 and 100 thickness and index are those of "
+        "a common sheet, unless given (integral sheet --list)")(
+        "thickness", fills(sheet.thickness, "MM"),
+        "from the lenses' poles to the film (default 3.08)")(
         "ior", fills(sheet.ior, "N"), "refractive index of the sheet (default 1.6)")(
         "slant", fills(sheet.slant, "DEGREES"),
         "turn of the lenses, anticlockwise as the viewer sees it (default 0)")(
@@ -46,6 +75,7 @@ const char* first_given(const SheetOptions& sheet)
 {
     return first_given({{"arrangement", sheet.arrangement},
                         {"pitch", sheet.pitch},
+                        {"lpi", sheet.lpi},
                         {"thickness", sheet.thickness},
                         {"ior", sheet.ior},
                         {"slant", sheet.slant},
@@ -62,6 +92,9 @@ FrameMetadata default_geometry()
 
 void change_sheet(const SheetOptions& given, LensSheet& sheet)
 {
+    read_number("pitch", given.pitch, sheet.pitch);
+    if (given.lpi)
+        set_lpi(given, sheet);
     if (given.arrangement) {
         const auto kind = kind_named<Arrangement>(*given.arrangement);
         if (!kind)
@@ -69,7 +102,6 @@ void change_sheet(const SheetOptions& given, LensSheet& sheet)
                              legal_names<Arrangement>() + " is expected");
         sheet.arrangement = *kind;
     }
-    read_number("pitch", given.pitch, sheet.pitch);
     read_number("thickness", given.thickness, sheet.thickness);
     read_number("ior", given.ior, sheet.ior);
     read_number("slant", given.slant, sheet.slant);
@@ -98,6 +130,17 @@ void change_film(const FilmOptions& given, Film& film)
     }
 }
 
+void set_film_size(const char* option, const std::string& text, Film& film)
+{
+    const Vec2 size = parse_size_mm(option, text, largest_size);
+    const double width = size.x / film.pixel_pitch.x, height = size.y / film.pixel_pitch.y;
+    if (std::max(width, height) > largest_film_side)
+        throw UsageError(std::string("--") + option + " " + text +
+                         ": it has more than 1000000 pixels across or down at this resolution");
+    film.width = std::max(1, int(std::lround(width)));
+    film.height = std::max(1, int(std::lround(height)));
+}
+
 void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool keep)
 {
     Aperture& aperture = geometry.aperture;
@@ -124,8 +167,8 @@ void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool
 
 bool changes_lenses(const SheetOptions& sheet, const ApertureOptions& aperture)
 {
-    return sheet.arrangement || sheet.pitch || sheet.thickness || sheet.ior || sheet.slant ||
-           aperture.distance;
+    return sheet.arrangement || sheet.pitch || sheet.lpi || sheet.thickness || sheet.ior ||
+           sheet.slant || aperture.distance;
 }
 
 void check_geometry(const FrameMetadata& geometry)

@@ -11,7 +11,7 @@ namespace integral {
 constexpr int largest_film_side = 1000000; ///< pixels
 
 struct SheetOptions {
-    std::optional<std::string> arrangement, pitch, thickness, ior, slant, offset;
+    std::optional<std::string> arrangement, pitch, lpi, thickness, ior, slant, offset;
 };
 
 struct FilmOptions {
@@ -35,6 +35,9 @@ FrameMetadata default_geometry();
 /// Changes what the options give, and nothing else. Throws UsageError.
 void change_sheet(const SheetOptions& given, LensSheet& sheet);
 void change_film(const FilmOptions& given, Film& film);
+
+/// Gives the film the pixels of an option's WxH in mm, at its resolution. Throws UsageError.
+void set_film_size(const char* option, const std::string& text, Film& film);
 
 /// Changes the aperture's distance and extent where they are given. An extent that is not given
 /// stays as it is if `keep`; else the aperture becomes the one that fills the lenses. Throws

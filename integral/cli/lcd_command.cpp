@@ -5,6 +5,7 @@
 #include "integral/cli/lcd_options.h"
 #include "integral/io/image_file.h"
 #include "integral/io/picture_series.h"
+#include "integral/lightfield/camera_words.h"
 #include "integral/output/quilt.h"
 
 #include <nlohmann/json.hpp>
@@ -186,7 +187,7 @@ std::string settings_for(Panel panel, const std::optional<ViewGrid>& quilt)
         film = {film.width * finer, film.height * finer, (1.0 / finer) * film.pixel_pitch};
     }
     return "Width=" + std::to_string(film.width) + "\nHeight=" + std::to_string(film.height) +
-           "\nIntegral_Camera=\"" + camera_words(panel) + "\"\n" +
+           "\nIntegral_Camera=\"" + camera_words(frame_geometry(panel)) + "\"\n" +
            (quilt ? "Integral_Quilt=" + size_text(quilt->columns, quilt->rows) + "\n" : "");
 }
 

@@ -57,7 +57,7 @@ PanelImageOptions image_options(const LcdOptions& o)
         image.height = size.height;
     }
     image.lit_view = o.view;
-    image.threads = in_range("threads", o.threads, 0, 1024);
+    image.threads = o.threads.count();
     image.panel_name = "--panel " + o.panel.value_or("");
     image.tell = [](const std::string& what) { say("lcd", what); };
     image.progress = progress_bar;
@@ -129,10 +129,8 @@ void declare(options::options_description& all, LcdOptions& o)
         "list-displays", sets(o.list_displays),
         "list the displays: number, name, pixels, rate, place, and whether they show pictures as "
         "they are");
-    all.add_options()("threads", fills(o.threads, "N")->default_value(o.threads),
-                      "threads to work with (0: one per core)");
+    declare(all, o.threads);
     all.add_options()("json", sets(o.json), "print figures as JSON");
-    all.add_options()("help", sets(o.help), "print this");
 }
 
 LcdRequest lcd_request(const LcdOptions& o)

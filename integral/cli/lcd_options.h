@@ -4,6 +4,7 @@
 #define INTEGRAL_CLI_LCD_OPTIONS_H
 
 #include "integral/cli/command.h"
+#include "integral/cli/thread_options.h"
 #include "integral/output/panel_images.h"
 #include "integral/output/screen_show.h"
 
@@ -19,7 +20,7 @@ struct LcdOptions : CommonOptions {
     std::optional<int> view;
     bool encoded = false, list = false, describe = false, camera = false, play = false,
          loop = false, list_displays = false, json = false;
-    int threads = 0;
+    ThreadOptions threads;
 };
 
 void declare(options::options_description& all, LcdOptions& o);

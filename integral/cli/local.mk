@@ -30,6 +30,9 @@ build_bin_integral_SOURCES += \
   integral/cli/series_options.cpp \
   integral/cli/series_options.h \
   integral/cli/sheet_command.cpp \
+  integral/cli/thread_options.cpp \
+  integral/cli/thread_options.h \
+  integral/cli/tune_command.cpp \
   integral/cli/values.cpp \
   integral/cli/values.h \
   integral/cli/views_command.cpp

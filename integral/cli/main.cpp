@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The integral program: finds the command, reads its options, and turns errors into exit statuses.
 #include "integral/base/file_bytes.h"
+#include "integral/base/first_steps.h"
 #include "integral/cli/command.h"
 
 #include <cstdio>
@@ -17,8 +18,8 @@ namespace integral {
 const std::vector<const Command*>& all_commands()
 {
     static const std::vector<const Command*> commands = {
-        &sheet_command, &replay_command,  &views_command,   &print_command,
-        &lcd_command,   &compare_command, &rectify_command, &batch_command};
+        &sheet_command,   &replay_command,  &views_command, &print_command, &lcd_command,
+        &compare_command, &rectify_command, &tune_command,  &batch_command};
     return commands;
 }
 
@@ -81,8 +82,10 @@ std::string manual_page()
 /// Runs the program; `name` is how errors call it, and becomes that of the command.
 int run_program(const std::vector<std::string>& words, std::string& name)
 {
-    if (words.empty())
-        throw UsageError("a command is missing; integral help lists them");
+    if (words.empty()) {
+        std::cout << first_steps();
+        return exit_done;
+    }
     if (words[0] == "--version") {
         std::cout << "integral " PACKAGE_VERSION "\n"
                      "License AGPL-3.0-or-later. There is no warranty.\n";

@@ -14,7 +14,6 @@ namespace integral {
 namespace {
 
 constexpr int most_bars = 1000;
-constexpr double largest_page = 20000; // mm
 constexpr double most_pixels = 5e8;
 constexpr char default_page[] = "152.4x101.6";    // 4x6 inches
 constexpr char default_page_2d[] = "203.2x152.4"; // 6x8 inches: two blocks of bars
@@ -33,22 +32,6 @@ FrameMetadata nominal_geometry(const PrintOptions& o)
     return geometry;
 }
 
-/// WxH, mm.
-Vec2 parse_page(const std::string& text)
-{
-    const auto cross = text.find('x');
-    Vec2 page;
-    try {
-        page.x = parse_number("page", text.substr(0, cross), "");
-        page.y = parse_number("page", cross == std::string::npos ? "" : text.substr(cross + 1), "");
-    } catch (const UsageError&) {
-        throw UsageError("--page " + text + ": WxH, in mm, is expected");
-    }
-    if (!(page.x >= 1 && page.y >= 1 && page.x <= largest_page && page.y <= largest_page))
-        throw UsageError("--page " + text + ": sides of 1 to 20000 mm are expected");
-    return page;
-}
-
 /// Gives the film the size of --page in pixels, unless --size has given it one.
 void set_page(const PrintOptions& o, const LensSheet& sheet, Film& film)
 {
@@ -57,13 +40,7 @@ void set_page(const PrintOptions& o, const LensSheet& sheet, Film& film)
     if (film.width == 0) {
         const std::string text = o.page.value_or(
             sheet.arrangement == Arrangement::lenticular ? default_page : default_page_2d);
-        const Vec2 page = parse_page(text);
-        const double width = page.x / film.pixel_pitch.x, height = page.y / film.pixel_pitch.y;
-        if (std::max(width, height) > largest_film_side)
-            throw UsageError("--page " + text +
-                             ": it has more than 1000000 pixels across or down at this resolution");
-        film.width = std::max(1, int(std::lround(width)));
-        film.height = std::max(1, int(std::lround(height)));
+        set_film_size("page", text, film);
     }
     if (double(film.width) * film.height > most_pixels)
         throw UsageError("the page has more than 500 million pixels; take a smaller one");
@@ -97,14 +74,22 @@ PitchScale scale_of_range(const PrintOptions& o, const LensSheet& sheet)
     return {ends[0], step, int(std::lround(count)) + 1};
 }
 
-/// The scale of a chart that is made.
-PitchScale scale_to_make(const PrintOptions& o, const LensSheet& sheet, const Film& film)
+/// The scale of the chart that these options make, or made.
+PitchScale scale_of(const PrintOptions& o, const FrameMetadata& nominal)
 {
+    const LensSheet& sheet = nominal.sheet;
     if (o.pitch_range)
         return scale_of_range(o, sheet);
+    Film film = nominal.film;
+    set_page(o, sheet, film);
     const int bars = bars_of(o, sheet);
-    const double step = o.pitch_step ? parse_number("pitch-step", *o.pitch_step, "a number")
-                                     : default_step(sheet, film);
+    double step = 0;
+    try {
+        step = o.pitch_step ? parse_number("pitch-step", *o.pitch_step, "a number")
+                            : default_step(sheet, film);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
     const PitchScale scale = scale_about(sheet, step, bars);
     if (!(scale.step > 0 && scale.first > 0))
         throw UsageError("--pitch-step " + o.pitch_step.value_or("") +
@@ -152,10 +137,7 @@ std::vector<ChartReading> readings_of(const PrintOptions& o, const LensSheet& sh
 int read_chart(const PrintOptions& o)
 {
     const FrameMetadata geometry = nominal_geometry(o);
-    if (!o.pitch_range)
-        throw UsageError("--even needs the chart's --pitch-range A,B and --bars N, which stand in "
-                         "its last line");
-    const PitchScale scale = scale_of_range(o, geometry.sheet);
+    const PitchScale scale = scale_of(o, geometry);
     const std::vector<ChartReading> readings = readings_of(o, geometry.sheet, scale);
     MeasuredSheet found;
     try {
@@ -178,10 +160,11 @@ int read_chart(const PrintOptions& o)
 ChartPage chart_of(const PrintOptions& o)
 {
     FrameMetadata geometry = nominal_geometry(o);
-    set_page(o, geometry.sheet, geometry.film);
     try {
         geometry.sheet.offset = {};
-        return chart_page(geometry, scale_to_make(o, geometry.sheet, geometry.film));
+        const PitchScale scale = scale_of(o, geometry);
+        set_page(o, geometry.sheet, geometry.film);
+        return chart_page(geometry, scale);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
@@ -196,13 +179,11 @@ int make_chart(const PrintOptions& o)
     const std::string output = o.output.value_or("");
     if (output.empty())
         throw UsageError("-o FILE is missing");
-    if (extension_of(output) == "pdf")
-        throw OutputError(output + ": a chart is .png, .tiff or .exr; integral print CHART.png -o "
-                                   "CHART.pdf makes a PDF of it");
-    format_for(output);
+    if (extension_of(output) != "pdf")
+        format_for(output);
     check_writable(output);
-    ChartPage chart = chart_of(o);
-    write_frame(output, std::move(chart.frame));
+    const ChartPage chart = chart_of(o);
+    write_chart(output, chart.frame);
     if (output != "-")
         write_file("-", chart.reading + "\n");
     return exit_done;

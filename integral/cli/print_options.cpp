@@ -88,8 +88,7 @@ void declare(options::options_description& all, PrintOptions& o)
         "of the printer's driver, as StpLaminate=Matte; may be given again")(
         "sheet", fills(o.start, "FILE.json"),
         "geometry for a frame that carries none, or instead of its own")(
-        "json", sets(o.json), "with --even: print figures as JSON")("help", sets(o.help),
-                                                                    "print this");
+        "json", sets(o.json), "with --even: print figures as JSON");
     options::options_description chart;
     chart.add_options()(
         "chart", sets(o.chart),

@@ -8,6 +8,7 @@
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
+#include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 
@@ -20,14 +21,13 @@ namespace {
 
 constexpr double default_turn_range = 10; // degrees
 constexpr int largest_frame_side = 65500; // pixels
-constexpr int most_threads = 1024;
 
 struct RectifyOptions : CommonOptions {
     std::optional<std::string> output;
     std::optional<std::string> start; ///< --sheet: the file that the geometry comes from
     std::optional<std::string> scan_dpi, turn, middle, flat, balance, white;
     bool even_light = false, vignetting = false, json = false;
-    int threads = 0;
+    ThreadOptions threads;
     SheetOptions sheet;
     FilmOptions film;
     ApertureOptions aperture;
@@ -65,9 +65,7 @@ void declare(options::options_description& all, RectifyOptions& o)
                       "divide by the average micro-image, which is darker towards the lenses' "
                       "borders");
     all.add_options()("json", sets(o.json), "print the figures as JSON");
-    all.add_options()("threads", fills(o.threads, "N")->default_value(o.threads),
-                      "threads to work with (0: one per core)");
-    all.add_options()("help", sets(o.help), "print this");
+    declare(all, o.threads);
     declare(all, o.sheet);
     declare(all, o.film);
     declare(all, o.aperture);
@@ -145,11 +143,12 @@ ScanLight light_of(const RectifyOptions& o, const Image& scan, LightReport& repo
     ScanLight light;
     if (o.flat)
         try {
-            light.divide_by_flat(read_scan(*o.flat).image, scan.width, scan.height, o.threads);
+            light.divide_by_flat(read_scan(*o.flat).image, scan.width, scan.height,
+                                 o.threads.count());
         } catch (const std::invalid_argument& error) {
             throw InputError(*o.flat + ": " + error.what());
         }
-    const LightGrid grid = light_grid(scan, o.threads);
+    const LightGrid grid = light_grid(scan, o.threads.count());
     if (o.even_light)
         light.divide_by_surface(grid);
     if (o.even_light || o.flat)
@@ -216,7 +215,7 @@ void check_options(const RectifyOptions& o)
         throw UsageError("--balance " + balance + ": grey is expected");
     if (!balance.empty() && o.white)
         throw UsageError("--balance grey and --white do not go together");
-    in_range("threads", o.threads, 0, most_threads);
+    o.threads.count(); // refused before the scan is read
 }
 
 int run(const RectifyOptions& o)
@@ -228,21 +227,20 @@ int run(const RectifyOptions& o)
     const LatticeSearch search = search_of(o, geometry, scan);
     LightReport light_report;
     const ScanLight light = light_of(o, scan.image, light_report);
-    const FoundLattice found = find(o.inputs[0], scan.image, search, o.threads);
+    const int threads = o.threads.count();
+    const FoundLattice found = find(o.inputs[0], scan.image, search, threads);
 
     const Film film = film_to_make(o, geometry.film, found.map, scan.image);
     geometry.film = film;
     geometry.placement.reset();
     if (geometry.render)
         geometry.render->error.reset(); // it was the rendered frame's
-    auto image = rectified(scan.image, found.map, film, light, o.threads,
-                           progress_bar("resampling"));
+    auto image = rectified(scan.image, found.map, film, light, threads, progress_bar("resampling"));
     if (!image)
         throw Interrupted();
     if (o.vignetting)
-        light_report.add_flattened(
-            flatten_micro_images(*image, film, SheetOptics(geometry.sheet, geometry.aperture),
-                                 search.mapping, o.threads));
+        light_report.add_flattened(flatten_micro_images(
+            *image, film, SheetOptics(geometry.sheet, geometry.aperture), search.mapping, threads));
     stop_if_interrupted();
     Frame frame{std::move(*image), std::nullopt};
     set_metadata(frame, geometry);

@@ -135,7 +135,7 @@ int run(const ReplayOptions& o)
     check_series_options(o.series, output);
     ReplayRequest request;
     request.view = view_of(o);
-    request.threads = in_range("threads", o.threads, 0, 1024);
+    request.threads = o.threads.count();
     request.arrangement = arrangement_of(o);
     if (o.html)
         check_writable(*o.html);

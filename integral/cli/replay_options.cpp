@@ -114,9 +114,8 @@ void declare(options::options_description& all, ReplayOptions& o)
         "steps", fills(o.steps, "N (=48)"),
         "views along the path, 2 to 10000; of several frames one each")(
         "sheet", fills(o.sheet, "FILE.json"),
-        "geometry for a frame that carries none, or instead of its own")(
-        "threads", fills(o.threads, "N")->default_value(o.threads),
-        "threads to work with (0: one per core)")("help", sets(o.help), "print this");
+        "geometry for a frame that carries none, or instead of its own");
+    declare(all, o.threads);
     declare(all, o.series);
 }
 

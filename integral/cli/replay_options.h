@@ -4,6 +4,7 @@
 #define INTEGRAL_CLI_REPLAY_OPTIONS_H
 
 #include "integral/cli/series_options.h"
+#include "integral/cli/thread_options.h"
 #include "integral/replay/replay_series.h"
 
 namespace integral {
@@ -15,7 +16,7 @@ struct ReplayOptions : CommonOptions {
     std::optional<std::string> stereo, grid, path;
     bool cross_eyed = false, anaglyph = false, half = false;
     std::optional<int> steps;
-    int threads = 0;
+    ThreadOptions threads;
     SeriesOptions series;
 };
 

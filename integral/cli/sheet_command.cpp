@@ -3,11 +3,18 @@
 #include "integral/batch/scene_depths.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
+#include "integral/cli/progress.h"
 #include "integral/cli/values.h"
+#include "integral/io/html_page.h"
 #include "integral/io/image_file.h"
+#include "integral/io/markup.h"
 #include "integral/io/sheet_plots.h"
+#include "integral/lightfield/camera_words.h"
 #include "integral/lightfield/scene_depth_report.h"
+#include "integral/lightfield/sheet_figures.h"
+#include "integral/lightfield/sheet_list.h"
 #include "integral/lightfield/sheet_report.h"
+#include "integral/replay/depth_picture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,8 +27,8 @@ struct SheetCommandOptions : CommonOptions {
     ApertureOptions aperture;
     std::optional<std::string> pupil, detail;
     std::string depths = "10,20,50,100,200,300";
-    std::optional<std::string> report, plot, start, output;
-    bool json = false;
+    std::optional<std::string> print, report, picture, plot, start, output;
+    bool list = false, camera = false, json = false;
 };
 
 void declare(options::options_description& all, SheetCommandOptions& o)
@@ -33,19 +40,29 @@ void declare(options::options_description& all, SheetCommandOptions& o)
         "depths", fills(o.depths, "MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")(
         "detail", fills(o.detail, "MM"),
         "distance between the edges that sampling errors are foretold for (default 5)")(
+        "print", fills(o.print, "WxH"), "size of the picture in mm, instead of --size")(
+        "list", sets(o.list),
+        "a table of known sheets, after the given one, if any: what each gives for that --print, "
+        "--distance and --dpi")(
+        "camera", sets(o.camera),
+        "print the sheet and the film as the camera's words, for a scene or Integral_Camera; with "
+        "viewing_distance for a frame or where --distance is given")(
         "report", fills(o.report, "SCENE"),
-        "add how deep a scene reaches against the depth budget: a .pov or .ini, which "
+        "how much of a scene is within the depth budget, and what would help: a .pov or .ini, "
+        "which "
         "povray-integral looks through (what else is on "
         "the command line is for it, as +W900 +H600), or a depth frame (.exr); the geometry is the "
         "scene's")(
+        "picture", fills(o.picture, "FILE.png"),
+        "with --report: the scene tinted blue where it is sharp, yellow where soft, red beyond; -o "
+        "FILE.html is a page with picture and report")(
         "plot", fills(o.plot, "KIND"),
         "draw instead: spread, lens, sheets, resolution or film; needs -o FILE.svg or FILE.png")(
         "sheet", fills(o.start, "FILE.json"),
         "start from this geometry: a JSON document, or a frame")(
         "json", sets(o.json),
         "print the geometry and the figures as JSON, which --sheet of every command reads")(
-        "output,o", fills(o.output, "FILE"),
-        "print to FILE instead of standard output")("help", sets(o.help), "print this");
+        "output,o", fills(o.output, "FILE"), "print to FILE instead of standard output");
 }
 
 /// Reads a number that has to be greater than 0, if it was given.
@@ -94,6 +111,9 @@ void refuse_geometry(const SheetCommandOptions& o)
         option = first_given({{"dpi", o.film.dpi},
                               {"pixel-pitch", o.film.pixel_pitch},
                               {"size", o.film.size},
+                              {"print", o.print},
+                              {"list", o.list},
+                              {"camera", o.camera},
                               {"distance", o.aperture.distance},
                               {"aperture", o.aperture.aperture}});
     if (option)
@@ -101,29 +121,67 @@ void refuse_geometry(const SheetCommandOptions& o)
                          " do not go together: the geometry is the scene's");
 }
 
+/// The scene, tinted by its depths. Throws UsageError where the sheet has no depth budget.
+Image picture_of(const SceneDepths& scene)
+{
+    const FrameMetadata& geometry = scene.depths.metadata;
+    const auto budget = depth_budget(geometry.sheet, counted(geometry).pixel);
+    if (!budget)
+        throw UsageError("these lenses have no depth budget by which a picture could be tinted");
+    return depth_picture(scene.depths, *budget, scene.colours);
+}
+
+/// The report as a page of HTML: verdict, picture, tables.
+std::string report_page(const std::string& scene, const std::string& verdict, const Image& picture,
+                        const std::string& tables)
+{
+    constexpr int longest = 800;
+    return html_page("Depths of " + scene,
+                     "img { max-width: 100%; } pre { overflow-x: auto; white-space: pre-wrap; }",
+                     "<h1>Depths of " + markup_text(scene) + "</h1>\n<pre>" + markup_text(verdict) +
+                         "</pre>\n<p>" +
+                         picture_element(picture, longest, "the scene, tinted by sharpness") +
+                         "</p>\n<p>Blue: sharp. Yellow: soft. Red: beyond. Black: no surface.</p>" +
+                         "\n<pre>" + markup_text(tables) + "</pre>\n");
+}
+
 int report_scene(const SheetCommandOptions& o)
 {
     refuse_geometry(o);
     const Viewer viewer = viewer_of(o);
-    if (o.output) // before a long look through the scene, rather than after it
-        check_writable(*o.output);
-    const DepthFrame depths = depths_of_scene(*o.report, o.inputs);
+    for (const auto& file : {o.output, o.picture}) // before a long look through the scene
+        if (file)
+            check_writable(*file);
+    if (o.picture)
+        format_for(*o.picture);
+    const bool page = o.output && extension_of(*o.output) == "html";
+    if (page && o.json)
+        throw UsageError("-o FILE.html is a page; --json goes to another file");
+    const SceneDepths scene = depths_of_scene(*o.report, o.inputs, progress_bar("depths"));
     stop_if_interrupted();
+    const DepthFrame& depths = scene.depths;
+    std::optional<Image> picture;
+    if (o.picture || page)
+        picture = picture_of(scene);
+    if (o.picture)
+        write_frame(*o.picture, {*picture, std::nullopt});
     if (o.json) {
         nlohmann::ordered_json json = sheet_report_json(depths.metadata, viewer);
         json["scene_depths"] = scene_depth_json(*o.report, depths);
         print_result(o.output, json.dump(2) + "\n");
-    } else {
-        print_result(o.output, sheet_report_text(depths.metadata, viewer) +
-                                   scene_depth_text(*o.report, depths));
+        return exit_done;
     }
+    const std::string verdict = scene_verdict_text(*o.report, depths),
+                      tables = scene_depth_text(depths) + "\n" +
+                               sheet_report_text(depths.metadata, viewer);
+    print_result(o.output,
+                 page ? report_page(*o.report, verdict, *picture, tables) : verdict + tables);
     return exit_done;
 }
 
-int run(const SheetCommandOptions& o)
+/// The geometry that the line says.
+FrameMetadata geometry_of(const SheetCommandOptions& o)
 {
-    if (o.report)
-        return report_scene(o);
     if (o.inputs.size() > 1)
         throw UsageError("one FRAME is expected");
     std::string start = o.start.value_or("");
@@ -135,9 +193,44 @@ int run(const SheetCommandOptions& o)
     FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
     change_sheet(o.sheet, geometry.sheet);
     change_film(o.film, geometry.film);
+    if (o.print && o.film.size)
+        throw UsageError("--print and --size say the same; give one of them");
+    if (o.print)
+        set_film_size("print", *o.print, geometry.film);
     check_geometry(geometry);
     change_aperture(o.aperture, geometry, !start.empty() && !changes_lenses(o.sheet, o.aperture));
+    return geometry;
+}
 
+/// The words for a scene: a sheet's file has no viewer of its own.
+std::string words_for_scene(const SheetCommandOptions& o, const FrameMetadata& geometry)
+{
+    if (geometry.render || o.aperture.distance)
+        return camera_words(geometry);
+    return sheet_words(geometry.sheet) + " " + film_words(geometry.film);
+}
+
+int run(const SheetCommandOptions& o)
+{
+    if (o.report)
+        return report_scene(o);
+    if (o.picture)
+        throw UsageError("--picture is for --report");
+    if (o.plot && (o.list || o.camera))
+        throw UsageError("--plot, --list and --camera ask for different things; give one of them");
+    if (o.camera && (o.list || o.json))
+        throw UsageError("--camera prints words alone; give it without --list and --json");
+    const FrameMetadata geometry = geometry_of(o);
+    if (o.camera) {
+        print_result(o.output, words_for_scene(o, geometry) + "\n");
+        return exit_done;
+    }
+    if (o.list) {
+        const bool own = first_given(o.sheet) || o.start || !o.inputs.empty();
+        print_result(o.output, o.json ? sheet_list_json(geometry, own).dump(2) + "\n"
+                                      : sheet_list_text(geometry, own));
+        return exit_done;
+    }
     const Viewer viewer = viewer_of(o);
     if (o.plot) {
         draw(o, geometry, viewer);

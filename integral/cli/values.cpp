@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/values.h"
 
+#include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 
 #include <algorithm>
@@ -75,6 +76,21 @@ PixelSize parse_size(const char* option, const std::string& text, int most, cons
     }
     if (!good || size.width < 1 || size.height < 1 || size.width > most || size.height > most)
         refuse(option, text, std::string(form) + ", each from 1 to " + std::to_string(most) + ",");
+    return size;
+}
+
+Vec2 parse_size_mm(const char* option, const std::string& text, double most)
+{
+    const auto cross = text.find('x');
+    Vec2 size;
+    try {
+        size.x = parse_number(option, text.substr(0, cross), "");
+        size.y = parse_number(option, cross == std::string::npos ? "" : text.substr(cross + 1), "");
+    } catch (const UsageError&) {
+        refuse(option, text, "WxH, in mm,");
+    }
+    if (!(size.x >= 1 && size.y >= 1 && size.x <= most && size.y <= most))
+        refuse(option, text, "WxH with sides of 1 to " + with_digits(most, 9) + " mm");
     return size;
 }
 

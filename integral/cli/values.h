@@ -31,6 +31,9 @@ Vec2 parse_one_or_two(const char* option, const std::string& text, const char* f
 PixelSize parse_size(const char* option, const std::string& text, int most,
                      const char* form = "WxH");
 
+/// WxH in mm, as 150x100; each from 1 to `most`.
+Vec2 parse_size_mm(const char* option, const std::string& text, double most);
+
 /// An option's name, and whether the line has it.
 struct GivenOption {
     GivenOption(const char* option, bool is_given) : name(option), given(is_given) {}

@@ -5,6 +5,7 @@
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/series_options.h"
+#include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/output/given_views.h"
@@ -22,12 +23,11 @@ namespace integral {
 namespace {
 
 constexpr int largest_picture_side = 32768; // pixels
-constexpr int most_threads = 1024;
 
 struct ViewsOptions : CommonOptions {
     std::optional<std::string> output, views, size, sheet, rgbd;
     bool eyes = false, files = false, upright = false, to_frame = false;
-    int threads = 0;
+    ThreadOptions threads;
     SeriesOptions series;
 };
 
@@ -63,9 +63,7 @@ void declare(options::options_description& all, ViewsOptions& o)
     all.add_options()("sheet", fills(o.sheet, "FILE.json"),
                       "geometry of the frame (integral sheet FRAME --json writes it), if the "
                       "pictures do not carry it, or instead of that");
-    all.add_options()("threads", fills(o.threads, "N")->default_value(o.threads),
-                      "threads to work with (0: one per core)");
-    all.add_options()("help", sets(o.help), "print this");
+    declare(all, o.threads);
     declare(all, o.series);
 }
 
@@ -380,7 +378,7 @@ int run(const ViewsOptions& o)
         format_for(output);
     check_series_options(o.series, output);
     check_options(o, animated);
-    const int threads = in_range("threads", o.threads, 0, most_threads);
+    const int threads = o.threads.count();
     if (o.to_frame)
         return make_frame(o, output, threads);
     if (o.rgbd)

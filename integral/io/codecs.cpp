@@ -33,7 +33,7 @@ std::string encoded(const DecodedImage& picture, Write write)
 
 } // namespace
 
-std::unique_ptr<RowReader> read_any(const InputFile& file)
+std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path)
 {
     const std::string magic = file.beginning(4);
     if (magic == "\x89PNG")
@@ -45,8 +45,14 @@ std::unique_ptr<RowReader> read_any(const InputFile& file)
     for (const auto& tiff : {"II*\0"s, "MM\0*"s, "II+\0"s, "MM\0+"s})
         if (magic == tiff)
             return read_tiff(file);
-    throw std::runtime_error(
-        magic.empty() ? "it is empty" : "it is no PNG, OpenEXR, TIFF or JPEG; convert it first");
+    if (magic.empty())
+        throw std::runtime_error("it is empty");
+    const std::string extension = extension_of(path);
+    for (const char* known : {"png", "exr", "tif", "tiff", "jpg", "jpeg", "mpo"})
+        if (extension == known)
+            throw std::runtime_error("it is broken: its name ends in ." + extension +
+                                     ", but it begins as no PNG, OpenEXR, TIFF or JPEG does");
+    throw std::runtime_error("it is no PNG, OpenEXR, TIFF or JPEG; convert it first");
 }
 
 Image whole_blank(const Image& form)

@@ -51,8 +51,9 @@ std::unique_ptr<RowReader> read_exr(const InputFile& file);
 std::unique_ptr<RowReader> read_tiff(const InputFile& file);
 std::unique_ptr<RowReader> read_jpeg(const InputFile& file);
 
-/// The same for whichever format the file's first bytes indicate.
-std::unique_ptr<RowReader> read_any(const InputFile& file);
+/// The same for whichever format the file's first bytes indicate. `path`: the file's name, by which
+/// a broken picture is told from a file of another format.
+std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path = "");
 
 /// Reads a whole picture; no row may have been read before. Throws std::runtime_error if the
 /// picture cannot be read or needs more memory than is free.

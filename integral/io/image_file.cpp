@@ -31,7 +31,7 @@ template <class Read> auto guarded(const std::string& path, Read read)
 /// An open picture file whose metadata has been read.
 struct OpenPicture {
     explicit OpenPicture(const std::string& path)
-        : path(path), file(path), rows(guarded(path, [&] { return read_any(file); }))
+        : path(path), file(path), rows(guarded(path, [&] { return read_any(file, path); }))
     {
     }
     const DecodedImage& head() const { return rows->head(); }
@@ -197,7 +197,7 @@ Frame FrameReader::whole()
 void FrameReader::restart()
 {
     OpenPicture& picture = source_->picture;
-    picture.rows = guarded(picture.path, [&] { return read_any(picture.file); });
+    picture.rows = guarded(picture.path, [&] { return read_any(picture.file, picture.path); });
 }
 
 Frame read_frame(const std::string& path, const std::string& sheet_file)
@@ -271,7 +271,7 @@ FrameMetadata read_metadata(const std::string& path)
         if (first != std::string::npos && beginning[first] == '{')
             metadata = parse(path, file.beginning(file.size()), "");
         else
-            document = read_any(file)->head().document;
+            document = read_any(file, path)->head().document;
     } catch (const InputError&) {
         throw;
     } catch (const std::bad_alloc& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/sheet_plots.h"
 
+#include "integral/lightfield/known_sheets.h"
 #include "integral/lightfield/lens_profile.h"
 #include "integral/lightfield/names.h"
 #include "integral/lightfield/sheet_figures.h"
@@ -189,7 +190,7 @@ Plot resolution_plot(const FrameMetadata& g, const Viewer& viewer)
     plot.subtitle = description(sheet) + "; " + written(mm_per_inch / pixel) + " dpi, seen from " +
                     written(d) + " mm; depth budget " + written(*budget) + " mm";
     plot.x.label = "distance from the sheet (mm)";
-    plot.y.label = "resolution (line pairs per inch)";
+    plot.y.label = "resolution (line pairs per mm)";
     plot.x.low = 0;
     plot.x.high = deepest;
     plot.y.logarithmic = true;

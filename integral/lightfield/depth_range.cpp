@@ -26,9 +26,9 @@ DepthRange depth_range(const DepthFrame& frame, std::optional<double> budget)
         return double(*at);
     };
     range.nearest = part(0);
-    range.low = part(0.01);
+    range.twentieth = part(0.05);
     range.median = part(0.5);
-    range.high = part(0.99);
+    range.last_twentieth = part(0.95);
     range.farthest = part(1);
     if (budget) {
         const auto share = [&](auto beyond) {

@@ -23,8 +23,8 @@ struct DepthRange {
     std::size_t pixels = 0;   ///< number of imaged pixels
     std::size_t surfaces = 0; ///< number of imaged pixels that show a surface. If this is 0, all
                               ///< fields below are 0.
-    double nearest = 0, low = 0, median = 0, high = 0,
-           farthest = 0;           ///< low and high: the 1st and the 99th percentile
+    double nearest = 0, twentieth = 0, median = 0, last_twentieth = 0,
+           farthest = 0;           ///< twentieths: the 5th and the 95th percentile
     double before = 0, behind = 0; ///< fractions of `surfaces` in front of the budget, or behind it
 };
 

@@ -16,6 +16,16 @@ Vec3 vec3_at(const JsonObject& object, const char* field)
     return {v[0], v[1], v[2]};
 }
 
+/// A field that is true or false; false if it is absent.
+bool flag_at(const JsonObject& object, const char* field)
+{
+    if (!object.has(field))
+        return false;
+    if (!object.at(field).is_boolean())
+        refuse(object.path_of(field), "must be true or false");
+    return object.at(field).get<bool>();
+}
+
 Placement placement_from(const JsonObject& object)
 {
     Placement placement;
@@ -24,6 +34,9 @@ Placement placement_from(const JsonObject& object)
     placement.y = vec3_at(object, "y");
     placement.z = vec3_at(object, "z");
     placement.units_per_mm = number_at(object, "units_per_mm", 1 / largest_figure, largest_figure);
+    if (object.has("sheet_distance"))
+        placement.sheet_distance = number_at(object, "sheet_distance", 0, largest_figure);
+    placement.scale_is_given = flag_at(object, "units_per_mm_given");
     return placement;
 }
 
@@ -69,17 +82,10 @@ RenderRecord render_from(const JsonObject& object)
         render.pixel_samples = whole_at(object, "pixel_samples", 1, most_samples);
     if (object.has("beam_samples"))
         render.beam_samples = whole_at(object, "beam_samples", 1, most_samples);
-    const auto flag = [&](const char* name) {
-        if (!object.has(name))
-            return false;
-        if (!object.at(name).is_boolean())
-            refuse(object.path_of(name), "must be true or false");
-        return object.at(name).get<bool>();
-    };
     if (object.has("draft"))
         render.draft = whole_at(object, "draft", 1, largest_side);
-    render.pseudoscopic = flag("pseudoscopic");
-    render.display_prefilter = flag("display_prefilter");
+    render.pseudoscopic = flag_at(object, "pseudoscopic");
+    render.display_prefilter = flag_at(object, "display_prefilter");
     if (object.has("error"))
         render.error = error_from(object_at(object, "error"));
     return render;
@@ -106,11 +112,16 @@ Json list(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json json_of(const Placement& placement)
 {
-    return {{"origin", list(placement.origin)},
-            {"x", list(placement.x)},
-            {"y", list(placement.y)},
-            {"z", list(placement.z)},
-            {"units_per_mm", placement.units_per_mm}};
+    Json json = {{"origin", list(placement.origin)},
+                 {"x", list(placement.x)},
+                 {"y", list(placement.y)},
+                 {"z", list(placement.z)},
+                 {"units_per_mm", placement.units_per_mm}};
+    if (placement.sheet_distance > 0)
+        json["sheet_distance"] = placement.sheet_distance;
+    if (placement.scale_is_given)
+        json["units_per_mm_given"] = true;
+    return json;
 }
 
 Json json_of(const Encoding& encoding)

@@ -113,21 +113,4 @@ std::optional<BeamDirection> full_beam_direction(const LensSheet& sheet, double 
     return beam;
 }
 
-std::vector<LensSheet> thesis_sheets()
-{
-    std::vector<LensSheet> sheets(5);
-    const double figures[5][3] = {{1.27, 3.08, 1.6},
-                                  {0.6, 2.65, 1.52},
-                                  {1.124, 3.23, 1.675},
-                                  {0.845, 2.37, 1.6},
-                                  {0.625, 1.24, 1.6}};
-    for (int i = 0; i < 5; ++i) {
-        sheets[i].arrangement = i == 0 ? Arrangement::lenticular : Arrangement::square;
-        sheets[i].pitch = figures[i][0];
-        sheets[i].thickness = figures[i][1];
-        sheets[i].ior = figures[i][2];
-    }
-    return sheets;
-}
-
 } // namespace integral

@@ -53,10 +53,6 @@ struct BeamDirection {
 /// ray or all the light is totally reflected.
 std::optional<BeamDirection> full_beam_direction(const LensSheet& sheet, double film, int points);
 
-/// The thesis's sheets (Appendix E): one lenticular, 1.27 mm; four square, 0.6, 1.124, 0.845 and
-/// 0.625 mm.
-std::vector<LensSheet> thesis_sheets();
-
 } // namespace integral
 
 #endif

@@ -2,6 +2,10 @@
 # Sources of integral/lightfield: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/lightfield/camera_words.cpp \
+  integral/lightfield/camera_words.h \
+  integral/lightfield/depth_advice.cpp \
+  integral/lightfield/depth_advice.h \
   integral/lightfield/depth_range.cpp \
   integral/lightfield/depth_range.h \
   integral/lightfield/encoding.h \
@@ -18,6 +22,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/geometry_json.h \
   integral/lightfield/image.cpp \
   integral/lightfield/image.h \
+  integral/lightfield/known_sheets.cpp \
+  integral/lightfield/known_sheets.h \
   integral/lightfield/lens_profile.cpp \
   integral/lightfield/lens_profile.h \
   integral/lightfield/names.cpp \
@@ -38,6 +44,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/scene_depth_report.h \
   integral/lightfield/sheet_figures.cpp \
   integral/lightfield/sheet_figures.h \
+  integral/lightfield/sheet_list.cpp \
+  integral/lightfield/sheet_list.h \
   integral/lightfield/sheet_report.cpp \
   integral/lightfield/sheet_report.h \
   integral/lightfield/tabulated_curve.h \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/scene_depth_report.h"
 
+#include "integral/base/number_text.h"
+#include "integral/lightfield/depth_advice.h"
 #include "integral/lightfield/sheet_figures.h"
 #include "integral/lightfield/sheet_report.h"
 
@@ -8,42 +10,96 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace integral {
 namespace {
 
-/// How a scene that reaches beyond its budget could be brought within it.
-struct Remedy {
-    double shift;  ///< how far back the sheet would move into the middle of the depths, mm
-    double needed; ///< the budget that would then be enough, mm
-    std::optional<double> pixel; ///< the pixel pitch that gives this budget, mm
-};
+using Json = nlohmann::ordered_json;
+
+constexpr double countless = 10000; // mm: depths beyond are "more than 10 m"
 
 struct Judged {
     std::optional<double> budget; ///< mm
     DepthRange range;
-    Remedy remedy;
+    std::optional<DepthAdvice> advice; ///< none without a budget or without a surface
 };
 
 Judged judge(const DepthFrame& depths)
 {
-    const LensSheet& sheet = depths.metadata.sheet;
     Judged j;
-    j.budget = depth_budget(sheet, counted(depths.metadata).pixel);
+    j.budget = depth_budget(depths.metadata.sheet, counted(depths.metadata).pixel);
     j.range = depth_range(depths, j.budget);
-    j.remedy.shift = 0.5 * (j.range.low + j.range.high);
-    j.remedy.needed = 0.5 * (j.range.high - j.range.low);
-    if (j.remedy.needed > 0)
-        j.remedy.pixel = pixel_for_budget(sheet, j.remedy.needed);
+    if (j.budget && j.range.surfaces > 0)
+        j.advice = depth_advice(depths, *j.budget);
     return j;
 }
 
-template <class... Values> std::string line(const char* format, Values... values)
+std::string percent(double part) { return with_decimals(100 * part, 1) + "%"; }
+
+/// "12 mm before", "more than 10 m behind".
+std::string place_text(double depth)
 {
-    char text[300];
-    std::snprintf(text, sizeof text, format, values...);
+    const std::string side = depth < 0 ? " before" : " behind";
+    if (std::fabs(depth) > countless)
+        return "more than 10 m" + side;
+    return with_digits(std::fabs(depth), 3) + " mm" + side;
+}
+
+/// The words for each change, and what it makes sharp.
+std::string changes_text(const DepthAdvice& advice)
+{
+    std::string text;
+    const auto add = [&](const std::string& words, const std::optional<DepthRemedy>& remedy) {
+        if (remedy)
+            text += (text.empty() ? "" : "; ") + words + ": " + percent(remedy->sharp) + " sharp";
+    };
+    if (advice.sheet)
+        add("sheet_distance " + with_digits(advice.sheet->value, 4) + " (now " +
+                with_digits(advice.sheet_distance, 4) + ")",
+            advice.sheet);
+    if (advice.compress)
+        add("depth compressed to " + with_digits(100 * advice.compress->value, 3) + "%",
+            advice.compress);
+    if (advice.dpi)
+        add("film { dpi " + with_digits(advice.dpi->value, 6) + " }", advice.dpi);
     return text;
+}
+
+std::string vector_text(Vec3 v)
+{
+    const auto word = [](double value) { return with_digits(value + 0.0, 5); }; // no -0
+    return "<" + word(v.x) + ", " + word(v.y) + ", " + word(v.z) + ">";
+}
+
+/// The scene's words that compress depth about the sheet.
+std::string compression_text(const Placement& at, double factor)
+{
+    const Vec3 axis = (1 / length(at.z)) * at.z;
+    return "  To compress depth, put all objects and lights into one union and add to it\n"
+           "    #include \"transforms.inc\" translate " +
+           vector_text(-1.0 * at.origin) + " Axial_Scale_Trans(" + vector_text(axis) + ", " +
+           with_digits(factor, 3) + ") translate " + vector_text(at.origin) + "\n";
+}
+
+std::string to_do_text(const DepthAdvice& advice)
+{
+    if (advice.now.sharp >= 0.95)
+        return "nothing needs to be done";
+    const std::string changes = changes_text(advice);
+    if (!changes.empty())
+        return changes;
+    return "neither sheet_distance nor a finer film helps: take a larger print, or a sheet with a "
+           "larger budget (integral sheet --list)";
+}
+
+std::string backdrop_text(const DepthRange& range)
+{
+    const double open = 1 - double(range.surfaces) / double(range.pixels);
+    if (range.surfaces == range.pixels)
+        return "closed: every pixel shows a surface";
+    return "open: " + percent(open) +
+           " of the pixels show no surface, as if it were infinitely far; that is never sharp, so "
+           "keep it plain, or close it by a wall behind the scene";
 }
 
 /// The resolution at a depth, (4-6) or the lenses' own where that is less, as a column of text.
@@ -51,72 +107,101 @@ std::string resolution_at(const DepthFrame& depths, double depth)
 {
     const auto sheet_only = observer_resolution(depths.metadata.sheet.pitch,
                                                 depths.metadata.aperture.distance, 0);
-    const auto lpi = depth_resolution(depths.metadata.sheet, counted(depths.metadata).pixel,
-                                      std::max(1e-9, std::fabs(depth)));
-    return lpi ? line("%10.4g", std::min(*lpi, sheet_only)) : std::string("         -");
+    const auto pixels = depth_resolution(depths.metadata.sheet, counted(depths.metadata).pixel,
+                                         std::max(1e-9, std::fabs(depth)));
+    return pixels ? with_digits(std::min(*pixels, sheet_only), 4) : std::string("-");
+}
+
+std::string right_aligned(const std::string& text, std::size_t width)
+{
+    return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
 }
 
 } // namespace
 
-std::string scene_depth_text(const std::string& scene, const DepthFrame& depths)
+std::string scene_verdict_text(const std::string& scene, const DepthFrame& depths)
+{
+    const Judged j = judge(depths);
+    std::string text = "Verdict on " + scene + "\n";
+    if (j.range.surfaces == 0)
+        return text + "  no pixel shows a surface: there is nothing whose depth could be judged\n";
+    if (!j.advice)
+        return text +
+               "  the lenses are too wide for the sheet's thickness to have a depth budget\n";
+    const DepthShares& now = j.advice->now;
+    text += "  Picture:  " + percent(now.sharp) + " sharp (to " + with_digits(*j.budget, 3) +
+            " mm before and behind the sheet), " + percent(now.soft) + " soft (to " +
+            with_digits(soft_budgets * *j.budget, 3) + " mm), " + percent(now.beyond) +
+            " beyond; nine tenths lie from " + place_text(j.range.twentieth) + " to " +
+            place_text(j.range.last_twentieth) + " it\n";
+    text += "  To do:    " + to_do_text(*j.advice) + "\n";
+    text += "  Backdrop: " + backdrop_text(j.range) + "\n";
+    if (now.sharp < 0.95 && j.advice->compress && depths.metadata.placement)
+        text += compression_text(*depths.metadata.placement, j.advice->compress->value);
+    return text;
+}
+
+std::string scene_depth_text(const DepthFrame& depths)
 {
     const Judged j = judge(depths);
     const DepthRange& r = j.range;
-    std::string text = "\nDepths of " + scene + "\n";
     if (r.surfaces == 0)
-        return text + "  no pixel shows a surface\n";
-    text += "                mm behind     lpi there\n"
-            "                the sheet  (at most lenses)\n";
+        return "";
+    std::string text = "\nDepths of the scene\n"
+                       "                mm behind  lp/mm there\n"
+                       "                the sheet  (at most the lenses')\n";
     const auto row = [&](const char* label, double depth) {
-        text += line("  %-12s%11.4g", label, depth) + resolution_at(depths, depth) + "\n";
+        std::string line = std::string("  ") + label;
+        line.resize(14, ' ');
+        const std::string place = depth > countless    ? "> 10 m"
+                                  : depth < -countless ? "< -10 m"
+                                                       : with_digits(depth, 4);
+        text += line + right_aligned(place, 11) + right_aligned(resolution_at(depths, depth), 13) +
+                "\n";
     };
     row("nearest", r.nearest);
-    row("1 in 100", r.low);
+    row("1 in 20", r.twentieth);
     row("middle", r.median);
-    row("99 in 100", r.high);
+    row("19 in 20", r.last_twentieth);
     row("farthest", r.farthest);
-    text += line("  no surface: %.1f%% of the pixels\n",
-                 100 * (1 - double(r.surfaces) / double(r.pixels)));
-    if (!j.budget)
-        return text + "  depth budget: (4-6) has none for this sheet\n";
-    text += line("  depth budget %.4g mm either side: %.1f%% of the surfaces are within it, %.1f%% "
-                 "before it, %.1f%% behind it\n",
-                 *j.budget, 100 * (1 - r.before - r.behind), 100 * r.before, 100 * r.behind);
-    if (std::max(-r.low, r.high) <= *j.budget)
-        return text + "  all but a hundredth at either end is sharp\n";
-    if (j.remedy.needed <= *j.budget)
-        return text + line("  all but a hundredth at either end would be sharp with the sheet %.4g "
-                           "mm farther %s\n",
-                           std::fabs(j.remedy.shift), j.remedy.shift > 0 ? "back" : "forward");
-    text += line(
-        "  beyond it details get coarser. Sharp as a whole with the sheet %.4g mm farther %s",
-        std::fabs(j.remedy.shift), j.remedy.shift > 0 ? "back" : "forward");
-    if (j.remedy.pixel)
-        text += line(" and %.0f dpi", std::ceil(mm_per_inch / *j.remedy.pixel));
-    return text + line(", or a scene %.3g times as shallow\n", j.remedy.needed / *j.budget);
+    if (j.budget)
+        text += "  within the budget " + percent(1 - r.before - r.behind) + ", before it " +
+                percent(r.before) + ", behind it " + percent(r.behind) + "\n";
+    return text;
 }
 
-nlohmann::ordered_json scene_depth_json(const std::string& scene, const DepthFrame& depths)
+Json scene_depth_json(const std::string& scene, const DepthFrame& depths)
 {
     const Judged j = judge(depths);
     const DepthRange& r = j.range;
     const auto or_null = [&](std::optional<double> v) {
-        return v && r.surfaces > 0 ? nlohmann::ordered_json(*v) : nlohmann::ordered_json(nullptr);
+        return v && r.surfaces > 0 ? Json(*v) : Json(nullptr);
     };
-    return {{"scene", scene},
-            {"pixels", r.pixels},
-            {"surfaces", r.surfaces},
-            {"nearest_mm", or_null(r.nearest)},
-            {"low_mm", or_null(r.low)},
-            {"median_mm", or_null(r.median)},
-            {"high_mm", or_null(r.high)},
-            {"farthest_mm", or_null(r.farthest)},
-            {"budget_mm", or_null(j.budget)},
-            {"before_budget", or_null(j.budget ? std::optional<double>(r.before) : std::nullopt)},
-            {"behind_budget", or_null(j.budget ? std::optional<double>(r.behind) : std::nullopt)},
-            {"shift_mm", or_null(j.remedy.shift)},
-            {"needed_budget_mm", or_null(j.remedy.needed)},
-            {"needed_pixel_pitch_mm", or_null(j.remedy.pixel)}};
+    Json json = {{"scene", scene},
+                 {"pixels", r.pixels},
+                 {"surfaces", r.surfaces},
+                 {"nearest_mm", or_null(r.nearest)},
+                 {"twentieth_mm", or_null(r.twentieth)},
+                 {"median_mm", or_null(r.median)},
+                 {"last_twentieth_mm", or_null(r.last_twentieth)},
+                 {"farthest_mm", or_null(r.farthest)},
+                 {"budget_mm", or_null(j.budget)}};
+    if (!j.advice)
+        return json;
+    const DepthAdvice& a = *j.advice;
+    json["sharp"] = a.now.sharp;
+    json["soft"] = a.now.soft;
+    json["beyond"] = a.now.beyond;
+    json["before_budget"] = r.before;
+    json["behind_budget"] = r.behind;
+    const auto add = [&](const char* name, const std::optional<DepthRemedy>& remedy) {
+        json["remedies"][name] = remedy ? Json({{"value", remedy->value}, {"sharp", remedy->sharp}})
+                                        : Json(nullptr);
+    };
+    add("sheet_distance", a.sheet);
+    add("compress", a.compress);
+    add("dpi", a.dpi);
+    return json;
 }
 
 } // namespace integral

@@ -2,14 +2,13 @@
 #include "integral/lightfield/sheet_figures.h"
 
 #include "integral/base/constants.h"
-#include "integral/optics/film.h"
 
 #include <cmath>
 
 namespace integral {
 namespace {
 
-constexpr double half_inch = mm_per_inch / 2; // as a line pair is two pixels, or two lenses
+constexpr double line_pairs = 0.5; // of a pixel or a lens: two make a pair
 
 /// The angle in air, in degrees, of a ray that moves by `lateral` through the sheet's thickness.
 /// Empty: it is totally reflected.
@@ -59,7 +58,7 @@ std::optional<double> depth_resolution(const LensSheet& sheet, double pixel, dou
     const double square = 4 * t * t + p * p - n * n * p * p;
     if (!(square >= 0))
         return std::nullopt;
-    return half_inch / pixel / n * std::sqrt(square) / (2 * depth);
+    return line_pairs / pixel / n * std::sqrt(square) / (2 * depth);
 }
 
 std::optional<double> depth_budget(const LensSheet& sheet, double pixel)
@@ -67,17 +66,12 @@ std::optional<double> depth_budget(const LensSheet& sheet, double pixel)
     const auto at_unit_depth = depth_resolution(sheet, pixel, 1);
     if (!at_unit_depth)
         return std::nullopt;
-    return *at_unit_depth * sheet.pitch / half_inch;
-}
-
-std::optional<double> pixel_for_budget(const LensSheet& sheet, double budget)
-{
-    return depth_budget(sheet, budget); // budget times pixel pitch depends on the sheet alone
+    return *at_unit_depth * sheet.pitch / line_pairs;
 }
 
 double observer_resolution(double pitch, double viewing, double object)
 {
-    return half_inch / ((viewing - object) * (pitch / viewing));
+    return line_pairs / ((viewing - object) * (pitch / viewing));
 }
 
 double discrete_view_distance(const LensSheet& sheet, double pixel, double width)
@@ -98,6 +92,13 @@ std::optional<double> moire_pitch(double pitch, const LensSheet& sheet, double p
     if (odd < 1e-9 * pixels)
         return std::nullopt;
     return pitch / odd;
+}
+
+WholePicture whole_picture(double distance, double zone, double width)
+{
+    const double zones = zone / width;
+    return {distance / (1 + zones),
+            zones < 1 ? std::optional<double>(distance / (1 - zones)) : std::nullopt};
 }
 
 } // namespace integral

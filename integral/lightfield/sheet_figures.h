@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What a sheet, a film and a viewer give, before anything is rendered: the thesis's formulas,
 // each with its equation number. Lengths in mm, angles in degrees, resolutions in line pairs
-// per inch (lpi), as the thesis has them.
+// per mm (the thesis has them per inch).
 #ifndef INTEGRAL_LIGHTFIELD_SHEET_FIGURES_H
 #define INTEGRAL_LIGHTFIELD_SHEET_FIGURES_H
 
@@ -37,11 +37,8 @@ double pixel_spread(double angle, double distance);
 std::optional<double> depth_resolution(const LensSheet& sheet, double pixel, double depth);
 
 /// The depth budget: the depth on either side of the sheet up to which (4-6) is at least the
-/// sheet's own resolution, 12.7/p. Empty where (4-6) has no value.
+/// sheet's own resolution, 1/(2p). Empty where (4-6) has no value.
 std::optional<double> depth_budget(const LensSheet& sheet, double pixel);
-
-/// Inverse: the pixel pitch whose depth budget is `budget` mm, > 0.
-std::optional<double> pixel_for_budget(const LensSheet& sheet, double budget);
 
 /// (4-7): resolution by the lenses alone, for an observer at `viewing` and an object `object`
 /// in front of the sheet (negative: behind); object < viewing.
@@ -60,6 +57,17 @@ double visual_pitch(double pitch, const LensSheet& sheet, double distance);
 /// Empty: N is whole, and the whole sheet changes at once.
 std::optional<double> moire_pitch(double pitch, const LensSheet& sheet, double pixel,
                                   double distance);
+
+/// Between which distances an eye before the picture's middle sees all of it in one viewing zone.
+struct WholePicture {
+    double nearest;                 ///< mm
+    std::optional<double> farthest; ///< mm; empty: however far
+};
+
+/// For a picture `width` wide that is made to be seen from `distance`, where its zone is `zone`
+/// wide; all > 0, mm. The line of sight from the eye through the picture's edge has to meet the
+/// zone.
+WholePicture whole_picture(double distance, double zone, double width);
 
 } // namespace integral
 

@@ -44,6 +44,9 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
     const double half = c.cell / 2;
     const auto filling = filling_width(s, d, c.cell);
     const auto angle = pixel_angle(s, c.pixel);
+    std::optional<WholePicture> whole;
+    if (filling && width)
+        whole = whole_picture(d, *filling, *width);
     const char *sheet = "Sheet", *film = "Film", *view = "Viewer and aperture", *depth = "Depth";
     return {
         {sheet, "lenses_per_inch", "lenses per inch", mm_per_inch / s.pitch, "", ""},
@@ -62,6 +65,10 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
         {view, "aperture_width_mm", "capture aperture",
          limited ? std::optional<double>(c.aperture) : none, "mm", ""},
         {view, "filling_aperture_mm", "aperture that fills a lens", filling, "mm", "(3-5), exact"},
+        {view, "jump_mm", "  beyond its half the picture jumps", times(0.5, filling), "mm", ""},
+        {view, "whole_from_mm", "the whole picture without a jump, from",
+         whole ? std::optional<double>(whole->nearest) : none, "mm", ""},
+        {view, "whole_to_mm", "  to", whole ? whole->farthest : none, "mm", ""},
         {view, "filling_sine", "  its sine outside, n sin(atan(cell/2t))",
          s.ior * half / std::hypot(half, s.thickness), "", "optics.md 5"},
         {view, "filling_distance_mm", "distance at which the aperture fills",
@@ -86,12 +93,12 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
          "(5-1)"},
         {depth, "depth_budget_mm", "depth budget, either side of the sheet",
          depth_budget(s, c.pixel), "mm", "(4-6) = lenses"},
-        {depth, "lens_resolution_lpi", "resolution of the lenses themselves",
-         observer_resolution(s.pitch, d, 0), "lpi", "(4-7) at 0"},
+        {depth, "lens_resolution_lp_per_mm", "resolution of the lenses themselves",
+         observer_resolution(s.pitch, d, 0), "lp/mm", "(4-7) at 0"},
     };
 }
 
-/// Figures at one depth: mm, lpi.
+/// Figures at one depth: mm, line pairs per mm.
 struct DepthFigures {
     double depth;
     std::optional<double> resolution, spread, observer_front; ///< (4-6), (4-5), (4-7)
@@ -266,14 +273,14 @@ std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
     for (const Figure& f : figures_of(g, viewer)) {
         if (std::string(group) != f.group)
             text += line("\n%s\n", group = f.group);
-        text += line("  %-40s%12s %-4s  %s", f.label, shown(f.value).c_str(), f.value ? f.unit : "",
+        text += line("  %-40s%12s %-5s  %s", f.label, shown(f.value).c_str(), f.value ? f.unit : "",
                      f.equation);
         text.erase(text.find_last_not_of(' ') + 1); // no blanks at the line's end
         text += "\n";
     }
 
-    text += "\n  depth   resolution  pixel's spread   observer's resolution, lpi (4-7)\n"
-            "     mm    lpi (4-6)        mm (4-5)     before the sheet    behind it\n";
+    text += "\n  depth   resolution  pixel's spread  observer's resolution, lp/mm (4-7)\n"
+            "     mm  lp/mm (4-6)        mm (4-5)     before the sheet    behind it\n";
     for (const DepthFigures& row : depths_of(g, viewer))
         text += line("%7s %12s %15s %20s %12s\n", shown(row.depth).c_str(),
                      shown(row.resolution).c_str(), shown(row.spread).c_str(),
@@ -288,10 +295,10 @@ Json sheet_report_json(const FrameMetadata& g, const Viewer& viewer)
         json["figures"][f.key] = json_of(f.value);
     for (const DepthFigures& row : depths_of(g, viewer))
         json["depths"].push_back({{"depth_mm", row.depth},
-                                  {"resolution_lpi", json_of(row.resolution)},
+                                  {"resolution_lp_per_mm", json_of(row.resolution)},
                                   {"pixel_spread_mm", json_of(row.spread)},
-                                  {"observer_front_lpi", json_of(row.observer_front)},
-                                  {"observer_back_lpi", row.observer_back}});
+                                  {"observer_front_lp_per_mm", json_of(row.observer_front)},
+                                  {"observer_back_lp_per_mm", row.observer_back}});
     json["sampling"] = sampling_json(g, viewer);
     return json;
 }

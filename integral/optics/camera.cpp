@@ -70,6 +70,7 @@ Placement make_placement(const ViewFrame& view, double k)
     placement.z = (k / length(view.direction)) * view.direction;
     placement.origin = view.location + view.sheet_distance_ratio * view.direction;
     placement.units_per_mm = k;
+    placement.sheet_distance = view.sheet_distance_ratio * length(view.direction);
     const double skew = std::max({std::fabs(dot(placement.x, placement.y)),
                                   std::fabs(dot(placement.y, placement.z)),
                                   std::fabs(dot(placement.z, placement.x))});
@@ -119,9 +120,11 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     const Film film{width, height, p.film.pixel_pitch, p.film.subpixels};
     const double k = scale_of(p, view, size_of(film).x);
     const Aperture aperture = make_aperture(p, aperture_distance(p, view, k));
+    Placement placement = make_placement(view, k);
+    placement.scale_is_given = p.film.units_per_mm.has_value();
     return {SheetOptics(p.sheet, aperture, p.model),
             film,
-            make_placement(view, k),
+            placement,
             p.mapping,
             p.depth_range,
             p.pixel_samples.value_or(default_pixel_samples(p)),

@@ -23,6 +23,8 @@ struct Placement {
     double units_per_mm = 1; ///< k
     /// Whether the axes are at right angles, to rounding: then every length is scaled by k.
     bool right_angled = false;
+    double sheet_distance = 0; ///< scene units from the scene's eye to the sheet; 0: not known
+    bool scale_is_given = false; ///< by units_per_mm; else k follows the window, so sheet_distance
 };
 
 inline Vec3 scene_from_sheet(const Placement& p, Vec3 v)

@@ -2,8 +2,11 @@
 #include "integral/output/chart_page.h"
 
 #include "integral/base/number_text.h"
+#include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
 #include "integral/lightfield/sheet_figures.h"
+#include "integral/output/colour_profile.h"
+#include "integral/output/page_pdf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +27,7 @@ double rounded_step(double value)
 }
 
 /// The option that gives a film's pixel pitch: --dpi, with both directions where they differ.
-std::string film_words(const Film& film)
+std::string film_option(const Film& film)
 {
     const double dpi_x = mm_per_inch / film.pixel_pitch.x, dpi_y = mm_per_inch / film.pixel_pitch.y;
     const std::string across = with_digits(dpi_x, 9), down = with_digits(dpi_y, 9);
@@ -41,7 +44,7 @@ std::string reading_command(const PitchChart& chart)
            " --pitch " + with_digits(sheet.pitch, 9) + " --thickness " +
            with_digits(sheet.thickness, 9) + " --ior " + with_digits(sheet.ior, 9) +
            (sheet.slant != 0 ? " --slant " + with_digits(sheet.slant, 9) : "") + " " +
-           film_words(chart.film);
+           film_option(chart.film);
 }
 
 /// The aperture that fills the lenses from a distance, or an open one.
@@ -97,6 +100,21 @@ ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale)
     ChartPage made{{pitch_chart(chart), std::nullopt}, chart.note};
     set_metadata(made.frame, geometry);
     return made;
+}
+
+void write_chart(const std::string& path, const Frame& chart)
+{
+    if (extension_of(path) != "pdf") {
+        write_frame(path, chart);
+        return;
+    }
+    PageRequest whole;
+    whole.centre_on_lens = false;
+    const Vec2 pixel_pitch = chart.metadata->film.pixel_pitch;
+    OutputFile file(path);
+    write_pdf(file, lay_out(*chart.metadata, pixel_pitch, whole), form_of(chart.image),
+              rows_in(chart.image), srgb_profile(), "pitch chart");
+    file.finish();
 }
 
 FrameMetadata corrected_sheet(FrameMetadata geometry, const MeasuredSheet& found)

@@ -33,6 +33,10 @@ struct ChartPage {
 /// is kept. Throws as pitch_chart does.
 ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale);
 
+/// Writes a chart to a .pdf, on a page of its own size, or to a picture's file as write_frame does.
+/// Throws OutputError.
+void write_chart(const std::string& path, const Frame& chart);
+
 /// A geometry with the pitch and the index that were measured, for a sheet's file, which goes with
 /// frames of any size.
 FrameMetadata corrected_sheet(FrameMetadata geometry, const MeasuredSheet& found);

@@ -106,6 +106,12 @@ bool fits(const Space& space, const Film& film)
     return space.across.room() >= film.width && space.down.room() >= film.height;
 }
 
+/// Pixels of a page that has room for so many pixels of the picture.
+int page_needed(const Extent& extent, int pixels) { return extent.before + pixels + extent.after; }
+
+/// A length in mm, rounded up to a tenth.
+std::string rounded_up(double mm) { return with_decimals(std::ceil(10 * mm - 1e-6) / 10, 1); }
+
 /// Throws std::invalid_argument where the picture, or its tiles, do not fit on the paper.
 void check_room(const Space& space, const Film& film, Vec2 pitch, const PageRequest& request,
                 int overlap_x, int overlap_y)
@@ -115,13 +121,13 @@ void check_room(const Space& space, const Film& film, Vec2 pitch, const PageRequ
                                             : "its own size";
     if (!fits(space, film) && !request.tiles) {
         const bool has_marks = marks_margin(request) > 0 || !request.strip.empty();
+        const Vec2 needed{page_needed(space.across, film.width) * pitch.x,
+                          page_needed(space.down, film.height) * pitch.y};
         throw std::invalid_argument(
             "a picture of " + with_digits(film.width * pitch.x, 4) + " x " +
             with_digits(film.height * pitch.y, 4) + " mm " + (has_marks ? "with its marks " : "") +
-            "does not fit on paper of " + paper + ", which leaves " +
-            with_digits(std::max(0, space.across.room()) * pitch.x, 4) + " x " +
-            with_digits(std::max(0, space.down.room()) * pitch.y, 4) +
-            " mm; larger or turned paper would do, or --tile");
+            "does not fit on paper of " + paper + ": the page needs " + rounded_up(needed.x) +
+            " x " + rounded_up(needed.y) + " mm; take larger or turned paper, or --tile");
     }
     const auto tileable = [](const Extent& extent, int pixels, int overlap) {
         return extent.room() >= pixels || extent.room() > 2 * overlap;

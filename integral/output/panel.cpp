@@ -13,13 +13,6 @@
 namespace integral {
 namespace {
 
-bool fills_lenses(const Panel& panel)
-{
-    const auto filling = filling_aperture(panel.sheet, panel.aperture.distance);
-    return filling && panel.aperture.width == filling->width &&
-           panel.aperture.height == filling->height && panel.aperture.shape == filling->shape;
-}
-
 /// The zone that the lenses fill at a distance, or no limit where nothing does. Throws
 /// std::invalid_argument where no frame could have that distance.
 Aperture zone_at(double distance, const LensSheet& sheet)
@@ -125,20 +118,6 @@ Panel read_document(const JsonObject& document)
         panel.aperture = aperture_from(aperture, panel.sheet);
     }
     return panel;
-}
-
-std::string number_word(double value) { return Json(value).dump(); }
-std::string vector_word(Vec2 v) { return "<" + number_word(v.x) + ", " + number_word(v.y) + ">"; }
-
-std::string words_of(const Subpixels& subpixels)
-{
-    if (subpixels != Subpixels::cells)
-        return name_of(subpixels.order);
-    std::string words = std::string("cells { ") + name_of(subpixels.pattern);
-    for (int k = 0; k < subpixels.number; ++k)
-        for (const Vec2 place : subpixels.cell[k])
-            words += " " + vector_word(place);
-    return words + " }";
 }
 
 } // namespace
@@ -268,30 +247,6 @@ FrameMetadata frame_geometry(const Panel& panel)
     geometry.film = panel.film;
     geometry.aperture = panel.aperture;
     return geometry;
-}
-
-std::string camera_words(const Panel& panel)
-{
-    const LensSheet& sheet = panel.sheet;
-    std::string words = std::string("lens_sheet { ") + name_of(sheet.arrangement) + " pitch " +
-                        number_word(sheet.pitch) + " thickness " + number_word(sheet.thickness) +
-                        " ior " + number_word(sheet.ior);
-    if (sheet.slant != 0)
-        words += " slant " + number_word(sheet.slant);
-    if (sheet.offset.x != 0 || sheet.offset.y != 0)
-        words += " offset " + vector_word(sheet.offset);
-    words += " } film { pixel_pitch " + vector_word(panel.film.pixel_pitch);
-    if (panel.film.subpixels != Subpixels::none)
-        words += " subpixels " + words_of(panel.film.subpixels);
-    words += " }";
-    if (!fills_lenses(panel) && std::isfinite(panel.aperture.width) &&
-        std::isfinite(panel.aperture.height)) {
-        words += " capture_aperture " + vector_word({panel.aperture.width, panel.aperture.height});
-        if (panel.aperture.shape != ApertureShape::rectangle)
-            words += std::string(" aperture_shape ") + name_of(panel.aperture.shape);
-    }
-    words += " viewing_distance " + number_word(panel.aperture.distance);
-    return words;
 }
 
 } // namespace integral

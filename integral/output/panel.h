@@ -85,11 +85,6 @@ std::string to_json(const Panel& panel);
 /// Geometry of a frame that is native to the panel.
 FrameMetadata frame_geometry(const Panel& panel);
 
-/// The words of an integral camera that renders for the panel, without braces: lens_sheet { ... }
-/// film { ... }, capture_aperture where it is not the zone that the lenses fill, and
-/// viewing_distance: whatever the scene's own camera, the eyes are where the panel's are.
-std::string camera_words(const Panel& panel);
-
 } // namespace integral
 
 #endif

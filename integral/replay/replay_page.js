@@ -300,11 +300,14 @@ function show_geometry() {
   const upright = Math.abs(sheet.slant_degrees ?? 0) <= 45; // slit_is_horizontal
   const zone_words = sheet.arrangement !== "lenticular" ? `${figures(wide)} × ${mm(high)}`
                    : upright ? mm(wide) + " wide" : mm(high) + " high";
+  const slant = (sheet.slant_degrees ?? 0) * Math.PI / 180, p = sheet.pitch_mm;
+  const per_lens = sheet.arrangement !== "lenticular" ? both(p / dx, p / dy, "")
+                 : figures(upright ? p / Math.cos(slant) / dx : p / Math.abs(Math.sin(slant)) / dy); // across cylinders alone
   const lines = [
     ["Scene", geometry.render?.scene], ["Rendered by", geometry.render?.program],
     ["Sheet", `${lenses[sheet.arrangement]}, ${lens.join(", ")}`], ["Film", film_words.join(", ")],
     ["Part shown", state.part[2] === film_size[0] ? "" : `${figures(state.part[2])} × ${mm(state.part[3])}`],
-    ["Pixels per lens", both(sheet.pitch_mm / dx, sheet.pitch_mm / dy, "")],
+    ["Pixels per lens", per_lens],
     ["Viewing distance", mm(aperture.distance_mm)], ["Viewing zone", zone_words + " at that distance"]];
   for (const [term, text] of lines.filter((line) => line[1])) {
     element("words").append(document.createElement("dt"), document.createElement("dd"));

@@ -85,8 +85,11 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
     line("  left empty:", outside + reflected, points);
     line("    aperture missed:", outside, points);
     line("    total reflection:", reflected, points);
-    out->printf("%-19s %15.0f   %6.2f an imaged point\n", "Rays:", rays,
+    out->printf("%-19s %15.0f   %6.2f an imaged point", "Rays:", rays,
                 imaged > 0 ? rays / imaged : 0);
+    if (seconds > 0)
+        out->printf(", %.0f a second", rays / seconds);
+    out->printf("\n");
     line("  containers sought:", count(kIntegralAttrib_ContainerSearches), rays);
     out->printf("%-19s %15d   of %d objects\n",
                 "    among:", statistics.TryGetInt(kIntegralAttrib_Containers, 0),
@@ -97,10 +100,6 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
         out->printf("%-19s %15.0f\n", "Shared shadings:", shared);
         line("  worked out:", count(kIntegralAttrib_PatchShadings), shared);
     }
-    out->printf("%-19s %15.3f", "Seconds:", seconds);
-    if (seconds > 0)
-        out->printf("   %.0f rays a second", rays / seconds);
-    out->printf("\n");
     Print_Error(statistics, out);
     if (statistics.Exist(kIntegralAttrib_DepthPicture))
         out->printf("Warning: the depth frame could not be written to %s.\n",

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Depths of a scene against the depth budget, by hand values.
 #include "integral/lightfield/depth_range.h"
-#include "integral/lightfield/sheet_figures.h"
+
+#include "integral/lightfield/depth_advice.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -26,9 +27,9 @@ BOOST_AUTO_TEST_CASE(a_hundred_and_one_depths)
     BOOST_TEST(range.pixels == 151u);
     BOOST_TEST(range.surfaces == 101u);
     BOOST_TEST(range.nearest == -30);
-    BOOST_TEST(range.low == -29);
+    BOOST_TEST(range.twentieth == -25);
     BOOST_TEST(range.median == 20);
-    BOOST_TEST(range.high == 69);
+    BOOST_TEST(range.last_twentieth == 65);
     BOOST_TEST(range.farthest == 70);
     BOOST_TEST(std::fabs(range.before - 10.0 / 101) < 1e-12); // -30 to -21
     BOOST_TEST(std::fabs(range.behind - 50.0 / 101) < 1e-12); // 21 to 70
@@ -46,18 +47,68 @@ BOOST_AUTO_TEST_CASE(nothing_to_see)
     BOOST_TEST(range.farthest == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_pixel_for_a_budget)
+/// A frame of these depths, behind square lenses of 1.27 mm at 300 dpi, placed 100 units from the
+/// eye at two mm a unit.
+static DepthFrame frame_of(const std::vector<float>& depths)
 {
-    // The thesis's sheet at 300 dpi has 24.89 mm (doc/guide.md); half the pixel has twice that.
-    const LensSheet sheet{Arrangement::square, 1.27, 3.08, 1.6, 0, {}};
-    for (const double budget : {1.0, 24.89, 90.0, 4000.0}) {
-        const auto pixel = pixel_for_budget(sheet, budget);
-        BOOST_REQUIRE(pixel);
-        BOOST_TEST(std::fabs(*depth_budget(sheet, *pixel) - budget) < 1e-12 * budget);
-        BOOST_TEST(std::fabs(*pixel_for_budget(sheet, budget / 2) - 2 * *pixel) < 1e-12 * *pixel);
-    }
-    // n^2 p^2 > 4 t^2 + p^2: the formula has nothing to say
-    BOOST_TEST(!pixel_for_budget({Arrangement::square, 2, 1, 1.6, 0, {}}, 10));
+    DepthFrame frame;
+    frame.depth = depths;
+    frame.imaged.assign(depths.size(), 1);
+    frame.metadata.sheet.arrangement = Arrangement::square;
+    frame.metadata.film.pixel_pitch = {25.4 / 300, 25.4 / 300};
+    frame.metadata.aperture.distance = 200;
+    Placement placement;
+    placement.units_per_mm = 0.5;
+    placement.sheet_distance = 100;
+    frame.metadata.placement = placement;
+    return frame;
+}
+
+BOOST_AUTO_TEST_CASE(advice_by_hand)
+{
+    // Depths 1 to 100 mm behind the sheet; the budget is 20 mm.
+    std::vector<float> depths;
+    for (int k = 1; k <= 100; ++k)
+        depths.push_back(float(k));
+    DepthFrame frame = frame_of(depths);
+    const DepthAdvice advice = depth_advice(frame, 20);
+    BOOST_TEST(advice.now.sharp == 0.20);
+    BOOST_TEST(advice.now.soft == 0.20, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(advice.now.beyond == 0.60, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(advice.sheet_distance == 100);
+    // The window grows with the distance D, so that things are sharp within 1 +- 20/200 of D. They
+    // are 100.5 to 150 units from the eye; most of them, 1.1/0.9 times as far as the nearest of
+    // them, are the last: from 150 x 0.9/1.1 = 122.7 on, which is 45.5 mm: 46 to 100 mm, as many as
+    // 43 to 97 mm, from 121.5 to 148.5 units, the first that are so many: D = 135.
+    BOOST_REQUIRE(advice.sheet.has_value());
+    BOOST_TEST(advice.sheet->sharp == 0.55);
+    BOOST_TEST(advice.sheet->value == 135, boost::test_tools::tolerance(0.001));
+    // 95 of them within 20 mm: 20/95 = 0.21 would be flatter than 0.25, which leaves 80.
+    BOOST_REQUIRE(advice.compress.has_value());
+    BOOST_TEST(advice.compress->value == 0.25);
+    BOOST_TEST(advice.compress->sharp == 0.80);
+    // 300 dpi: 20 mm; 1200 dpi: 80 mm; 1440 dpi: 96 mm.
+    BOOST_REQUIRE(advice.dpi.has_value());
+    BOOST_TEST(advice.dpi->value == 1440);
+    BOOST_TEST(advice.dpi->sharp == 0.96);
+    // A fixed scale: 2 x 20 mm hold 41 of them.
+    frame.metadata.placement->scale_is_given = true;
+    BOOST_TEST(depth_advice(frame, 20).sheet->sharp == 0.41);
+    // A panel has the pixels that it has.
+    frame.metadata.film.subpixels = Subpixels::rgb;
+    BOOST_TEST(!depth_advice(frame, 20).dpi.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(no_advice_of_numbers_that_nobody_can_use)
+{
+    // A thousand things in the budget, and as many at the horizon.
+    std::vector<float> depths(1000, 5);
+    depths.resize(2000, 1e6f);
+    const DepthAdvice advice = depth_advice(frame_of(depths), 20);
+    BOOST_TEST(advice.now.beyond == 0.5);
+    BOOST_TEST(!advice.sheet.has_value()); // either half, not both
+    BOOST_TEST(!advice.compress.has_value());
+    BOOST_TEST(!advice.dpi.has_value());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

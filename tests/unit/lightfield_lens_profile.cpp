@@ -2,6 +2,7 @@
 // One real lens against the pinhole models: figure 3-26, and its beam from axis to margin.
 #include "integral/lightfield/lens_profile.h"
 
+#include "integral/lightfield/known_sheets.h"
 #include "integral/lightfield/sheet_figures.h"
 #include "integral/optics/aperture.h"
 

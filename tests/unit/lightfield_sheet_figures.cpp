@@ -111,8 +111,8 @@ BOOST_AUTO_TEST_CASE(equation_4_6_figure_4_12_resolution_against_depth)
     // 150/(2 * 1.6 d) times the root of 4 * 3.08^2 + 1.27^2 - 1.6^2 * 1.27^2 = 35.429476: 279.01/d.
     const double figure[][2] = {{10, 27.901}, {20, 13.951}, {50, 5.580},
                                 {100, 2.790}, {200, 1.395}, {300, 0.930}};
-    for (const auto& at : figure)
-        check_printed(*depth_resolution(sheet(), dpi_300, at[0]), at[1], 0.001);
+    for (const auto& at : figure) // printed in line pairs per inch
+        check_printed(mm_per_inch * *depth_resolution(sheet(), dpi_300, at[0]), at[1], 0.001);
     // "proportional to 1/d"
     check_printed(*depth_resolution(sheet(), dpi_300, 50) /
                       *depth_resolution(sheet(), dpi_300, 100),
@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(equation_4_7_figure_4_15_observer_resolution)
     // An observer at 500 mm: 5000/(500 - object).
     const double figure[][2] = {{-500, 5}, {-250, 6.6667}, {0, 10},  {100, 12.5},
                                 {250, 20}, {300, 25},      {400, 50}};
-    for (const auto& at : figure)
-        check_printed(observer_resolution(1.27, 500, at[0]), at[1], 0.0001);
+    for (const auto& at : figure) // printed in line pairs per inch
+        check_printed(mm_per_inch * observer_resolution(1.27, 500, at[0]), at[1], 0.0001);
 }
 
 BOOST_AUTO_TEST_CASE(equation_5_1_discrete_view_distance)
@@ -150,6 +150,23 @@ BOOST_AUTO_TEST_CASE(moire_of_lenses_and_pixels)
     const double x = 1e-3, t = 3.08, n = 1.6, d = 300;
     const double behind = x * t / std::sqrt(n * n * d * d + (n * n - 1) * x * x);
     check_printed(visual_pitch(1.27, sheet(), d) / 1.27, (x + behind) / x, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(an_eye_sees_the_whole_picture_between_two_distances)
+{
+    // The zone is 100 mm wide at 400 mm. From 200 mm, lines of sight through the edges of a picture
+    // 100 mm wide have passed +-50 mm of the zone's plane, which lies 200 mm behind the eye; from
+    // far they come straight through +-50 mm.
+    const WholePicture as_wide = whole_picture(400, 100, 100);
+    BOOST_TEST(as_wide.nearest == 200);
+    BOOST_TEST(!as_wide.farthest.has_value());
+    const WholePicture wider = whole_picture(400, 100, 200);
+    for (const double eye : {wider.nearest, *wider.farthest}) { // at the zone's edge: +-50 mm
+        const double met = 100 * (1 - 400 / eye);
+        BOOST_TEST(std::fabs(std::fabs(met) - 50) < 1e-9);
+    }
+    BOOST_TEST(wider.nearest < 400);
+    BOOST_TEST(*wider.farthest > 400);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

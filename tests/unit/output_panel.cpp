@@ -3,6 +3,7 @@
 // mapping makes of views.
 #include "integral/output/panel.h"
 
+#include "integral/lightfield/camera_words.h"
 #include "integral/optics/lens_mapping.h"
 #include "tests/unit/looking_glass_devices.h"
 
@@ -184,7 +185,7 @@ BOOST_AUTO_TEST_CASE(malformed_descriptions_are_refused_in_words)
             BOOST_TEST(
                 (panel.film.width > 0 && panel.sheet.pitch > 0 && panel.aperture.distance > 0),
                 text);
-            camera_words(panel);
+            camera_words(frame_geometry(panel));
         } catch (const std::invalid_argument& error) {
             ++refused;
             BOOST_TEST(std::string(error.what()).size() > 10, text);
@@ -290,7 +291,7 @@ BOOST_AUTO_TEST_CASE(our_optics_and_the_published_mapping_agree)
 
 BOOST_AUTO_TEST_CASE(camera_words_say_all)
 {
-    BOOST_TEST(camera_words(*panel_named("thesis-lcd")) ==
+    BOOST_TEST(camera_words(frame_geometry(*panel_named("thesis-lcd"))) ==
                "lens_sheet { lenticular pitch 1.27 thickness 3.08 ior 1.6 } film { pixel_pitch "
                "<0.207, 0.207> subpixels rgb } viewing_distance 300.0");
     Panel panel = panel_from_json(with(
@@ -301,7 +302,7 @@ BOOST_AUTO_TEST_CASE(camera_words_say_all)
     panel.film.subpixels.number = 2;
     panel.film.subpixels.cell[0] = {{{-0.25, 0.25}, {0.25, 0.25}, {0, -0.25}}};
     panel.film.subpixels.cell[1] = {{{-0.25, -0.25}, {0.25, -0.25}, {0, 0.25}}};
-    BOOST_TEST(camera_words(panel) ==
+    BOOST_TEST(camera_words(frame_geometry(panel)) ==
                "lens_sheet { lenticular pitch 1.5 thickness 4.0 ior 1.6 slant 9.5 offset <0.25, "
                "0.0> } film { pixel_pitch <0.25, 0.25> subpixels "
                "cells { checkerboard <-0.25, 0.25> <0.25, 0.25> <0.0, -0.25> <-0.25, -0.25> <0.25, "
@@ -346,7 +347,8 @@ BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
                 << panel.film.height << ">;\n#declare " << name
                 << "_Width = " << panel.film.width * panel.film.pixel_pitch.x << ";\n#declare "
                 << name << "_Distance = " << panel.aperture.distance << ";\n";
-        const std::string expected = "#macro " + name + "() " + camera_words(panel) + " #end\n" +
+        const std::string expected = "#macro " + name + "() " +
+                                     camera_words(frame_geometry(panel)) + " #end\n" +
                                      figures.str();
         BOOST_TEST(include.find(expected) != std::string::npos, "include/integral.inc lacks\n"
                                                                     << expected);

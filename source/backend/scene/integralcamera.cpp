@@ -94,6 +94,14 @@ static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width,
     view.error.wanted = false;
 }
 
+static void Begin(Camera& camera, const std::shared_ptr<const IntegralView>& view)
+{
+    camera.Integral_View = view;
+    if (camera.Integral->parameters.viewing_distance)
+        Move_To_Eye(camera, *view->optics);
+    pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft);
+}
+
 void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)
 {
     camera.Integral_View.reset();
@@ -113,9 +121,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         if (given.quilt)
         {
             Start_Quilt(*view, *given.quilt, width, height);
-            camera.Integral_View = view;
-            pov_base::IntegralFrame::Begin(*view->optics);
-            return;
+            return Begin(camera, view);
         }
         view->rows = given.rows;
         view->error = {given.audit, given.audit_share, given.output, given.error_picture};
@@ -138,10 +144,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
     {
         throw POV_EXCEPTION(kParamErr, problem.what());
     }
-    camera.Integral_View = view;
-    if (camera.Integral->parameters.viewing_distance)
-        Move_To_Eye(camera, *view->optics);
-    pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft);
+    Begin(camera, view);
 }
 
 /// The error estimate of the frame; nothing if none was requested or none is possible.

@@ -7,6 +7,7 @@
 #include "integral/compare/compare.h"
 #include "integral/compare/tolerances.h"
 #include "integral/io/image_file.h"
+#include "integral/lightfield/camera_words.h"
 #include "integral/lightfield/scene_depth_report.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/panel.h"
@@ -45,7 +46,9 @@ void read_picture(const Bytes& bytes)
 void read_depth_frame(const Bytes& bytes)
 {
     const std::string path = file_of(bytes);
-    scene_depth_text(path, read_depths(path));
+    const DepthFrame depths = read_depths(path);
+    scene_verdict_text(path, depths);
+    scene_depth_text(depths);
 }
 
 /// A document that is read is written so that it reads back to itself.
@@ -77,7 +80,7 @@ void read_panel(const Bytes& bytes)
     const std::string text = to_json(panel);
     if (to_json(panel_from_json(text)) != text)
         std::abort();
-    camera_words(panel);
+    camera_words(frame_geometry(panel));
     const FrameMetadata geometry = frame_geometry(panel);
     SheetOptics(geometry.sheet, geometry.aperture).map({0, 0}, LensMapping::automatic);
     if (panel.calibration)

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/batch/tune.h"
+
+#include "integral/base/file_bytes.h"
+#include "integral/base/interrupt.h"
+#include "integral/batch/renderer.h"
+#include "integral/batch/renderer_options.h"
+#include "integral/batch/strips.h"
+#include "integral/io/image_file.h"
+#include "integral/lightfield/first_samples.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <regex>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+constexpr int block_side = 32; // the renderer's, by itself
+constexpr int most_bands = 5;
+constexpr int blocks_a_band = 3; // a band of one block's rows for so many
+
+/// A ladder of one kind of settings, from cheap to dear.
+struct Chain {
+    std::vector<TuneSetting> settings;
+    double dearer; ///< about how many times the seconds of the next setting are
+    std::size_t next = 0;
+    double expected = 0; ///< seconds of the next one
+};
+
+TuneSetting samples(int pixel, int beam)
+{
+    return {"pixel_samples " + std::to_string(pixel) + " beam_samples " + std::to_string(beam),
+            {"-A"}};
+}
+
+TuneSetting antialiased(const std::string& threshold)
+{
+    return {"pixel_samples 1 beam_samples 1", {"+A" + threshold, "+AM2", "+R5"}};
+}
+
+std::vector<Chain> chains()
+{
+    return {
+        {{samples(1, 1), samples(2, 2), samples(2, 4), samples(4, 4), samples(4, 8), samples(8, 8),
+          samples(8, 16), samples(16, 16)},
+         1.8},
+        {{antialiased("0.3"), antialiased("0.1"), antialiased("0.03"), antialiased("0.01")}, 1.4}};
+}
+
+/// The text of Integral_Camera= among options, without quotation marks around it; "" if none.
+std::string camera_in(const std::vector<std::string>& options)
+{
+    std::string text = value_of_option(options, "integral_camera", "");
+    if (text.size() >= 2 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0])
+        text = text.substr(1, text.size() - 2);
+    return text;
+}
+
+/// The option with the camera's words that there are, and a setting's.
+std::string camera_option(const std::string& camera, const TuneSetting& setting)
+{
+    return "Integral_Camera=" + camera + (camera.empty() ? "" : " ") + setting.camera;
+}
+
+/// One run of the renderer.
+struct Run {
+    FrameMetadata metadata;
+    double seconds = 0;  ///< from the first ray to the last
+    double parsing = 0;  ///< before and after them, without the estimate of the error
+    double auditing = 0; ///< for the estimate of the error
+};
+
+/// Renders parts of one frame at different settings.
+class Measurement {
+public:
+    Measurement(const std::string& scene, const std::vector<std::string>& options)
+        : scene_(scene), options_(options)
+    {
+        camera_ = camera_in(options);
+        const Run probe = run(samples(1, 1), {"Start_Row=2", "End_Row=2"});
+        parsing_ = probe.parsing;
+        start_ = probe.seconds;
+        film_ = probe.metadata.film;
+        reach_ = rows_looked_at(probe.metadata.sheet, film_);
+        const int blocks = (film_.height + block_side - 1) / block_side;
+        bands_ = std::clamp((blocks + blocks_a_band - 1) / blocks_a_band, 1, most_bands);
+    }
+
+    /// Renders the bands at a setting. Calls `piece` after each.
+    template <class Piece> TunePoint measure(const TuneSetting& setting, Piece piece)
+    {
+        const bool antialias = setting.options[0] != "-A";
+        double traced = 0, audited = 0, rows = 0;
+        std::vector<ErrorEstimate> errors;
+        for (const RowStrip& band : bands(antialias ? reach_ : 0)) {
+            const Run part = run(setting, options_of(band, film_.height));
+            const int beside = band.above + band.below; // these have their first samples alone
+            traced += std::max(0.0, part.seconds - start_ - beside * first_samples_);
+            rows += band.rows;
+            audited += part.auditing;
+            if (part.metadata.render->error)
+                errors.push_back(*part.metadata.render->error);
+            piece();
+        }
+        if (errors.empty())
+            throw InputError(scene_ + ": its frame shows nothing by which an error could be "
+                                      "estimated");
+        rows_ = int(rows);
+        if (!antialias && first_samples_ == 0)
+            first_samples_ = traced / rows;
+        TunePoint point{setting, combined(errors), 0};
+        point.seconds = parsing_ + start_ + traced * film_.height / rows +
+                        audit_of_frame(errors, audited, rows);
+        return point;
+    }
+
+    TuneResult result() const
+    {
+        return {film_.width, film_.height, rows_, parsing_, {}, std::nullopt, camera_};
+    }
+    int pieces() const { return bands_; }
+
+private:
+    /// Bands of one block's rows, spread evenly over the frame's height.
+    std::vector<RowStrip> bands(int reach) const
+    {
+        const int blocks = (film_.height + block_side - 1) / block_side;
+        const auto all = row_strips(film_.height, blocks, block_side, reach);
+        std::vector<RowStrip> chosen;
+        for (int k = 0; k < bands_; ++k)
+            chosen.push_back(all[std::size_t((2 * k + 1) * blocks / (2 * bands_))]);
+        return chosen;
+    }
+
+    /// Seconds of the whole frame's audit, which looks at a share of the lit pixels, or at a fixed
+    /// number where the share is less.
+    double audit_of_frame(const std::vector<ErrorEstimate>& errors, double seconds,
+                          double rows) const
+    {
+        double looked_at = 0, lit = 0;
+        for (const ErrorEstimate& error : errors) {
+            looked_at += double(error.pixels);
+            lit += double(error.lit_pixels);
+        }
+        if (!(looked_at > 0) || errors[0].method != ErrorMethod::audit)
+            return 0;
+        const double of_frame = std::max(0.005 * lit * film_.height / rows,
+                                         double(errors[0].pixels));
+        return seconds * of_frame / looked_at;
+    }
+
+    Run run(const TuneSetting& setting, const std::vector<std::string>& rows) const
+    {
+        const ScratchFolder scratch;
+        const std::string picture = scratch.path("band.png");
+        std::vector<std::string> words = scene_words(scene_);
+        words.insert(words.end(), options_.begin(), options_.end());
+        words.insert(words.end(), setting.options.begin(), setting.options.end());
+        words.insert(words.end(), rows.begin(), rows.end());
+        words.push_back(camera_option(camera_, setting));
+        words.push_back("+FN8 +O\"" + picture + "\"");
+        words.push_back("-P");
+        const auto begun = std::chrono::steady_clock::now();
+        render(scene_, words, scratch);
+        const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun)
+                                 .count();
+        Run made;
+        made.metadata = read_metadata(picture);
+        if (!made.metadata.render)
+            throw InputError(scene_ + ": its camera is not integral");
+        made.seconds = made.metadata.render->seconds;
+        if (made.metadata.render->error)
+            made.auditing = made.metadata.render->error->seconds;
+        made.parsing = std::max(0.0, whole - made.seconds - made.auditing);
+        return made;
+    }
+
+    std::string scene_;
+    std::vector<std::string> options_;
+    std::string camera_;
+    Film film_;
+    int reach_ = 0, bands_ = 1, rows_ = 0;
+    double parsing_ = 0, start_ = 0; ///< seconds; start_: of a render of one row
+    double first_samples_ = 0;       ///< seconds of a row with one ray a pixel
+};
+
+void check_options(const std::string& scene, const std::vector<std::string>& options)
+{
+    for (const std::string& word : options)
+        for (const RendererOption& option : renderer_options_in(word)) {
+            const bool antialias = option.kind == RendererOption::Kind::letters &&
+                                   !option.name.empty() &&
+                                   (option.name[0] == 'A' || option.name[0] == 'a');
+            if (antialias)
+                throw std::invalid_argument(word +
+                                            ": the settings of +A are what is looked for; leave "
+                                            "it out");
+        }
+    static const std::regex sampling("\\b(pixel|beam)_samples\\b");
+    if (std::regex_search(camera_in(options), sampling))
+        throw std::invalid_argument("pixel_samples and beam_samples are what is looked for; leave "
+                                    "them out of Integral_Camera");
+    if (extension_of(scene) != "pov" && extension_of(scene) != "ini")
+        throw std::invalid_argument(scene + ": it is no scene (.pov, .ini)");
+    if (extension_of(scene) == "ini" &&
+        std::regex_search(read_file(scene), std::regex("integral_camera", std::regex::icase)))
+        throw std::invalid_argument(scene + ": it has an Integral_Camera of its own; give that "
+                                            "after the scene's name instead");
+}
+
+/// Whether the next setting of a chain may still be better than what has been found.
+bool worth_measuring(const Chain& chain, const std::vector<TunePoint>& points, const TuneGoal& goal)
+{
+    if (chain.next >= chain.settings.size())
+        return false;
+    if (goal.seconds && !points.empty() && chain.expected > 1.3 * *goal.seconds)
+        return false;
+    const auto best = best_point(points, goal);
+    return !(goal.error && best && chain.expected >= points[*best].seconds);
+}
+
+std::string for_shell(const std::string& word)
+{
+    if (word.find_first_of(" \"'$`\\<>|&;(){}*?#~!") == std::string::npos)
+        return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+} // namespace
+
+double counted_error(const ErrorEstimate& error) { return error.low > 0 ? error.rms : error.high; }
+
+std::optional<std::size_t> best_point(const std::vector<TunePoint>& points, const TuneGoal& goal)
+{
+    std::optional<std::size_t> best;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const TunePoint& point = points[k];
+        if ((goal.error && counted_error(point.error) > *goal.error) ||
+            (goal.seconds && point.seconds > *goal.seconds) || (!goal.error && !goal.seconds))
+            continue;
+        if (!best || (goal.error ? point.seconds < points[*best].seconds
+                                 : counted_error(point.error) < counted_error(points[*best].error)))
+            best = k;
+    }
+    return best;
+}
+
+TuneResult tune(const std::string& scene, const std::vector<std::string>& options,
+                const TuneGoal& goal, const Progress& progress)
+{
+    check_options(scene, options);
+    Measurement measurement(scene, options);
+    std::vector<Chain> ladder = chains();
+    int settings = 0, done = 0;
+    for (const Chain& chain : ladder)
+        settings += int(chain.settings.size());
+    const auto piece = [&] {
+        stop_if_interrupted();
+        if (progress)
+            progress(++done, settings * measurement.pieces());
+    };
+    std::vector<TunePoint> points;
+    for (;;) {
+        Chain* cheapest = nullptr;
+        for (Chain& chain : ladder)
+            if (worth_measuring(chain, points, goal) &&
+                (!cheapest || chain.expected < cheapest->expected))
+                cheapest = &chain;
+        if (!cheapest)
+            break;
+        points.push_back(measurement.measure(cheapest->settings[cheapest->next++], piece));
+        cheapest->expected = points.back().seconds * cheapest->dearer;
+        if (points.size() == 1)
+            ladder[1].expected = points[0].seconds * 2;
+    }
+    if (progress)
+        progress(1, 1);
+    TuneResult result = measurement.result();
+    result.best = best_point(points, goal);
+    result.points = std::move(points);
+    return result;
+}
+
+std::string tuned_command(const std::string& scene, const std::vector<std::string>& options,
+                          const TuneResult& result, const TuneSetting& setting)
+{
+    std::string text = "povray-integral " +
+                       for_shell(extension_of(scene) == "pov" ? "+I" + scene : scene);
+    for (const std::string& option : options)
+        if (camera_in({option}).empty())
+            text += " " + for_shell(option);
+    for (const std::string& option : setting.options)
+        if (option != "-A")
+            text += " " + option;
+    return text + " " + for_shell(camera_option(result.camera, setting));
+}
+
+} // namespace integral

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral tune: error against seconds of settings, on this scene and machine.
+#include "integral/batch/tune.h"
+#include "integral/batch/tune_report.h"
+#include "integral/cli/command.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/values.h"
+#include "integral/io/image_file.h"
+#include "integral/io/plot.h"
+
+#include <nlohmann/json.hpp>
+
+namespace integral {
+namespace {
+
+struct TuneOptions : CommonOptions {
+    std::optional<std::string> target_error, seconds, plot, output;
+    bool json = false;
+};
+
+void declare(options::options_description& all, TuneOptions& o)
+{
+    all.add_options()("target-error", fills(o.target_error, "E"),
+                      "the estimated RMS error that the frame may have, 1 is full scale, as 0.01: "
+                      "names the fastest setting")(
+        "seconds", fills(o.seconds, "S"),
+        "how long the render may take: names the setting with the least error")(
+        "plot", fills(o.plot, "FILE"), "draw error against seconds, to FILE.svg or FILE.png")(
+        "json", sets(o.json), "print the figures as JSON")(
+        "output,o", fills(o.output, "FILE"), "print to FILE instead of standard output");
+}
+
+TuneGoal goal_of(const TuneOptions& o)
+{
+    TuneGoal goal;
+    if (o.target_error) {
+        goal.error = parse_number("target-error", *o.target_error, "a number");
+        if (!(*goal.error > 0 && *goal.error < 1))
+            throw UsageError("--target-error " + *o.target_error +
+                             ": a number between 0 and 1 (full scale) is expected, as 0.01");
+    }
+    if (o.seconds) {
+        goal.seconds = parse_number("seconds", *o.seconds, "a number");
+        if (!(*goal.seconds > 0))
+            throw UsageError("--seconds " + *o.seconds + ": it must be greater than 0");
+    }
+    return goal;
+}
+
+int run(const TuneOptions& o)
+{
+    const TuneGoal goal = goal_of(o);
+    const std::string& scene = o.inputs[0];
+    const Words words(o.inputs.begin() + 1, o.inputs.end());
+    try {
+        if (o.plot)
+            plot_format(*o.plot);
+        for (const auto& file : {o.plot, o.output}) // before a long work
+            if (file)
+                check_writable(*file);
+        const TuneResult result = tune(scene, words, goal, progress_bar("tune"));
+        if (o.plot)
+            write_plot(tune_plot(scene, result), *o.plot);
+        print_result(o.output, o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
+                                      : tune_text(scene, words, goal, result));
+        return result.best || (!goal.error && !goal.seconds) ? exit_done : exit_check_failed;
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
+} // namespace
+
+const Command tune_command = {
+    "tune",
+    "which sampling settings a scene needs: error against seconds on this machine",
+    "SCENE [+W +H ...] [--target-error E | --seconds S] [--plot FILE.svg]",
+    "Renders some bands of the scene's frame at a ladder of settings, with the size, the camera "
+    "and\n"
+    "the other options of povray-integral that follow SCENE; prints each setting's estimated "
+    "error\n"
+    "and the time that the whole frame would take; and names the setting for a target, as a "
+    "command\n"
+    "line to paste. The exit status is 1 if no setting reaches the target.\n",
+    1,
+    1000,
+    described<TuneOptions>,
+    run_with<TuneOptions, run>};
+
+} // namespace integral

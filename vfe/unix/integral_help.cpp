@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// See integral_help.h.
+#include "integral_help.h"
+
+#include <cstdio>
+
+#include "integral/base/first_steps.h"
+
+namespace vfePlatform
+{
+void PrintIntegralHelp()
+{
+    std::fputs(
+        "Keywords of the integral camera, on the command line or in INI files (man povray-integral,\n"
+        "doc/guide.md):\n"
+        "\n"
+        "    Integral_Camera=\"WORDS\"          make the scene's perspective camera integral:\n"
+        "                                     lens_sheet { ... } film { ... } and others\n"
+        "    Integral_Audit=on|off|PERCENT    estimate the frame's error, by so many of its pixels\n"
+        "    Integral_Error_Image=FILE        write a picture of the local error\n"
+        "    Integral_Depth_Image=FILE.exr    write each pixel's distance from the sheet, mm\n"
+        "    Integral_Antialiasing=light_field|pixels   what +A does; pixels: as POV-Ray does\n"
+        "    Integral_Sharing=auto|on|off|N   whether rays share the shading of surfaces\n"
+        "    Integral_Rows=FIRST,LAST         the rows that count; others are only neighbours\n"
+        "    Integral_Seed=N                  seed of the random numbers\n"
+        "\n",
+        stderr);
+    std::fputs(integral::first_steps(), stderr);
+}
+}
