@@ -5,23 +5,18 @@ namespace integral {
 
 const char* first_steps()
 {
-    return "From SCENE.pov (any scene of POV-Ray's) to\n"
-           "  a look:  povray-integral +ISCENE.pov +W600 +H400 Integral_Camera=\"$(integral sheet "
-           "--lpi 20 --camera --distance 300)\"\n"
-           "           integral replay SCENE.png --html SCENE.html\n"
-           "  a print: integral sheet --list --print 150x100 --distance 400 --dpi 720    (choose "
-           "the "
-           "lens sheet; here 60 lenses per inch)\n"
-           "           povray-integral +ISCENE.pov +W4252 +H2835 Integral_Camera=\"$(integral "
-           "sheet "
-           "--lpi 60 --dpi 720 --camera --distance 400)\"\n"
-           "           integral print SCENE.png -o page.pdf    (first measure the sheet: integral "
-           "print --chart)\n"
-           "  a panel: integral lcd --panel looking-glass-go --camera > panel.ini    (integral lcd "
-           "--list: the panels)\n"
-           "           povray-integral panel.ini +ISCENE.pov\n"
-           "           integral lcd SCENE.png --panel looking-glass-go -o panel.png\n"
-           "integral help lists all commands; doc/guide.md explains them.\n";
+    return R"steps(From SCENE.pov (any scene of POV-Ray's) to
+  a look:  povray-integral +ISCENE.pov +W600 +H400 Integral_Camera="$(integral sheet --lpi 20 --camera --distance 300)"
+           integral replay SCENE.png --html SCENE.html
+  a print: integral sheet --list --print 150x100 --distance 400 --dpi 720    (choose the lens sheet; here 60 lenses an inch)
+           povray-integral +ISCENE.pov Integral_Camera="$(integral sheet --lpi 60 --dpi 720 --print 150x100 --distance 400 --camera)"
+           integral print SCENE.png -o page.pdf    (first measure the sheet: integral print --chart)
+  a panel: integral lcd --panel looking-glass-go --camera > panel.ini    (integral lcd --list: the panels)
+           povray-integral panel.ini +ISCENE.pov
+           integral lcd SCENE.png --panel looking-glass-go -o panel.png
+Integral_Draft=4 renders a quarter of the pixels across and down of the same print or panel, to look at first.
+integral help lists all commands; doc/guide.md explains them.
+)steps";
 }
 
 } // namespace integral

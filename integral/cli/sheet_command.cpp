@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral sheet: what a sheet, a film and a viewer give, before anything is rendered.
+#include "integral/base/number_text.h"
 #include "integral/batch/scene_depths.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
@@ -20,6 +21,8 @@
 
 namespace integral {
 namespace {
+
+constexpr double any_size = 1e9; // mm
 
 struct SheetCommandOptions : CommonOptions {
     SheetOptions sheet;
@@ -202,12 +205,18 @@ FrameMetadata geometry_of(const SheetCommandOptions& o)
     return geometry;
 }
 
-/// The words for a scene: a sheet's file has no viewer of its own.
+/// The words for a scene: a sheet's file has no viewer of its own, and a print's size only --print
+/// tells.
 std::string words_for_scene(const SheetCommandOptions& o, const FrameMetadata& geometry)
 {
-    if (geometry.render || o.aperture.distance)
-        return camera_words(geometry);
-    return sheet_words(geometry.sheet) + " " + film_words(geometry.film);
+    std::string words = geometry.render || o.aperture.distance
+                            ? camera_words(geometry)
+                            : sheet_words(geometry.sheet) + " " + film_words(geometry.film);
+    if (o.print) {
+        const Vec2 size = parse_size_mm("print", *o.print, any_size); // set_film_size checked it
+        words += " print_size <" + with_digits(size.x, 9) + ", " + with_digits(size.y, 9) + ">";
+    }
+    return words;
 }
 
 int run(const SheetCommandOptions& o)
