@@ -86,7 +86,7 @@ void IntegralGrammar::Warn_Of_Eye(const IntegralStatement& statement)
                  diagonal = std::hypot(size.x, size.y), panels = 2.5 * diagonal;
     const bool is_panel = optics.film.subpixels != integral::Subpixels::none;
     if (is_panel && !statement.parameters.viewing_distance &&
-        !(distance > panels / 1.5 && distance < panels * 1.5))
+        !(distance > panels / 2 && distance < panels * 2))
         parser.Warning(0,
                        "Integral camera: the eye is %.4g mm from a panel of %.4g x %.4g mm, which "
                        "is looked at from about %.0f mm.\n"
