@@ -86,7 +86,7 @@ void IntegralGrammar::Warn_Of_Eye(const IntegralStatement& statement)
                  diagonal = std::hypot(size.x, size.y), panels = 2.5 * diagonal;
     const bool is_panel = optics.film.subpixels != integral::Subpixels::none;
     if (is_panel && !statement.parameters.viewing_distance &&
-        !(distance > panels / 1.5 && distance < panels * 1.5))
+        !(distance > panels / 2 && distance < panels * 2))
         parser.Warning(0,
                        "Integral camera: the eye is %.4g mm from a panel of %.4g x %.4g mm, which "
                        "is looked at from about %.0f mm.\n"
@@ -137,15 +137,18 @@ void IntegralGrammar::Warn_Of_Film(const integral::IntegralCamera& optics)
 
 void IntegralGrammar::Warn_Of_Draft(const IntegralStatement& statement)
 {
+    constexpr double least = 4; // with fewer, parts of the picture show different views
     const integral::IntegralCamera& optics = *statement.optics;
     const integral::Vec2 pixel = optics.film.pixel_pitch;
-    const double lens = optics.optics.sheet().pitch, pixels = lens / std::max(pixel.x, pixel.y);
-    if (statement.draft > 1 && pixels < 2)
-        parser.Warning(0,
-                       "Integral camera: Integral_Draft=%d leaves %.1f pixels a lens, too few to "
-                       "show how views differ. %d would leave 2.",
-                       statement.draft, pixels,
-                       std::max(1, int(std::floor(0.5 * pixels * statement.draft))));
+    const double pixels = optics.optics.sheet().pitch / std::max(pixel.x, pixel.y);
+    if (statement.draft == 1 || pixels >= least)
+        return;
+    const int better = std::max(1, int(std::floor(pixels * statement.draft / least)));
+    parser.Warning(0,
+                   "Integral camera: Integral_Draft=%d leaves %.1f pixels a lens, which is too few "
+                   "views to judge depth\nby: the picture breaks up. Integral_Draft=%d leaves "
+                   "%.1f.",
+                   statement.draft, pixels, better, pixels * statement.draft / better);
 }
 
 void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
