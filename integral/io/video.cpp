@@ -52,7 +52,7 @@ std::vector<std::string> words_of(const std::string& path, const std::string& fi
                                       "-color_primaries",
                                       "bt709",
                                       "-color_trc",
-                                      "bt709",
+                                      "iec61966-2-1",
                                       "-crf",
                                       std::to_string(lossy)};
     const auto add = [&](std::initializer_list<const char*> more) {

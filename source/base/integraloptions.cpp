@@ -152,8 +152,10 @@ void Read_Rows(const std::string& text, int height, IntegralRows& rows)
     rows = {first - 1, last - 1};
 }
 
-/// Reads Integral_Quilt=, and refuses what is of frames alone.
-void Read_Quilt(const std::string& text, POVMS_Object& options, IntegralRenderOptions& result)
+/// Reads Integral_Quilt=, and refuses what is of frames alone. `height`: of the picture, pixels; 0
+/// if its size is not known yet.
+void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
+                IntegralRenderOptions& result)
 {
     constexpr int most = 256;
     if (text.empty())
@@ -166,9 +168,8 @@ void Read_Quilt(const std::string& text, POVMS_Object& options, IntegralRenderOp
         throw std::invalid_argument("Integral_Quilt=" + text +
                                     " is not the views across and up, each from 1 to 256, as in "
                                     "8x6");
-    const int width = options.TryGetInt(kPOVAttrib_Width, grid.columns),
-              height = options.TryGetInt(kPOVAttrib_Height, grid.rows);
-    if (width < grid.columns || height < grid.rows)
+    const int width = options.TryGetInt(kPOVAttrib_Width, grid.columns);
+    if (height > 0 && (width < grid.columns || height < grid.rows))
         throw std::invalid_argument("Integral_Quilt=" + text + ": a picture of " +
                                     std::to_string(width) + "x" + std::to_string(height) +
                                     " pixels has no room for so many views; give a larger +W and "
@@ -235,7 +236,7 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&
                        options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 
-    Read_Quilt(word(kIntegralAttrib_Quilt), options, result);
+    Read_Quilt(word(kIntegralAttrib_Quilt), options, height, result);
 
     result.output.working = Encoding_Of(
         options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),

@@ -6,6 +6,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/json_fields.h"
 #include "integral/io/codecs.h"
+#include "integral/io/mpo_file.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/panel.h"
 
@@ -245,6 +246,18 @@ std::vector<Bytes> tiff_seeds()
         {16, 3, PHOTOMETRIC_RGB, COMPRESSION_NONE, false, false, false, true}};
     for (const TiffForm& form : forms)
         seeds.push_back(tiff_of(form));
+    return and_halves(seeds);
+}
+
+/// JPEGs, and the pairs of them that an MPO has.
+std::vector<Bytes> jpeg_seeds()
+{
+    std::vector<Bytes> seeds;
+    for (const DecodedImage& picture : pictures()) {
+        const Image& image = picture.image;
+        seeds.push_back(encode_jpeg(image, 90));
+        seeds.push_back(mpo_of_views({image, image}, 50, 63));
+    }
     return and_halves(seeds);
 }
 

@@ -43,6 +43,12 @@ void read_picture(const Bytes& bytes)
     look_at(read_frame(path));
 }
 
+void read_jpegs(const Bytes& bytes)
+{
+    read_mpo(file_of(bytes));
+    read_picture(bytes);
+}
+
 void read_depth_frame(const Bytes& bytes)
 {
     const std::string path = file_of(bytes);
@@ -263,6 +269,10 @@ const std::vector<Bytes> tiff_words = {
     "II*",          "MM",           "\x06\x01\x03", "\x0e\x01\x02", "\x11\x01\x04",
     "\x15\x01\x03", "\x16\x01\x04", "\x17\x01\x04", "\x1a\x01\x05", "\x1c\x01\x03",
     "\x3d\x01\x03", "\x40\x01\x03", "\x42\x01\x04", "\x52\x01\x03", "\x53\x01\x03"};
+const std::vector<Bytes> jpeg_words = {"\xff\xd8", "\xff\xd9", "\xff\xe1",    "\xff\xe2",
+                                       "\xff\xc0", "\xff\xc2", "\xff\xdd",    "\xff\xda",
+                                       "MPF",      "MM",       "\xb0\x01",    "\xb0\x02",
+                                       "Exif",     "Adobe",    "\xff\xff\xff"};
 const std::vector<Bytes> profile_words = {"acsp", "prtr", "mntr", "spac", "RGB ", "CMYK", "Lab ",
                                           "XYZ ", "A2B0", "B2A0", "rTRC", "gXYZ", "wtpt", "curv",
                                           "para", "mft1", "mft2", "mAB ", "mBA ", "desc"};
@@ -289,6 +299,7 @@ const std::vector<Target> targets = {
     {"png", read_picture, png_seeds, png_words, mutated_png},
     {"exr", read_picture, exr_seeds, exr_words},
     {"tiff", read_picture, tiff_seeds, tiff_words},
+    {"jpeg", read_jpegs, jpeg_seeds, jpeg_words},
     {"depths", read_depth_frame, depth_seeds, exr_words},
     {"sheet", read_sheet, sheet_seeds, json_words},
     {"panel", read_panel, panel_seeds, panel_words},
