@@ -100,7 +100,8 @@ public:
         std::vector<ErrorEstimate> errors;
         for (const RowStrip& band : bands(antialias ? reach_ : 0)) {
             const Run part = run(setting, options_of(band, film_.height));
-            const int beside = band.above + band.below; // these have their first samples alone
+            // Rows besides its own have their first samples alone, and only so far as is looked.
+            const int beside = std::min(band.above, reach_) + band.below;
             const double own = work_of(part);
             clock_ += std::max(0.0, part.seconds - start_);
             processor_ += own;
