@@ -77,6 +77,8 @@ std::optional<ChildEnd> ChildProcess::ended()
     end.status = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     end.signal = ended > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     end.memory = double(usage.ru_maxrss) * 1024;
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime})
+        end.processor += double(time.tv_sec) + 1e-6 * double(time.tv_usec);
     return end;
 }
 

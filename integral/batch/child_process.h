@@ -15,9 +15,10 @@ constexpr int program_cannot_be_run = 127; ///< status, as a shell's
 
 /// How a child ended.
 struct ChildEnd {
-    int status = 0;    ///< of exit; -1 if a signal ended it
-    int signal = 0;    ///< that ended it, or 0
-    double memory = 0; ///< the most that it took, bytes
+    int status = 0;       ///< of exit; -1 if a signal ended it
+    int signal = 0;       ///< that ended it, or 0
+    double memory = 0;    ///< the most that it took, bytes
+    double processor = 0; ///< seconds of all processors together
 };
 
 /// One running program. When this program ends, in whatever way, the kernel kills it.

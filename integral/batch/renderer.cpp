@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/renderer.h"
 
-#include "integral/batch/child_process.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -108,8 +106,8 @@ static int hundredths_in(const std::string& said)
     return begin == std::string::npos ? 0 : std::clamp(std::atoi(said.c_str() + begin + 1), 0, 100);
 }
 
-void render(const std::string& what, const std::vector<std::string>& options,
-            const ScratchFolder& scratch, const Progress& progress)
+ChildEnd render(const std::string& what, const std::vector<std::string>& options,
+                const ScratchFolder& scratch, const Progress& progress)
 {
     std::vector<std::string> words = options;
     words.insert(words.begin(), renderer_program());
@@ -123,6 +121,7 @@ void render(const std::string& what, const std::vector<std::string>& options,
         throw InputError(what + ": " + no_renderer(read_file(log)).what());
     if (end.status != 0)
         throw InputError(what + ": it cannot be rendered: " + reason_in(read_file(log)));
+    return end;
 }
 
 } // namespace integral

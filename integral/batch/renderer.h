@@ -5,6 +5,7 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/base/parallel.h"
+#include "integral/batch/child_process.h"
 
 #include <string>
 #include <vector>
@@ -44,9 +45,9 @@ std::vector<std::string> scene_words(const std::string& path);
 /// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its
 /// end. What it prints goes to a file in `scratch`. If it fails, throws InputError with `what` (the
 /// scene's name) and the renderer's reason; Interrupted if it was interrupted. `progress` counts
-/// hundredths of the pixels, by what the renderer prints.
-void render(const std::string& what, const std::vector<std::string>& options,
-            const ScratchFolder& scratch, const Progress& progress = {});
+/// hundredths of the pixels, by what the renderer prints. Returns what it took.
+ChildEnd render(const std::string& what, const std::vector<std::string>& options,
+                const ScratchFolder& scratch, const Progress& progress = {});
 
 } // namespace integral
 

@@ -69,9 +69,10 @@ std::string camera_option(const std::string& camera, const TuneSetting& setting)
 /// One run of the renderer.
 struct Run {
     FrameMetadata metadata;
-    double seconds = 0;  ///< from the first ray to the last
-    double parsing = 0;  ///< before and after them, without the estimate of the error
-    double auditing = 0; ///< for the estimate of the error
+    double seconds = 0;   ///< from the first ray to the last
+    double parsing = 0;   ///< before and after them, without the estimate of the error
+    double auditing = 0;  ///< for the estimate of the error
+    double processor = 0; ///< of all processors together, for everything
 };
 
 /// Renders parts of one frame at different settings.
@@ -84,6 +85,7 @@ public:
         const Run probe = run(samples(1, 1), {"Start_Row=2", "End_Row=2"});
         parsing_ = probe.parsing;
         start_ = probe.seconds;
+        start_processor_ = probe.processor;
         film_ = probe.metadata.film;
         reach_ = rows_looked_at(probe.metadata.sheet, film_);
         const int blocks = (film_.height + block_side - 1) / block_side;
@@ -94,12 +96,16 @@ public:
     template <class Piece> TunePoint measure(const TuneSetting& setting, Piece piece)
     {
         const bool antialias = setting.options[0] != "-A";
-        double traced = 0, audited = 0, rows = 0;
+        double work = 0, audited = 0, rows = 0;
         std::vector<ErrorEstimate> errors;
         for (const RowStrip& band : bands(antialias ? reach_ : 0)) {
             const Run part = run(setting, options_of(band, film_.height));
-            const int beside = band.above + band.below; // these have their first samples alone
-            traced += std::max(0.0, part.seconds - start_ - beside * first_samples_);
+            // Rows besides its own have their first samples alone, and only so far as is looked.
+            const int beside = std::min(band.above, reach_) + band.below;
+            const double own = work_of(part);
+            clock_ += std::max(0.0, part.seconds - start_);
+            processor_ += own;
+            work += std::max(0.0, own - beside * first_samples_);
             rows += band.rows;
             audited += part.auditing;
             if (part.metadata.render->error)
@@ -111,11 +117,20 @@ public:
                                       "estimated");
         rows_ = int(rows);
         if (!antialias && first_samples_ == 0)
-            first_samples_ = traced / rows;
-        TunePoint point{setting, combined(errors), 0};
-        point.seconds = parsing_ + start_ + traced * film_.height / rows +
-                        audit_of_frame(errors, audited, rows);
-        return point;
+            first_samples_ = work / rows;
+        costs_.push_back({work * film_.height / rows, audit_of_frame(errors, audited, rows)});
+        return {setting, combined(errors), 0, 0};
+    }
+
+    /// Foretells the time of each point that has been measured. The seconds of the processors tell
+    /// the settings apart, whatever else runs; those of the clock are in proportion, by all runs.
+    void foretell(std::vector<TunePoint>& points) const
+    {
+        const double clock = clock_ > 0 && processor_ > 0 ? clock_ / processor_ : 1;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            points[k].seconds = parsing_ + start_ + clock * costs_[k].work + costs_[k].audit;
+            points[k].processor = start_processor_ + costs_[k].work + costs_[k].audit / clock;
+        }
     }
 
     TuneResult result() const
@@ -125,6 +140,20 @@ public:
     int pieces() const { return bands_; }
 
 private:
+    /// Seconds of the whole frame at one setting.
+    struct Cost {
+        double work;  ///< of the processors, to trace it
+        double audit; ///< by the clock, to estimate its error
+    };
+
+    /// Seconds of the processors that tracing took, without parsing and without the audit.
+    double work_of(const Run& part) const
+    {
+        const double rendering = std::max(0.0, part.processor - start_processor_),
+                     clock = part.seconds + part.auditing;
+        return clock > 0 ? rendering * part.seconds / clock : 0;
+    }
+
     /// Bands of one block's rows, spread evenly over the frame's height.
     std::vector<RowStrip> bands(int reach) const
     {
@@ -165,13 +194,14 @@ private:
         words.push_back("+FN8 +O\"" + picture + "\"");
         words.push_back("-P");
         const auto begun = std::chrono::steady_clock::now();
-        render(scene_, words, scratch);
+        const ChildEnd end = render(scene_, words, scratch);
         const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun)
                                  .count();
         Run made;
         made.metadata = read_metadata(picture);
         if (!made.metadata.render)
             throw InputError(scene_ + ": its camera is not integral");
+        made.processor = end.processor;
         made.seconds = made.metadata.render->seconds;
         if (made.metadata.render->error)
             made.auditing = made.metadata.render->error->seconds;
@@ -184,8 +214,11 @@ private:
     std::string camera_;
     Film film_;
     int reach_ = 0, bands_ = 1, rows_ = 0;
-    double parsing_ = 0, start_ = 0; ///< seconds; start_: of a render of one row
-    double first_samples_ = 0;       ///< seconds of a row with one ray a pixel
+    /// Seconds of a render of one row: parsing; tracing; everything, of all processors.
+    double parsing_ = 0, start_ = 0, start_processor_ = 0;
+    double first_samples_ = 0;         ///< processors' seconds of a row with one ray a pixel
+    double clock_ = 0, processor_ = 0; ///< seconds of all tracing so far
+    std::vector<Cost> costs_;          ///< in the order of measuring
 };
 
 void check_options(const std::string& scene, const std::vector<std::string>& options)
@@ -276,6 +309,7 @@ TuneResult tune(const std::string& scene, const std::vector<std::string>& option
         if (!cheapest)
             break;
         points.push_back(measurement.measure(cheapest->settings[cheapest->next++], piece));
+        measurement.foretell(points);
         cheapest->expected = points.back().seconds * cheapest->dearer;
         if (points.size() == 1)
             ladder[1].expected = points[0].seconds * 2;

@@ -30,7 +30,8 @@ struct TuneSetting {
 struct TunePoint {
     TuneSetting setting;
     ErrorEstimate error;
-    double seconds = 0; ///< by the clock, parsing and the estimate of the error included
+    double seconds = 0;   ///< by the clock, parsing and the estimate of the error included
+    double processor = 0; ///< the same, of all processors together
 };
 
 struct TuneResult {

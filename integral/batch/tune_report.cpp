@@ -107,6 +107,7 @@ Json tune_json(const std::string& scene, const std::vector<std::string>& options
                           {"error_low", point.error.low},
                           {"error_high", point.error.high},
                           {"seconds", point.seconds},
+                          {"processor_seconds", point.processor},
                           {"command", tuned_command(scene, options, result, point.setting)}});
     const auto or_null = [](std::optional<double> v) { return v ? Json(*v) : Json(nullptr); };
     return {{"scene", scene},

@@ -300,7 +300,7 @@ function show_geometry() {
   const upright = Math.abs(sheet.slant_degrees ?? 0) <= 45; // slit_is_horizontal
   const zone_words = sheet.arrangement !== "lenticular" ? `${figures(wide)} × ${mm(high)}`
                    : upright ? mm(wide) + " wide" : mm(high) + " high";
-  const slant = (sheet.slant_degrees ?? 0) * Math.PI / 180, p = sheet.pitch_mm;
+  const p = sheet.pitch_mm;
   const per_lens = sheet.arrangement !== "lenticular" ? both(p / dx, p / dy, "")
                  : figures(upright ? p / Math.cos(slant) / dx : p / Math.abs(Math.sin(slant)) / dy); // across cylinders alone
   const lines = [
