@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Makes small files of every kind that the commands read: as we write them, and as other programs
-// do.
+// Makes small files of every kind that the commands read, as this project writes them and as other
+// programs do.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/base/file_bytes.h"
@@ -66,7 +66,7 @@ std::vector<DecodedImage> pictures()
     return all;
 }
 
-/// Each also cut short.
+/// Adds a truncated copy of each file.
 std::vector<Bytes> and_halves(std::vector<Bytes> seeds)
 {
     const std::size_t count = seeds.size();
@@ -75,8 +75,8 @@ std::vector<Bytes> and_halves(std::vector<Bytes> seeds)
     return seeds;
 }
 
-/// JSON documents that are nested as deep as the fuzzing's inputs are long, and that have as many
-/// fields.
+/// JSON documents with the deepest nesting, and with the most fields, that inputs of the fuzzer's
+/// length can have.
 std::vector<Bytes> endless_documents()
 {
     constexpr int bytes = 4000;
@@ -118,7 +118,7 @@ Bytes plain_png(int bits, int type, bool interlaced)
     return png_of(chunks);
 }
 
-/// Written to a file by OpenEXR.
+/// A file that OpenEXR has written.
 Bytes exr_of(const std::vector<std::string>& names, Imf::PixelType type,
              Imf::Compression compression, bool tiles)
 {
@@ -155,7 +155,7 @@ struct TiffForm {
     bool planes = false, tiles = false, floats = false, big = false;
 };
 
-/// Written to a file by libtiff.
+/// A file that libtiff has written.
 Bytes tiff_of(const TiffForm& form)
 {
     const std::string path = scratch_path("seed.tiff");
@@ -287,7 +287,7 @@ std::vector<Bytes> manifest_seeds()
 std::vector<Bytes> profile_seeds()
 {
     std::vector<Bytes> seeds = {srgb_profile()};
-    // One with tables for each intent, as printers' profiles have.
+    // A profile with a table for each rendering intent, as printers' profiles have.
     const cmsHPROFILE srgb = cmsCreate_sRGBProfile(), lab = cmsCreateLab4Profile(nullptr);
     const cmsHTRANSFORM transform = cmsCreateTransform(lab, TYPE_Lab_DBL, srgb, TYPE_RGB_16,
                                                        INTENT_PERCEPTUAL, cmsFLAGS_LOWRESPRECALC);
