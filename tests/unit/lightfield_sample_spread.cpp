@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How a pixel's samples are spread over its area and its lens's cell: evenly or at random, and
-// independently where they should be.
+// Tests how a pixel's samples are distributed over its area and its lens's cell: evenly or at
+// random, and independently where they should be.
 #include "tests/unit/optics_sheets.h"
 #include "tests/unit/pixel_origins.h"
 

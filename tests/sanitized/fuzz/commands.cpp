@@ -60,8 +60,9 @@ private:
     std::size_t at_ = 0;
 };
 
-/// Geometry that frame_metadata.cpp and find_value_errors accept. `narrow`: an aperture that few
-/// lenses show to a film point, so that a forecast must try thousands of rays.
+/// Geometry that frame_metadata.cpp and find_value_errors accept. `narrow`: the aperture is
+/// so small that each film point sees it through few lenses, because a forecast tries thousands of
+/// rays.
 Json geometry(Choices& c, bool has_picture, bool narrow)
 {
     Json json;
