@@ -118,7 +118,8 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
     const char nested[] =
         R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": {"value": 44.5}, "slope": {"value": -6.9},
         "center": {"value": 0.25}, "fringe": {"value": 0.5}, "viewCone": {"value": 51}, "invView": {"value": 0.0},
-        "verticalAngle": {"value": 3}, "DPI": {"value": 283.0}, "screenW": {"value": 2160.0}, "screenH": {"value": 3840.0},
+        "verticalAngle": {"value": 3}, "DPI": {"value": 283.0},
+        "screenW": {"value": 2160.0}, "screenH": {"value": 3840.0},
         "flipImageX": {"value": 1.0}, "flipImageY": {"value": 1.0}, "flipSubp": {"value": 1}, "subpixelCells": []})";
     check_equal(calibration_in(nested), calibration);
 
@@ -144,7 +145,8 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
 BOOST_AUTO_TEST_CASE(fields_that_older_files_lack)
 {
     const LookingGlassCalibration calibration = calibration_in(
-        R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600, "viewCone": null})");
+        R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, )"
+        R"("screenH": 1600, "viewCone": null})");
     check_equal(calibration, [] {
         LookingGlassCalibration expected;
         expected.pitch = 49.8, expected.slope = 5.4, expected.dpi = 338, expected.width = 2560,

@@ -32,7 +32,8 @@ std::string refusal(const std::string& text)
 }
 
 const char own[] =
-    R"({"panel": {"name": "mine", "width": 1920, "height": 1080, "pixel_pitch_mm": 0.25, "subpixels": "bgr", "mirrored": "x"},)"
+    R"({"panel": {"name": "mine", "width": 1920, "height": 1080, "pixel_pitch_mm": 0.25, )"
+    R"("subpixels": "bgr", "mirrored": "x"},)"
     R"( "sheet": {"arrangement": "lenticular", "pitch_mm": 1.5, "thickness_mm": 4, "ior": 1.6, "slant_degrees": 9.5,)"
     R"( "offset_mm": [0.25, 0]}, "viewing_distance_mm": 800})";
 

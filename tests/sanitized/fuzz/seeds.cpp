@@ -252,7 +252,8 @@ std::vector<Bytes> sheet_seeds()
 {
     return and_endless(and_halves(
         {document(false), document(true),
-         R"({"sheet":{"arrangement":"lenticular","pitch_mm":1,"thickness_mm":3,"ior":1.6},"film":{"pixel_pitch_mm":[0.1,0.1]},)"
+         R"({"sheet":{"arrangement":"lenticular","pitch_mm":1,"thickness_mm":3,"ior":1.6},)"
+         R"("film":{"pixel_pitch_mm":[0.1,0.1]},)"
          R"("aperture":{"distance_mm":300,"width_mm":null}})"}));
 }
 
@@ -270,14 +271,16 @@ std::vector<Bytes> panel_seeds()
 std::vector<Bytes> tolerance_seeds()
 {
     return and_endless(and_halves(
-        {R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},"a?[0-9].png":{"min_ssim":null,)"
+        {R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},)"
+         R"("a?[0-9].png":{"min_ssim":null,)"
          R"("max_difference":1}}})"}));
 }
 
 std::vector<Bytes> manifest_seeds()
 {
     return and_endless(and_halves(
-        {R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],"options":["+A0.1"],"declare":{"N":2}}],)"
+        {R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],)"
+         R"("options":["+A0.1"],"declare":{"N":2}}],)"
          R"("sheets":[{"name":"s","camera":"lens_sheet{square pitch 1 thickness 3 ior 1.6} film{dpi 300}"}],)"
          R"("papers":[{"name":"p","paper":"A5","options":["--mirror"]}],"panels":[{"name":"l","panel":"thesis-lcd"}],)"
          R"("previews":[{"name":"v","options":["--eye","0,0,400"]}]})",
