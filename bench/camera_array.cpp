@@ -14,7 +14,7 @@ namespace integral::bench {
 
 namespace {
 
-constexpr int renderers = 6; // at once
+constexpr int renderers = 6; // that run at the same time
 
 std::string padded(int number, std::size_t digits)
 {
@@ -37,8 +37,9 @@ void render(const Renderer& renderer, const std::string& scene,
             const std::function<void(const Image&, int)>& see)
 {
     const int count = array.columns * array.rows;
-    const int parts = std::clamp(count / 2, 1, renderers); // a single picture's file would not be
-                                                           // numbered
+    // At least two pictures for each renderer: it numbers the files of an animation only, and one
+    // picture is no animation.
+    const int parts = std::clamp(count / 2, 1, renderers);
     std::mutex seeing;
     const auto declare = [](const char* name, double value) {
         return std::string("Declare=") + name + "=" + std::to_string(value);
@@ -46,7 +47,7 @@ void render(const Renderer& renderer, const std::string& scene,
     for_each_row(parts, parts, [&](int part) {
         const int first = int((long long)(count)*part / parts);
         const int pictures = int((long long)(count) * (part + 1) / parts) - first;
-        Renderer own = renderer; // in a folder of its own
+        Renderer own = renderer;
         own.work_folder += "/array-" + std::to_string(part);
         std::filesystem::create_directories(own.work_folder);
         std::vector<std::string> words = options;

@@ -10,33 +10,35 @@
 
 namespace integral::bench {
 
-/// Cameras at the positions of eye_grid about the aperture's centre, with the sheet as image plane.
+/// A grid of perspective cameras that fills a rectangle of `width` x `height` about the aperture's
+/// centre (see eye_grid). The sheet is the image plane of each.
 struct CameraArray {
     int columns, rows;
-    double width, height;              ///< mm
-    int picture_width, picture_height; ///< pixels, one ray each; of the film's shape
-    std::vector<EyePosition> eyes() const;
+    double width, height;                  ///< mm
+    int picture_width, picture_height;     ///< pixels, one ray each; the aspect ratio is the film's
+    std::vector<EyePosition> eyes() const; ///< the cameras' positions
 };
 
-/// Renders their pictures as animations, with several renderers at the same time because a renderer
-/// is mostly idle between pictures. `see` is called with each picture and its number in eyes(),
-/// never by two threads at once.
+/// Renders the cameras' pictures as animations. Several renderers run at the same time, because a
+/// renderer is mostly idle between pictures. Calls `see` with each picture and its number in
+/// eyes(); calls never overlap.
 void render(const Renderer& renderer, const std::string& scene,
             const std::vector<std::string>& options, const CameraArray& array,
             const std::function<void(const Image&, int)>& see);
 
-/// Collects light on a film; each pixel is the mean of its light (linear). A picture's pixel is a
-/// ray through a point of the sheet, and the lens there images it at a film point
-/// (SheetOptics::film_point_seen). With eyes all over the aperture and rays all over the lenses,
-/// each pixel becomes the mean over its area and its lens's cell.
+/// A film on which the pixels of perspective pictures are collected. A picture's pixel is a ray
+/// through a point of the sheet; the lens at that point images the ray at a film point
+/// (SheetOptics::film_point_seen). The colour of a film pixel is the mean, in linear light, of all
+/// rays that reach it. With many eyes in the aperture and many rays for each lens, that is the mean
+/// over the pixel's area and its lens's cell.
 class GatheredFrame {
 public:
-    explicit GatheredFrame(const Frame& like); ///< a frame of that geometry, which has metadata
+    explicit GatheredFrame(const Frame& like); ///< has the geometry of `like`, which has metadata
     void add(const Image& picture, const EyePosition& eye);
-    Frame frame() const;    ///< black where nothing fell
-    double missing() const; ///< of the pixels that are not black in `like`, the fraction on which
-                            ///< nothing fell
-    double rays_a_pixel() const; ///< mean over those on which some fell
+    Frame frame() const;    ///< a pixel that no ray reached is black
+    double missing() const; ///< of the pixels that are not black in `like`, the fraction that no
+                            ///< ray reached
+    double rays_a_pixel() const; ///< mean over the pixels that a ray reached
 
 private:
     struct Light {

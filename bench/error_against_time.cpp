@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Error against run time: renders a ladder of settings, six scenes behind two sheets, and measures
-// each frame and its replayed view against a converged frame of both samplings
-// (doc/error-against-time.md).
+// Measures the error of frames against their run time. Renders six scenes behind two sheets with
+// each setting of a ladder, and compares frames and their replayed views with a converged frame of
+// many pixel_samples and beam_samples (doc/error-against-time.md).
 #include "bench/error_against_time.h"
 #include "bench/program.h"
 
@@ -33,15 +33,15 @@ options::options_description make_options()
                       "where the table, the plots and the frames are written")(
         "quick", "fewer settings and smaller frames: minutes instead of an hour")(
         "samplers", "only the settings that compare anti-aliasing with brute force")(
-        "light-field", "of these, only anti-aliasing in the light field and brute force, against a "
-                       "reference of a quarter of the samples")(
+        "light-field", "only anti-aliasing in the light field and brute force; the reference has a "
+                       "quarter of the samples")(
         "scene", options::value<std::vector<std::string>>()->value_name("NAME"),
-        ("only this one, of " + all_scenes() + "; may be given again").c_str())(
+        ("only this scene: " + all_scenes() + "; may be given again").c_str())(
         "size", options::value<std::string>()->value_name("WxH"),
         "pixels of the frames, multiples of 10 from 60 to 2000 (default: 240x160; 120x80 with "
         "--quick, --samplers or --light-field; K times that)")(
         "finer", options::value<int>()->value_name("K")->default_value(1),
-        "1 to 8: pixels and lenses K times finer, as if the scene were K times as large")(
+        "make pixels and lenses K times finer, 1 to 8, as if the scene were K times as large")(
         "renderer", options::value<std::string>()->value_name("FILE"),
         "povray-integral (default: the one built beside this program)")(
         "scenes", options::value<std::string>()->value_name("FOLDER"),
@@ -137,7 +137,7 @@ int run(const options::variables_map& arguments)
         for (const Sheet& sheet : sheets()) {
             panels.push_back(measure(renderer, scene, sheet, chosen_extent(arguments), say));
             say(speedups(panels.back()));
-            // what is finished is kept, should the rest be interrupted
+            // Written after each panel, so that an interruption loses only what is not finished.
             write_file(folder + "/error-against-time.csv", csv(panels));
             write_file(folder + "/fronts.md", fronts_table(panels));
             write_file(folder + "/eyes.csv", eyes_table(panels));
@@ -146,7 +146,7 @@ int run(const options::variables_map& arguments)
     say(speedups_summary(panels));
     write_plots(panels, folder);
     const Honesty counts = honesty(panels);
-    std::cout << "The program's own interval of 95% holds the measured error in " << counts.held
+    std::cout << "The program's own interval of 95% contains the measured error in " << counts.held
               << " of " << counts.intervals
               << " frames.\nWritten: error-against-time.csv, speedups.md, fronts.md, eyes.csv and "
                  "the plots in "

@@ -38,7 +38,8 @@ Setting model(const std::string& name, const std::string& words)
     return {Family::model, name, "lens_model " + words, {}};
 }
 
-/// In the light field. `rule`: +A, +R and +AM. `sharing`: what Integral_Sharing is, if not auto.
+/// Anti-aliasing in the light field. `rule`: the options +A, +R and +AM. `sharing`: the value of
+/// Integral_Sharing; empty: its default.
 Setting light_field(const std::string& name, std::vector<std::string> rule,
                     const std::string& sharing = "")
 {
@@ -47,7 +48,7 @@ Setting light_field(const std::string& name, std::vector<std::string> rule,
     return {Family::light_field, name, "", rule};
 }
 
-/// POV-Ray's own methods, on the pixels' grid.
+/// POV-Ray's own anti-aliasing on the grid of pixels.
 Setting antialias(const std::string& name, std::vector<std::string> rule,
                   const std::string& words = "")
 {
@@ -74,7 +75,7 @@ std::vector<Setting> light_field_settings()
     };
 }
 
-/// Methods 1 and 2, without and with samples of the lens's cell.
+/// POV-Ray's methods 1 and 2, without and with beam_samples.
 std::vector<Setting> pixel_grid_settings()
 {
     return {

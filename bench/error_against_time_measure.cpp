@@ -13,9 +13,10 @@ namespace integral::bench {
 
 namespace {
 
-constexpr double side = 0.45;     // of the aperture's width: where the view from its edge is taken
-constexpr double short_run = 0.3; // seconds: below this a run is repeated within its round
-constexpr double long_run = 1;    // seconds: above this one run is enough
+// The eye of the view from the side is this fraction of the aperture's width right of its centre.
+constexpr double side = 0.45;
+constexpr double short_run = 0.3; // seconds: a shorter run is repeated within its round
+constexpr double long_run = 1;    // seconds: a longer run is made once only
 constexpr int rounds = 2, most_repeats = 3;
 
 Frame view_of(const Frame& frame, const EyePosition& eye)
@@ -25,7 +26,8 @@ Frame view_of(const Frame& frame, const EyePosition& eye)
 
 EyePosition eye_at_side(const Frame& frame) { return {side * frame.metadata->aperture.width, 0}; }
 
-/// The camera of a panel's settings, and its plainest setting's pictures to compare with.
+/// Renders the settings of one panel, and compares them with the reference frame and the
+/// perspective pictures.
 class Bench {
 public:
     Bench(const Renderer& renderer, const std::string& scene, const Sheet& sheet)
@@ -58,7 +60,7 @@ private:
 
     Frame reference_, reference_view_, reference_side_view_, perspective_;
     std::vector<EyePosition> eyes_;
-    std::vector<Frame> perspectives_; ///< from each of them
+    std::vector<Frame> perspectives_; ///< from each of eyes_
 };
 
 std::vector<ViewFigures> Bench::figures_from_eyes(const Frame& frame) const
@@ -79,7 +81,7 @@ void Bench::make_wanted(Panel& panel)
     reference.estimate = reference_.metadata->render->error;
     if (!reference.estimate || reference.estimate->method != ErrorMethod::split_halves)
         throw std::runtime_error(renderer_.picture(frame) +
-                                 ": does not tell its own error by its samples' halves");
+                                 ": the metadata have no error estimate from split halves");
     reference_view_ = view_of(reference_, {});
     reference_side_view_ = view_of(reference_, eye_at_side(reference_));
 
@@ -91,7 +93,7 @@ void Bench::make_wanted(Panel& panel)
     reference.from_eyes = figures_from_eyes(reference_);
 }
 
-/// One round of timing: the least seconds of it and of those before.
+/// Makes one round of timing, and keeps the least seconds of all rounds.
 void Bench::time(Measurement& measurement) const
 {
     if (measurement.runs > 0 && measurement.cost.cpu_seconds > long_run)
@@ -215,7 +217,7 @@ std::optional<double> seconds_at(const Panel& panel, const Sampler& sampler, dou
     std::stable_sort(all.begin(), all.end(), [](const Measurement* a, const Measurement* b) {
         return a->cost.cpu_seconds < b->cost.cpu_seconds;
     });
-    const Measurement* last = nullptr; // of the front, which still errs more
+    const Measurement* last = nullptr; // the setting of the front with the next greater error
     for (const Measurement* next : all) {
         if (last && next->own_error >= last->own_error)
             continue;

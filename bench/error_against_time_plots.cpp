@@ -13,7 +13,7 @@ namespace integral::bench {
 
 namespace {
 
-constexpr int grey = 6; // of the plots' palette
+constexpr int grey = 6; // index in the plots' palette
 
 std::string text_of(const char* format, double value)
 {
@@ -30,7 +30,7 @@ struct Figure {
     bool logarithmic;
     double (*value)(const Measurement&);
     bool more_is_better;
-    bool of_perspective; ///< the reference has a value, too
+    bool of_perspective; ///< compares with the perspective picture, so the reference has a value
 };
 
 const Figure figures[] = {
@@ -88,7 +88,7 @@ std::string about(const Panel& panel)
            text_of("%.4f", panel.reference.estimate->rms);
 }
 
-/// Those of a series' points that stand on each other get one name, on the first.
+/// Points of a series that lie on each other get one label with all names, at the first of them.
 void merge_names(PlotSeries& series, bool logarithmic)
 {
     for (std::size_t i = 0; i < series.x.size(); ++i)
@@ -166,7 +166,7 @@ Plot plot_of(const Panel& panel, const Figure& figure, const Cost& cost)
     return plot;
 }
 
-/// All panels' fronts of RMSE.
+/// The Pareto fronts of RMSE of all panels.
 Plot fronts(const std::vector<Panel>& panels, const Cost& cost)
 {
     Plot plot;
@@ -186,16 +186,15 @@ Plot fronts(const std::vector<Panel>& panels, const Cost& cost)
     return plot;
 }
 
-/// The program's own estimates, each divided by the error that it is of.
+/// The program's own error estimates, each divided by the measured error.
 Plot estimates(const std::vector<Panel>& panels)
 {
     const Honesty counts = honesty(panels);
     Plot plot;
     plot.title = "The program's own error estimate beside the measured error";
     plot.subtitle = std::to_string(counts.held) + " of " + std::to_string(counts.intervals) +
-                    " intervals of 95% hold the measured error; other lens models are judged by "
-                    "converged frames of "
-                    "their own kind";
+                    " intervals of 95% contain the measured error; other lens models are compared "
+                    "with converged frames of the same lens model";
     plot.width = 1000;
     plot.height = 640;
     plot.x = {"measured RMSE over the lit pixels", true, {}, {}};

@@ -21,7 +21,8 @@ namespace integral::bench {
 
 namespace {
 
-/// This process's environment, but with the renderer's settings from `ini` and none of the user's.
+/// This process's environment, changed so that the renderer reads the INI file `ini` and none of
+/// the user's.
 std::vector<std::string> environment_with(const std::string& ini)
 {
     std::vector<std::string> result{"POVINI=" + ini};
@@ -40,8 +41,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts)
     return result;
 }
 
-/// Runs a program to its end, both of its output streams into the file `log`. Returns its exit
-/// status, or 128 and the signal that ended it.
+/// Runs a program to its end; standard output and error go to the file `log`. Returns the exit
+/// status, or 128 plus the number of the signal that ended the program.
 int run(std::vector<std::string> command, std::vector<std::string> environment,
         const std::string& log)
 {
@@ -73,7 +74,7 @@ std::string last_lines(const std::string& text, int lines)
     return text.substr(start);
 }
 
-/// The number that the first match's group holds.
+/// The number in the first group of the pattern's first match. Throws if there is no match.
 double number_in(const std::string& text, const char* pattern, const std::string& log)
 {
     std::smatch match;
@@ -135,7 +136,7 @@ RenderCost Renderer::render(const std::string& scene, const std::string& name,
                                              log));
     const auto metadata = read_metadata(picture(name));
     if (!metadata.render)
-        throw std::runtime_error(picture(name) + ": does not tell how it was rendered");
+        throw std::runtime_error(picture(name) + ": the metadata have no record of the render");
     cost.seconds = metadata.render->seconds;
     return cost;
 }

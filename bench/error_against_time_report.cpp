@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What was measured as a table for programs and one for readers.
+// The measurements as CSV tables for programs and as Markdown tables for readers.
 #include "bench/error_against_time.h"
 
 #include "integral/lightfield/names.h"
@@ -62,7 +62,7 @@ void add_row(std::ostringstream& row, const Panel& panel, const Measurement& m)
     row << ',' << (m.on_front_of_seconds ? 1 : 0) << ',' << (m.on_front_of_rays ? 1 : 0) << '\n';
 }
 
-/// The reference has no error against itself: what is empty does not apply.
+/// The reference is not compared with itself: those columns stay empty.
 void add_reference(std::ostringstream& row, const Panel& panel)
 {
     const Measurement& m = panel.reference;
@@ -76,7 +76,7 @@ void add_reference(std::ostringstream& row, const Panel& panel)
     row << ",,\n";
 }
 
-/// One number by another; a dash if there is none.
+/// The quotient seconds / by as text; a dash if there is no number.
 std::string ratio(const std::optional<double>& seconds, double by)
 {
     return seconds ? number(*seconds / by, 3) : "\u2013";
@@ -87,10 +87,10 @@ bool anti_aliased(const Measurement& m)
     return m.setting.family == Family::light_field || m.setting.family == Family::antialias;
 }
 
-/// The setting of a family that saves most against a sampler.
+/// The setting of a family that saves most time compared with a sampler.
 struct Best {
     const Measurement* of = nullptr;
-    double times = 0; ///< the sampler's time by its own
+    double times = 0; ///< the sampler's time, divided by the setting's time
 };
 
 Best best_of(const Panel& panel, Family family, const Sampler& against)
@@ -138,9 +138,9 @@ std::string speedups(const Panel& panel)
                      : "")
              << " |\n";
     }
-    text << "\nTimes are multiples of the setting's own: above 1 it is the faster. A dash: that "
-            "error is not reached, or "
-            "all err less.\n\n";
+    text << "\nTimes are multiples of the setting's own time: above 1, the setting is faster. A "
+            "dash: the settings compared with all have greater errors, or all have smaller "
+            "ones.\n\n";
     return text.str();
 }
 

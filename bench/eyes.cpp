@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Views from 25 eyes over the viewing zone against the perspective pictures that an unmodified
-// POV-Ray takes there, and the limits that the frame's own sampling sets (doc/eyes.md). Behind
-// square lenses 5 x 5 eyes; behind cylinders, which show nothing new along themselves, 25 in a row
-// at the height of capture.
+// Compares replayed views from 25 eyes in the viewing zone with the perspective pictures that the
+// unmodified POV-Ray renders from the same places, and with two limits that lenses and pixels set
+// (doc/eyes.md). The eyes are 5 x 5 for square lenses, and 25 in a row at the height of the
+// aperture's centre for a lenticular sheet, which shows no vertical parallax.
 //
-// Neither limit is rendered by the integral camera; both are made of unmodified POV-Ray's
-// perspective pictures and replayed and judged like a frame:
-//   "sheet and film": the best render. A dense array of perspective cameras over the aperture; each
-//   of their rays is put on
-//     the film pixel to which the lens that it meets sends it, and each pixel is the mean of what
-//     fell on it: the mean over its area and its lens's cell. What is lost to lens pitch and to the
-//     pixel's angle is lost here, too; sampling errors are not.
-//   "lenses alone": for each eye a frame of its own, of that eye's perspective picture only: each
-//   part of the sheet that the
-//     eye sees in one colour has its mean colour. No frame of this sheet and film shows that eye
-//     more (but for some tenths of a decibel, as means are of linear light and PSNR of encoded
-//     values), and none shows as much to all eyes.
+// The integral camera renders neither limit. Both are made of perspective pictures by the
+// unmodified POV-Ray, then replayed and compared as frames are:
+//   "sheet and film": the best possible render. A dense array of perspective cameras fills the
+//     aperture. Each of their rays meets a lens, which images it on a film pixel; each pixel is the
+//     mean of its rays, that is the mean over its area and its lens's cell. This limit has the
+//     losses due to lens pitch and to the angle that a pixel covers, but no sampling errors.
+//   "lenses alone": a frame for each eye, from that eye's perspective picture only. Each part of
+//     the sheet that the eye sees in one colour has the mean colour of that part of the picture. No
+//     frame of this sheet and film shows that eye more. (Some tenths of a decibel are possible,
+//     because means are taken in linear light and PSNR of encoded values.) No single frame shows as
+//     much to all eyes.
 #include "bench/camera_array.h"
 #include "bench/pictures.h"
 #include "bench/program.h"
@@ -34,13 +33,14 @@ namespace files = std::filesystem;
 using namespace integral;
 using namespace integral::bench;
 
-/// One way to a frame, and what eyes see of it.
+/// One way to make a frame, and how well the eyes see the scene through it.
 struct Seen {
     std::string name, title; ///< in eyes.csv; in eyes.md
     std::vector<ViewFigures> from_eyes;
-    std::optional<double> rmse; ///< of the frame from "sheet and film", over its lit pixels
-    int own = 0;                ///< eyes whose view is nearest to their own perspective picture
-    double farthest = 0;        ///< mm: of the others, from the eye whose picture is nearest
+    std::optional<double> rmse; ///< of the frame, compared with "sheet and film", over lit pixels
+    int own = 0; ///< number of eyes whose view is most similar to their own perspective picture
+    double farthest = 0; ///< mm: among the other eyes, the greatest distance to the eye whose
+                         ///< perspective picture is most similar
 };
 
 struct Panel {
@@ -56,16 +56,16 @@ const Setting settings[] = {{Family::one_ray, "one-ray", "", {}},
                             {Family::light_field, "antialiased", "", {"+A0.05", "+R5", "+AM2"}},
                             {Family::both, "converged", "pixel_samples 8 beam_samples 8", {}}};
 constexpr int antialiased = 1;
-// The zone's lowest are at -28 mm; from below a floor they see nothing else.
+// The zone's lowest eyes are at -28 mm. An eye below a scene's floor would see only its underside.
 const std::string floor_below_all_eyes = "Declare=Floor=-40";
 
 /// What is rendered.
 struct Plan {
     std::vector<std::string> scenes;
     int width, height;           ///< pixels of the frames
-    int eyes_across;             ///< the square of this is their number
-    int square_array, row_array; ///< cameras across the aperture
-    std::string pictured_scene, pictured_sheet;
+    int eyes_across;             ///< there are eyes_across x eyes_across eyes
+    int square_array, row_array; ///< cameras across the aperture, for either kind of sheet
+    std::string pictured_scene, pictured_sheet; ///< shown in eyes.png
 };
 const Plan whole{{"matte", "detail", "glass"}, 240, 160, 5, 32, 48, "matte", "square"};
 const Plan quick{{"matte"}, 120, 80, 3, 16, 32, "matte", "square"};
@@ -102,7 +102,7 @@ private:
 
     const Renderer &integral_, &pristine_;
     const Plan& plan_;
-    std::vector<Frame> frames_; ///< of `settings`
+    std::vector<Frame> frames_; ///< one for each of `settings`
     Frame ideal_;
     std::vector<Frame> perspectives_;
     std::vector<Image> fine_; ///< the perspective pictures as rendered
@@ -127,8 +127,9 @@ void Experiment::take_perspectives()
     }
 }
 
-/// Behind square lenses the rays of a picture stand 2 film pixels apart, several to a lens; behind
-/// cylinders half a pixel, as each row of the film has only its own.
+/// For square lenses, neighbouring rays of a picture are 2 film pixels apart, so that each lens has
+/// several. For a lenticular sheet they are half a pixel apart, because rays reach only the film
+/// row at their own height.
 void Experiment::gather()
 {
     const bool row = shows_a_row(frames_[0]);
@@ -185,8 +186,8 @@ void Experiment::run()
     panel.all.push_back(lenses_);
 }
 
-/// Left, middle and right eyes; the perspective picture, the view and their difference, pixels of 2
-/// x 2 of the film's.
+/// Draws the left, middle and right eyes' perspective pictures, views and their differences. Each
+/// pixel covers 2 x 2 film pixels.
 void Experiment::write_picture(const std::string& path) const
 {
     constexpr ViewForm form{2, 7, perspective_times};
@@ -233,7 +234,7 @@ std::string csv(const std::vector<Panel>& panels)
     return out;
 }
 
-/// Markdown.
+/// The least, mean and greatest figures of each frame, as a Markdown table.
 std::string table(const std::vector<Panel>& panels)
 {
     std::string out =
@@ -290,7 +291,7 @@ int run(const options::variables_map& arguments)
                                      : (own_folder() / usual).lexically_normal().string();
         if (!files::exists(name))
             throw UsageError(
-                name + ": there is no such thing; build it (make all pristine) or name it with --" +
+                name + ": it does not exist; build it (make all pristine) or name it with --" +
                 option);
         return name;
     };
@@ -314,7 +315,7 @@ int run(const options::variables_map& arguments)
                       << table({panel}) << std::endl;
             if (scene == plan.pictured_scene && sheet.name == plan.pictured_sheet)
                 experiment.write_picture(folder + "/eyes.png");
-            // what is finished is kept, should the rest be interrupted
+            // Written after each panel, so that an interruption loses only what is not finished.
             write_file(folder + "/eyes.csv", csv(panels));
             write_file(folder + "/eyes.md", table(panels));
         }

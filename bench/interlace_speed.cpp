@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Measures how fast an image for a panel of 3840 x 2160 pixels is interlaced from a quilt of 8 x 6
-// views in 4096 x 4096 pixels, 8 and 16 bits, by a display's published mapping and by the optics of
-// slanted lenses, compared with copying such an 8-bit image in memory. On all cores; least of nine
-// alternating runs.
+// views in 4096 x 4096 pixels, with 8 and 16 bits a sample, by a display's published mapping and by
+// the optics of slanted lenses. For comparison it copies such an 8-bit image in memory. Uses all
+// cores; prints the least of nine alternating runs.
 #include "integral/output/interlace.h"
 
 #include <algorithm>

@@ -35,8 +35,8 @@ double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 double seconds_of(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }
 
-/// A frame of stripes behind lenses, with some noise, as a renderer's: the lenses' pixels differ,
-/// and the file is about a third of the raw picture.
+/// Writes a frame of stripes behind lenses, with some noise. As in a rendered frame, the pixels
+/// behind a lens differ, and the file is about a third of the size of the raw picture.
 void make_frame(const std::string& path, int width, int height, double lens_pitch, int phase)
 {
     FrameMetadata metadata;
@@ -67,7 +67,7 @@ void make_frame(const std::string& path, int width, int height, double lens_pitc
     file.finish();
 }
 
-/// Processor seconds of libpng's own reading of all rows.
+/// Processor seconds in which libpng alone reads all rows.
 double plain_decode(const std::string& path)
 {
     const double start = processor_seconds();
@@ -92,7 +92,7 @@ struct Cost {
     int status;
 };
 
-/// Runs a program; what it says goes to the file `said`.
+/// Runs a program and measures it; its output goes to the file `said`.
 Cost cost_of(const std::vector<std::string>& words, const std::string& said)
 {
     std::vector<char*> arguments;
@@ -134,7 +134,7 @@ int measure(const options::variables_map& arguments)
     const auto in = [&](const char* name) { return (folder / name).string(); };
     const std::string frame = in("frame.png"), other = in("other.png"), between = in("between.png"),
                       said = in("said.txt");
-    if (!fs::exists(frame)) { // kept: a second program is measured on the same files
+    if (!fs::exists(frame)) { // kept between runs, to measure several programs on the same files
         make_frame(frame, width, height, 1.27, 0); // 15 pixels a lens
         make_frame(other, width, height, 1.27, 1);
         make_frame(between, width, height, 1.124, 0); // 13.28 pixels

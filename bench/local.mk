@@ -13,8 +13,8 @@ EXTRA_PROGRAMS += build/bench/interlace_speed
 build_bench_interlace_speed_SOURCES = bench/interlace_speed.cpp
 build_bench_interlace_speed_LDADD = $(LIBINTEGRAL_LIBS)
 
-# What commands take for a frame of 12000 x 8400 pixels, seconds and memory: minutes, and gigabytes
-# of disk. Its test takes a small one.
+# Seconds and memory of commands for a frame of 12000 x 8400 pixels. Takes minutes and gigabytes of
+# disk; its test uses a small frame.
 check_PROGRAMS += build/bench/large_frames
 build_bench_large_frames_SOURCES = bench/large_frames.cpp bench/program.h
 build_bench_large_frames_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
@@ -23,8 +23,8 @@ build_bench_large_frames_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIB
 large-frames: all build/bench/large_frames
 	build/bench/large_frames
 
-# What of a quilt is read, and what a panel's image costs natively and of views (doc/panels.md):
-# minutes.
+# The fraction of a quilt that interlacing reads, and the costs of panel images rendered natively
+# and from views (doc/panels.md). Takes minutes.
 EXTRA_PROGRAMS += build/bench/quilt_use
 build_bench_quilt_use_SOURCES = bench/quilt_use.cpp
 build_bench_quilt_use_LDADD = $(LIBINTEGRAL_LIBS)
@@ -45,8 +45,8 @@ bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench
 	$(srcdir)/bench/strip_cost
 	$(srcdir)/bench/batch_throughput
 
-# Minutes of rendering: error against run time (doc/error-against-time.md). Its test runs a small
-# part of it.
+# Error against run time (doc/error-against-time.md). Takes minutes of rendering; its test runs a
+# small part.
 EXTRA_PROGRAMS += build/bench/error_against_time
 build_bench_error_against_time_SOURCES = \
   bench/error_against_time.cpp \
@@ -80,7 +80,7 @@ build_bench_strangers_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 strangers: all build/bench/strangers
 	build/bench/strangers -o build/bench/strangers-tables
 
-# The thesis's table 4-1, a few minutes of rendering: doc/images/table-4-1.png and its figures.
+# The thesis's table 4-1: doc/images/table-4-1.png and its figures. Takes a few minutes of rendering.
 EXTRA_PROGRAMS += build/bench/table_4_1
 build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \
   bench/pictures.cpp bench/pictures.h bench/program.h bench/views.cpp bench/views.h
@@ -90,8 +90,8 @@ build_bench_table_4_1_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 table-4-1: all build/bench/table_4_1
 	build/bench/table_4_1 build/bench/table-4-1 $(srcdir)/bench/scenes
 
-# What 25 eyes see of a frame, its own sampling's limit beside it: minutes of rendering
-# (doc/eyes.md). Its test runs a small part.
+# What 25 eyes see of a frame, and the limits that lenses and pixels set (doc/eyes.md). Takes
+# minutes of rendering; its test runs a small part.
 EXTRA_PROGRAMS += build/bench/eyes
 build_bench_eyes_SOURCES = \
   bench/camera_array.cpp \

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Camera rays that integral/optics alone makes in a second, on one core: pixel to a ray of the
-// scene, for every arrangement and mapping, beside a perspective camera's in the same run. The
-// frame is a sheet of 300 x 200 mm at 300 dpi, of which every seventh row is taken, seen from 300
-// mm through the aperture that fills the lenses.
+// Measures how many camera rays integral/optics makes in a second, without tracing, on one core,
+// for every arrangement and mapping, and compares with the rays of a perspective camera in the same
+// run. The frame is a sheet of 300 x 200 mm at 300 dpi, seen from 300 mm through the aperture that
+// fills the lenses. Only every seventh row is mapped.
 //
-// optics_rays                     the table
-// optics_rays SHEET MAPPING       one pass of one of them, for a profiler: square accurate
+// optics_rays                     prints the table
+// optics_rays SHEET MAPPING       makes one pass, for a profiler; e.g. optics_rays square accurate
 #include "integral/optics/pixel_run.h"
 
 #include <algorithm>
@@ -45,8 +45,8 @@ IntegralCamera camera_of(int arrangement, double slant, LensMapping mapping)
     return make_camera(parameters, view, width, height);
 }
 
-/// What a pass over the sheet costs, and how many of its points have a ray. `sum` keeps the work
-/// from being optimised away.
+/// Seconds of a pass over the sheet, and the number of points that have a ray. `sum` keeps the
+/// compiler from removing the work.
 struct Pass {
     double seconds, sum;
     long traced;
@@ -86,7 +86,7 @@ Pass integral_rays(const IntegralCamera& camera)
     return pass;
 }
 
-/// The same, with several pixels mapped at once where possible.
+/// The same with IntegralCamera's runs of pixels, which map several pixels at once where possible.
 Pass rays_in_runs(const IntegralCamera& camera)
 {
     Pass pass{-cpu_seconds(), 0, 0};
@@ -105,8 +105,9 @@ Pass rays_in_runs(const IntegralCamera& camera)
     return pass;
 }
 
-/// The mapping by its definition: tries every lens of the sheet. Only for some of the sheet's
-/// points, because it is slow.
+/// The mapping by its definition, which tries every lens of the sheet. It is slow, and so is asked
+/// for some of the points only. `unlike_accurate`: how many points get another lens than by the
+/// mapping `accurate`.
 Pass every_lens(const IntegralCamera& camera, long& unlike_accurate)
 {
     constexpr int step = 173;
@@ -150,7 +151,7 @@ void keep(Pass& best, const Pass& pass)
         best = pass;
 }
 
-/// A line of the table: a pass, beside the perspective camera's and closest's.
+/// Prints a line of the table: a pass, compared with the perspective camera and with `closest`.
 void print_pass(int arrangement, double slant, const char* mapping, const Pass& pass,
                 const Pass& straight, const Pass& closest)
 {
@@ -177,7 +178,7 @@ void print_sheet(int arrangement, double slant)
         in_runs[m] = run_of(m);
     for (int round = 1; round < rounds; ++round) {
         keep(straight, perspective());
-        for (int m = 0; m + 1 < mapping_count; ++m) // once is enough for the slow one
+        for (int m = 0; m + 1 < mapping_count; ++m) // all but the last, exhaustive, which is slow
             keep(best[m], pass_of(m));
         for (int m = 0; m < 2 && runs; ++m)
             keep(in_runs[m], run_of(m));

@@ -10,26 +10,27 @@
 
 namespace integral::bench {
 
-/// Means over squares of `block` x `block` pixels, in linear light.
+/// The image reduced by `block` in both directions: each pixel is the mean of `block` x `block`
+/// pixels, in linear light.
 Image shrunk(const Image& image, int block);
 
 /// Accumulates squared differences of colours, pixel by pixel.
 class ColourDifferences {
 public:
     void add(const Colour& a, const Colour& b);
-    double rms() const; ///< over three channels; 0 where nothing was added
+    double rms() const; ///< over the three channels; 0 if nothing was added
 
 private:
     double squares_ = 0;
     long long values_ = 0;
 };
 
-/// Pictures of one size as a table, with their names.
+/// A table of pictures of one size, with labels.
 struct LabelledPictures {
-    std::vector<std::string> columns,
-        rows;                    ///< as many labels; along the top, and upwards on the left
-    std::vector<Image> pictures; ///< row by row
-    /// A PNG of 8 bits, each pixel `times` as wide and high.
+    std::vector<std::string> columns; ///< labels along the top
+    std::vector<std::string> rows;    ///< labels on the left, written upwards
+    std::vector<Image> pictures;      ///< row by row
+    /// Writes a PNG of 8 bits, with each pixel drawn `times` as wide and high.
     void write(const std::string& path, int times) const;
 };
 

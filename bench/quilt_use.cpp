@@ -16,7 +16,7 @@ namespace {
 struct Recommended {
     const char* panel;
     ViewGrid grid;
-    int width, height; ///< of the quilt
+    int width, height; ///< of the quilt, pixels
 };
 
 constexpr Recommended recommended[] = {
@@ -43,7 +43,8 @@ Unread unread(const PanelMapping& mapping, ViewGrid grid, int width, int height,
         const auto phase = std::uint32_t((place + 0.5) / places * 4294967296.0);
         return step_among(std::uint32_t(pixels), phase, blend_pixels);
     };
-    std::vector<char> read(std::size_t(count) * width * height); // a bit for each channel
+    // For each pixel of the quilt, one bit for each channel that interlacing reads.
+    std::vector<char> read(std::size_t(count) * width * height);
     for (int row = 0; row < mapping.height; ++row)
         for (int column = 0; column < mapping.width; ++column) {
             const Step x = pixel_step(column, mapping.width, width),

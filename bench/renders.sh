@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# Functions for the scripts of this folder, to be sourced: three scenes (trivial, 1500 glass balls
-# with interiors, upstream's chess2), two sheets, and the cost of rendering them. At look_at each
-# scene's perspective picture is as wide as the film, for any frame size, so that both cameras see
-# the same mix of objects.
+# Functions for the scripts of this folder, to be sourced. They write three scenes (trivial, 1500
+# glass balls with interiors, upstream's chess2), name two sheets, and measure the cost of renders.
+# At look_at, the field of a scene's perspective picture is as wide as the film, for any frame size.
+# Therefore both cameras see the same mix of objects.
 set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 povray=${POVRAY:-$top/build/bin/povray-integral}
@@ -38,8 +38,8 @@ sed -e '/blur_samples/d' \
 
 sheets=("lenticular pitch 1.27 thickness 3.08 ior 1.6;" "square pitch 1.124 thickness 3.23 ior 1.675;")
 
-# run SCENE CAMERA [WRAPPER...]: renders at the options in $size; what was said is in $work/log.
-# CAMERA is "SHEET;OTHER WORDS", or nothing: the scene's own.
+# run SCENE CAMERA [WRAPPER...]: renders with the options in $size; the output goes to $work/log.
+# CAMERA is "SHEET;OTHER WORDS"; if it is empty, the scene's own camera is used.
 run() {
     local scene=$1 camera=$2; shift 2
     "$@" "$povray" +I"$scene" +L"$top/build/share/povray-integral-3.7/scenes/advanced" +O"$work/out.png" -D -V +WT1 \
@@ -53,8 +53,11 @@ instructions() {
     run "$1" "$2" valgrind --tool=callgrind --callgrind-out-file=/dev/null
     sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$work/log"
 }
-rays() { sed -n 's/^Rays: *\([0-9]*\) .*/\1/p' "$work/log" | tail -1; } # primary ones, of the integral camera
-per_ray() { # instructions a primary ray of a frame of 150 x 100 pixels: PER_RAY SCENE CAMERA [RAYS-OF-THE-PERSPECTIVE-CAMERA]
+# rays: the number of the integral camera's primary rays in the last render.
+rays() { sed -n 's/^Rays: *\([0-9]*\) .*/\1/p' "$work/log" | tail -1; }
+# per_ray SCENE CAMERA [RAYS]: instructions for each primary ray of a frame of 150 x 100 pixels.
+# RAYS is their number for the perspective camera, whose statistics do not count them.
+per_ray() {
     local full start n
     size=(+W150 +H100); full=$(instructions "$1" "$2"); n=${3:-$(rays)}
     size=(+W150 +H100 +SC2 +EC2 +SR2 +ER2); start=$(instructions "$1" "$2")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Measures the speed of replay for a frame of 2480 x 3508 pixels (A4 at 300 dpi): views of 1000 x
 // 1400 pixels per second, and conversion to parallel views and back. For comparison it copies the
-// frame's samples in memory, both over an existing picture and into a new one. On all cores; least
-// of five alternating runs.
+// frame's samples in memory, both over an existing picture and into a new one. Uses all cores;
+// prints the least of five alternating runs.
 #include "integral/replay/parallel_views.h"
 #include "integral/replay/replay.h"
 

@@ -4,8 +4,8 @@
 // from the aperture's centre, where the sphere's profile is measured, and from near its right edge,
 // where an eye sees the borders of the micro-images.
 //
-// table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md; SCENES: bench/scenes, by
-// default this build's source's
+// table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md. SCENES is the folder of
+//                                 sphere.pov (default: bench/scenes of this build's source).
 #include "bench/error_against_time.h"
 #include "bench/pictures.h"
 #include "bench/program.h"
@@ -25,23 +25,23 @@ namespace files = std::filesystem;
 using namespace integral;
 using namespace integral::bench;
 
-constexpr int width = 708,
-              height = 532; // pixels at 300 dpi: 59.9 x 45.0 mm, and whole pixels at 150 and 75
-// A view's pixel is 4 of the film's, 0.34 mm: as many to a lens, 3.75, as let single lenses be told
-// apart in the profile. Its samples stand two to a pixel of the finest film.
+// Pixels at 300 dpi: 59.9 x 45.0 mm, which is a whole number of pixels at 150 and 75 dpi, too.
+constexpr int width = 708, height = 532;
+// A view's pixel is 4 film pixels or 0.34 mm wide, so that a lens has 3.75 of them: enough to see
+// single lenses in the profile. Its samples are half a pixel of the finest film apart.
 constexpr ViewForm form{4, 4, 8};
 constexpr double view_pixel = form.film_pixels * mm_per_inch / dots_per_inch;
-constexpr double side = 0.45; // of the aperture's width
-// Where the steps of a profile fall is chance: the spheres' edges lie a third of a pixel's beam at
-// 300 dpi (2.2 mm) apart.
+constexpr double side = 0.45; // the side eye's distance from the centre, in aperture widths
+// How a sphere's edge falls on lenses and pixels is chance. Therefore the profile is the mean over
+// spheres whose edges are 0.8 mm apart, a third of the width of a pixel's beam at 300 dpi (2.2 mm).
 constexpr double radius = 24, radius_step = 0.8;
 constexpr int spheres = 5;
 
 struct Shot {
-    std::string name, label; ///< of its file; over its picture
+    std::string name, label; ///< in its file's name; above its picture
     int dpi;
-    std::string words; ///< of the integral camera
-    std::vector<std::string> options;
+    std::string words;                ///< for the integral camera in the scene
+    std::vector<std::string> options; ///< for the renderer's command line
 };
 
 /// The sphere's profile in a view.
@@ -53,12 +53,12 @@ struct Profile {
 
 struct Row {
     Shot shot;
-    long long rays = 0;      ///< that left the sheet
-    double rays_a_point = 0; ///< of them to a point that is imaged
+    long long rays = 0;      ///< camera rays
+    double rays_a_point = 0; ///< camera rays for each film point that the aperture sees
     Comparison to_perspective, from_side;
     std::optional<Profile> profile; ///< mean over all spheres
-    std::optional<double> rmse,
-        lit_rmse; ///< of the frame from the converged one: of all pixels, of those lit there
+    std::optional<double> rmse;     ///< of the frame, compared with the converged one
+    std::optional<double> lit_rmse; ///< the same over the pixels that are lit in the converged one
     Image centre_view, side_view;
 };
 
@@ -83,18 +83,18 @@ Shot by_pixels_of(int depth, const std::string& threshold)
         {"+A" + threshold, "+R" + std::to_string(depth), "+AM2", "Integral_Antialiasing=pixels"}};
 }
 
-/// `right`: of the aperture's centre, in its widths.
+/// The replayed view from an eye `right` aperture widths to the right of the aperture's centre.
 Image view_of(const Frame& frame, double right)
 {
     return view_of(frame, {right * frame.metadata->aperture.width, 0}, form).image;
 }
 
-/// A view's linear luma, between its pixels by interpolation. Linear, so that half the light is
-/// half covered.
+/// The luma of a view in linear light, interpolated between its pixels. In linear light, a pixel
+/// that an edge half covers has the mean luma of both sides.
 class Luma {
 public:
     explicit Luma(const Image& image) : image_(image), read_(image) {}
-    /// mm from the centre, y downwards
+    /// `point`: mm from the centre, y downwards.
     double at(Vec2 point) const
     {
         const double x = std::clamp(0.5 * (image_.width - 1) + point.x / view_pixel, 0.0,
@@ -106,12 +106,13 @@ public:
         return (1 - down) * ((1 - right) * pixel(i, j) + right * pixel(i + 1, j)) +
                down * ((1 - right) * pixel(i, j + 1) + right * pixel(i + 1, j + 1));
     }
-    /// Half-way between the sphere at the centre and the light wall in the corner.
+    /// Half-way between the luma of the sphere at the centre and of the light wall in the corner.
     double middle() const
     {
         return 0.5 * (pixel(image_.width / 2, image_.height / 2) + pixel(0, 0));
     }
-    double reach() const { return (0.5 * image_.height - 1) * view_pixel; } ///< mm, of radial lines
+    /// The length of radial lines, mm.
+    double reach() const { return (0.5 * image_.height - 1) * view_pixel; }
 
 private:
     double pixel(int x, int y) const
@@ -123,8 +124,7 @@ private:
     LinearReader read_;
 };
 
-/// `middle`: the luma at which the edge is. The edge is sought along radial lines from the sphere's
-/// centre.
+/// Finds the sphere's edge along radial lines from its centre. `middle`: the luma at the edge.
 Profile profile_of(const Image& view, double middle)
 {
     constexpr int lines = 1440;
@@ -151,7 +151,7 @@ Profile profile_of(const Image& view, double middle)
         right += 2 * outermost * along.x / lines;
         down += 2 * outermost * along.y / lines;
     }
-    // r = mean + right cos + down sin is the best circle nearly round the origin, to first order
+    // To first order, the circle nearest to the edge is r = mean + right cos + down sin.
     double squares = 0;
     for (int k = 0; k < lines; ++k) {
         const double angle = 2 * pi * k / lines;
@@ -162,8 +162,8 @@ Profile profile_of(const Image& view, double middle)
     return profile;
 }
 
-/// Over the pixels that are not black in the reference: nothing in this scene is, but what no lens
-/// shows to the aperture.
+/// RMSE over the pixels that are not black in the reference. Nothing in this scene is black; black
+/// pixels are those that no lens shows to the aperture.
 double lit_rmse(const Image& image, const Image& reference)
 {
     ColourDifferences differences;
@@ -223,7 +223,8 @@ private:
         return read_frame_with_metadata(renderer_.picture(file(shot, sphere)));
     }
 
-    /// The scene's own picture from an eye that far right of the centre, mm, as coarse as a view.
+    /// The scene's perspective picture, with a view's pixels, from an eye `right` mm right of the
+    /// aperture's centre.
     Image perspective(double right) const
     {
         return perspective_of(
@@ -232,11 +233,10 @@ private:
             .image;
     }
 
-    /// Of one of the spheres. Returns the number of camera rays.
+    /// Renders the frame of one of the spheres. Returns the number of camera rays.
     long long render(const Shot& shot, int sphere = 0) const
     {
-        // the size of the film in mm stays what the Renderer makes it; of its pixels there are
-        // fewer
+        // +W and +H change the number of pixels; Renderer has set the film's size in mm.
         std::vector<std::string> options{
             "+W" + std::to_string(width * shot.dpi / 300),
             "+H" + std::to_string(height * shot.dpi / 300), "Integral_Audit=off",
@@ -250,12 +250,13 @@ private:
         return cost.camera_rays;
     }
 
-    /// Of POV-Ray's own rules that take at least so many rays, the one that takes fewest.
+    /// Among settings of POV-Ray's own anti-aliasing with at least `least` camera rays, the one
+    /// with the fewest.
     Shot by_pixels_with(long long least) const
     {
         std::optional<Shot> best;
         long long fewest = 0;
-        for (const int depth : {2, 3, 4, 5}) // a lower threshold takes more rays
+        for (const int depth : {2, 3, 4, 5}) // thresholds in the order of growing numbers of rays
             for (const char* threshold : {"0.9", "0.5", "0.3", "0.2", "0.15", "0.1", "0.07", "0.05",
                                           "0.03", "0.02", "0.01", "0.0"}) {
                 const Shot shot = by_pixels_of(depth, threshold);
@@ -267,15 +268,15 @@ private:
                 break;
             }
         if (!best)
-            throw std::runtime_error("no rule of POV-Ray's own anti-aliasing takes as many rays as "
-                                     "+A in the light field");
+            throw std::runtime_error("no setting of POV-Ray's own anti-aliasing takes as many rays "
+                                     "as +A in the light field");
         return *best;
     }
 
     void add(const Shot& shot)
     {
-        const bool reference = shot.name ==
-                               converged.name; // its profile is not worth four more renders
+        // The reference gets no profile, which would take four more renders.
+        const bool reference = shot.name == converged.name;
         Row row{shot, 0, 0, {}, {}, {}, {}, {}, {}, {}};
         row.rays = reference ? 256 * points_[300] : render(shot);
         row.rays_a_point = double(row.rays) / double(points_[shot.dpi]);
@@ -306,7 +307,7 @@ private:
     Frame converged_;
     Image perspective_, side_perspective_;
     double middle_ = 0;               ///< luma of the edge
-    std::map<int, long long> points_; ///< that are imaged, by dpi: the rays of one each
+    std::map<int, long long> points_; ///< by dpi: the number of film points that the aperture sees
 };
 
 std::string text(const char* format, double value)
@@ -349,8 +350,8 @@ std::string Experiment::table() const
     return out + "\n";
 }
 
-/// The views side by side, twice as large and cut to squares around the sphere; for each sheet a
-/// row of what is seen from the centre and one from the side. Not those of the converged frame.
+/// Writes a picture of the views, cut to squares around the sphere and enlarged by two. Each sheet
+/// has a row of views from the centre and a row from the side. The converged frame is left out.
 void write_montage(const std::vector<Experiment>& sheets, const std::string& path)
 {
     const Image& any = sheets[0].rows[0].centre_view;

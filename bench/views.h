@@ -13,43 +13,44 @@ namespace integral::bench {
 
 struct Renderer;
 
-/// The views' pixels.
+/// The size and the sampling of the views' pixels.
 struct ViewForm {
-    int film_pixels; ///< of a film of dots_per_inch to a view's pixel, across and down; as many mm
-                     ///< of a coarser film
-    int margin; ///< view pixels left out all round: through the outermost lenses the eye looks past
-                ///< the film's edge
-    int samples; ///< across a pixel and down it
+    int film_pixels; ///< a view's pixel is as wide and high as this many film pixels at
+                     ///< dots_per_inch
+    int margin;  ///< view pixels cut off on every side, because an eye looks past the film's edge
+                 ///< through the outermost lenses
+    int samples; ///< per pixel, in each direction
 };
 
-// A view's pixel is 5 of the film's across and down, 2.7 (square) or 3 (lenticular) to a lens:
-// finer than the lenses, so that what they blur is seen, and coarse enough that its 5 x 5 samples
-// leave no error of their own.
+// A view's pixel is 5 film pixels wide and high, so that a lens has 2.7 (square) or 3 (lenticular)
+// of them across. That is fine enough to show the blur of the lenses, and coarse enough for 5 x 5
+// samples to leave no visible error of their own.
 constexpr ViewForm usual_form{5, 3, 5};
-constexpr int perspective_times = 3; // the perspective picture's pixels to one of the film's: 15 to
-                                     // such a view's
+// Pixels of the perspective picture for one of the film, in each direction: 15 for one of a view.
+constexpr int perspective_times = 3;
 
 /// An eye in the aperture, mm from its centre.
 struct EyePosition {
     double x = 0, y = 0;
 };
 
-constexpr double zone = 0.8; // of the aperture: what the eyes are spread over
+constexpr double zone = 0.8; // fraction of the aperture's width and height that the eyes fill
 
-bool shows_a_row(const Frame& frame); ///< lenticular: nothing new along the cylinders
+bool shows_a_row(const Frame& frame); ///< a lenticular sheet, which shows no vertical parallax
 
-/// across x across eyes over the zone, row by row from the top left; behind cylinders as many in
-/// one row.
+/// `across` x `across` eyes in the zone, row by row from the top left; for a lenticular sheet the
+/// same number of eyes in one row.
 std::vector<EyePosition> eyes_of(const Frame& frame, int across);
 
-/// A picture without its margin.
+/// The picture without the margin.
 Frame inner_part(const Image& image, const ViewForm& form);
 
 /// The replayed view of a frame from that eye.
 Frame view_of(const Frame& frame, const EyePosition& eye, const ViewForm& form);
 
-/// The scene's perspective picture, from the eye if one is given, as coarse as a view and without
-/// its margin. It is rendered with `times` pixels to one of the film's.
+/// The scene's perspective picture from `eye`, or from the scene's own eye if none is given. It is
+/// rendered with `times` pixels to one of the film in each direction, then reduced to the pixels of
+/// a view and cut by its margin.
 Frame perspective_of(const Renderer& renderer, const std::string& scene, const std::string& name,
                      const std::optional<EyePosition>& eye, std::vector<std::string> options,
                      int times, const ViewForm& form);
@@ -64,8 +65,7 @@ ViewFigures mean(const std::vector<ViewFigures>& views);
 ViewFigures least(const std::vector<ViewFigures>& views);
 ViewFigures greatest(const std::vector<ViewFigures>& views);
 
-/// Root mean square difference of the colours, over the pixels that the first frame's setting
-/// lights.
+/// Root mean square difference of the colours, over the pixels that `frame` lights.
 double lit_rmse(const Frame& frame, const Frame& reference);
 
 } // namespace integral::bench

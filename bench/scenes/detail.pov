@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Matte things with fine detail, from 40 mm in front of the sheet to 60 mm behind it: edges
-// everywhere, nothing else.
+// Matte things with fine detail, from 40 mm in front of the sheet to 60 mm behind it. They have
+// edges everywhere, but no reflection, transparency or soft shadows.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "viewpoint.inc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Glass, mirrors and highlights over a chequered floor: what is seen through and in them lies at
-// depths of its own.
+// Glass, mirrors and highlights over a chequered floor. Refracted and reflected images appear at
+// other depths than the bodies that show them.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 #include "viewpoint.inc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A panel's window, Width x Height mm at z = 0, seen from Distance mm: by an eye at EyeX, which
-// looks past its own axis.
+// A scene behind a panel's window of Width x Height mm at z = 0. The eye is Distance mm in front of
+// it, EyeX mm to the right of its centre; the window remains the image plane (oblique projection).
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 #ifndef (EyeX) #declare EyeX = 0; #end

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A matte room around sheet and viewer, lit through a window and by what its walls send back;
-// things on a table.
+// A matte room around sheet and viewer, with things on a table. Its light comes through a window
+// and by reflection from its walls.
 #version 3.7;
 global_settings { assumed_gamma 1
   radiosity { pretrace_start 0.08 pretrace_end 0.02 count 200 nearest_count 10 error_bound 0.4 recursion_limit 2

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Large smooth bodies, gradients and soft shadows: low frequencies but for a few outlines.
+// Large smooth bodies, gradients and soft shadows. Except for a few outlines, the picture has low
+// spatial frequencies only.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "viewpoint.inc"

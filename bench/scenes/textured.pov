@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Stone, wood and layered textures with highlights, in the light of two area lights: dear to shade,
-// smooth shadows.
+// Stone, wood and layered textures with highlights, lit by two area lights. Shading takes much
+// time; shadows are smooth.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 #include "viewpoint.inc"

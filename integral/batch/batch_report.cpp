@@ -38,7 +38,8 @@ std::string figure(const Json& value, int digits)
 
 constexpr char page_style[] = R"css(
 .jobs { display: grid; grid-template-columns: repeat(auto-fill, minmax(256px, 1fr)); gap: 1em; }
-article { background: var(--panel); border: 1px solid var(--line); border-radius: 6px; padding: 8px; overflow-wrap: anywhere; }
+article { background: var(--panel); border: 1px solid var(--line); border-radius: 6px; padding: 8px;
+  overflow-wrap: anywhere; }
 article.failed { border-color: var(--bad); }
 .picture { height: 240px; display: flex; align-items: center; justify-content: center; color: var(--quiet); }
 .picture img { max-width: 100%; max-height: 240px; }

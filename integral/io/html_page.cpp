@@ -13,7 +13,8 @@ namespace integral {
 namespace {
 
 constexpr char page_style[] = R"css(
-:root { color-scheme: light dark; --ground: #f6f6f4; --panel: #ffffff; --line: #d4d4d0; --text: #1b1c1e; --quiet: #5d6066;
+:root { color-scheme: light dark; --ground: #f6f6f4; --panel: #ffffff; --line: #d4d4d0; --text: #1b1c1e;
+  --quiet: #5d6066;
         --good: #1a7136; --bad: #b3261e; --bad-ground: #fdecea; --mark: #8a5a00; }
 @media (prefers-color-scheme: dark) {
   :root { --ground: #18191b; --panel: #232528; --line: #3b3e43; --text: #e8e8e6; --quiet: #aeb1b6;
@@ -31,18 +32,24 @@ img { display: block; max-width: 100%; height: auto; background: #000; }
 .quiet { color: var(--quiet); }
 .good { color: var(--good); }
 .bad { color: var(--bad); }
-section { background: var(--panel); border: 1px solid var(--line); border-radius: 6px; padding: 12px 16px; margin: 0 0 12px; }
-table { border-collapse: collapse; width: 100%; background: var(--panel); border: 1px solid var(--line); margin: 0 0 16px; }
-th, td { text-align: left; vertical-align: top; padding: 6px 10px; border-bottom: 1px solid var(--line); overflow-wrap: anywhere; }
+section { background: var(--panel); border: 1px solid var(--line); border-radius: 6px; padding: 12px 16px;
+  margin: 0 0 12px; }
+table { border-collapse: collapse; width: 100%; background: var(--panel); border: 1px solid var(--line);
+  margin: 0 0 16px; }
+th, td { text-align: left; vertical-align: top; padding: 6px 10px; border-bottom: 1px solid var(--line);
+  overflow-wrap: anywhere; }
 th { font-weight: 600; color: var(--quiet); }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; overflow-wrap: normal; }
 @media (max-width: 760px) {
   main { padding: 10px; }
   table.cards, table.cards tbody { display: block; border: 0; background: none; }
   table.cards thead { display: none; }
-  table.cards tr { display: block; background: var(--panel); border: 1px solid var(--line); border-radius: 6px; margin: 0 0 8px; padding: 6px 0; }
-  table.cards td { display: flex; justify-content: space-between; gap: 16px; text-align: right; padding: 2px 12px; border: 0; }
-  table.cards td::before { content: attr(data-label); color: var(--quiet); text-align: left; white-space: nowrap; overflow-wrap: normal; }
+  table.cards tr { display: block; background: var(--panel); border: 1px solid var(--line);
+    border-radius: 6px; margin: 0 0 8px; padding: 6px 0; }
+  table.cards td { display: flex; justify-content: space-between; gap: 16px; text-align: right;
+    padding: 2px 12px; border: 0; }
+  table.cards td::before { content: attr(data-label); color: var(--quiet); text-align: left;
+    white-space: nowrap; overflow-wrap: normal; }
 }
 )css";
 

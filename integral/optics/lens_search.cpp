@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The searches for a film point's lens: `accurate` and `exhaustive`.
+// The searches for the lens that images a film point: `accurate` and `exhaustive`.
 #include "integral/optics/lens_mapping.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace integral {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Pitches: without it, a search through an aperture without limit would not end.
+/// The greatest radius of a search, in lens pitches. Without it, a search would not end if the
+/// aperture is unlimited.
 constexpr double widest_search = 100;
 
 } // namespace
@@ -32,8 +33,9 @@ double SheetOptics::distance_to_centre(Vec2 aperture_point) const
 /// `error` (mm).
 ///
 /// The image of the centre through a pole at distance P from the axis lies P t/sqrt(n^2 d^2 + m
-/// P^2) beyond the pole, so that |film point| = P + that. The right side's slope in P is at least
-/// 1: what is missing bounds the error. It is concave: Newton's method from below stays below.
+/// P^2) beyond the pole, so that |film point| is P plus that. The slope of this sum in P is at
+/// least 1, so that the residual bounds the error of P. The sum is concave, so that Newton's
+/// method, started below the solution, stays below it.
 Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
 {
     const double radius = length(film_point);
@@ -53,21 +55,21 @@ Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
     return (p / radius) * film_point;
 }
 
-/// Why no lens shows the film point to the aperture: if the nearest one reflects its light totally,
-/// all others do.
+/// The reason why no lens shows the film point to the aperture. If the nearest lens reflects its
+/// light totally, all others do, too.
 Empty SheetOptics::why_empty(Vec2 film_point) const
 {
     return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture
                                                                : Empty::total_reflection;
 }
 
-/// Of the lenses within `radius` of `centre` whose rays pass the aperture, the one whose ray passes
-/// nearest to the aperture's centre; of the tied, by the lattice's rule.
+/// Among the lenses within `radius` of `centre` whose rays pass through the aperture, the one whose
+/// ray passes nearest to the aperture's centre. The lattice's rule decides ties.
 std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre,
                                                                double radius) const
 {
-    // All that pass are looked at twice: for the least distance, and for the tied. The first few
-    // are kept meanwhile.
+    // Lenses whose rays pass are needed twice: to find the least distance, then to find ties. The
+    // first few are stored in between.
     std::array<Candidate, 8> kept;
     std::size_t passing = 0;
     const auto each = [&](auto use) {
@@ -101,14 +103,14 @@ std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, 
 /// The map q -> A from lens offsets to aperture points, A = film point + q g(|q|) with
 /// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by at least the smallest g. A lens
 /// whose A is within `reach` of the aperture's centre therefore has its pole within reach/g of the
-/// point that sees the centre. Nothing beyond that is looked at (nor beyond widest_search), and
-/// nothing within is left out.
+/// point that sees the centre. The search covers all lenses within that radius (but at most
+/// widest_search), and none outside.
 MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
 {
     MappedPoint mapped;
     mapped.searched = true;
     const double nd = medium_.n * aperture_.distance;
-    double slack; // of the ideal pole and of rounding, mm
+    double slack; // the error of the ideal pole and of rounding, mm
     const Vec2 ideal = pole_seeing_centre(film_point, slack);
     slack += 1e-7 * lattice_.pitch() + 1e-8 * length(ideal);
     double reach = aperture_circumradius() * (1 + 1e-8);
@@ -118,14 +120,15 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
         reach = std::min(reach, distance_to_centre(guess->aperture_point));
     reach += 2 * lattice_.tie_tolerance();
 
-    // No lens but the nearest is within half a pitch of any point.
+    // Only the nearest lens can be within half a pitch of a point.
     double stretch = 1 + nd / medium_.t;
     if (guessed && reach / stretch + slack < 0.5 * lattice_.pitch()) {
         mapped.ray = complete(*guess);
         return mapped;
     }
 
-    // A better lower bound of g, over the offsets that lead to within `reach` of the centre.
+    // A better lower bound of g: over the offsets whose aperture point is within `reach` of the
+    // aperture's centre.
     const auto stretch_at = [&](double r) {
         const double clear = clearance(medium_, {r, 0});
         return clear > 0 ? 1 + nd / std::sqrt(clear) : infinity;
@@ -156,7 +159,7 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
 
 MappedPoint SheetOptics::map_exhaustive(Vec2 film_point) const
 {
-    // No lens farther from the film point than this can send it through the aperture.
+    // A lens farther from the film point than this cannot send its light through the aperture.
     const double stretch = 1 + medium_.n * aperture_.distance / medium_.t;
     double radius = (aperture_circumradius() * (1 + 1e-8) + length(film_point)) / stretch;
     if (medium_.m > 0)

@@ -19,7 +19,7 @@ bool same_layout(const Subpixels& a, const Subpixels& b)
 
 namespace {
 
-/// How many cells a pattern tells apart.
+/// The number of different cells that a pattern distinguishes.
 int period(CellPattern pattern)
 {
     switch (pattern) {
@@ -44,8 +44,8 @@ Subpixels mirrored(const Subpixels& subpixels, int columns, int rows, bool x, bo
     case Subpixels::vrgb: result.order = y ? Subpixels::vbgr : Subpixels::vrgb; break;
     case Subpixels::vbgr: result.order = y ? Subpixels::vrgb : Subpixels::vbgr; break;
     case Subpixels::cells:
-        // Each pattern is its own mirror image, with its cells in another order: some pixel of each
-        // tells which.
+        // The mirror image of a pattern is the same pattern with its cells in another order. One
+        // pixel of each cell shows which cell comes there.
         result.number = period(subpixels.pattern);
         for (int row = 0; row < 4; ++row)
             for (int column = 0; column < 2; ++column) {
@@ -111,7 +111,7 @@ PixelPlace pixel_of_nearest_subpixel(const Subpixels& subpixels, Vec2 pixel, int
         const Vec2 unshifted = pixel - subpixel_shift(subpixels, pixel, channel);
         return {int(std::floor(unshifted.x)), int(std::floor(unshifted.y))};
     }
-    // A subpixel may be as far as a pixel from its pixel's centre.
+    // A subpixel may be up to one pixel away from its pixel's centre.
     const int column = int(std::floor(pixel.x)), row = int(std::floor(pixel.y));
     PixelPlace nearest{column, row};
     double least = 0;

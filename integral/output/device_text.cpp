@@ -23,7 +23,7 @@ void demand_success(cairo_status_t status)
                                  cairo_status_to_string(status));
 }
 
-/// A drawing that holds only how much of each pixel is covered.
+/// A cairo drawing of one channel: the covered fraction of each pixel.
 struct InkMask {
     cairo_surface_t* surface;
     cairo_t* context;
@@ -41,7 +41,7 @@ struct InkMask {
     }
     void set_font(DeviceFont font)
     {
-        // Letters keep their outlines, not fitted to pixels, so that their size is exact.
+        // No hinting: letters are not fitted to pixels, so that their size is exact.
         cairo_font_options_t* options = cairo_font_options_create();
         cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
         cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
@@ -59,7 +59,7 @@ struct InkMask {
 double text_width(const std::string& text, DeviceFont font)
 {
     InkMask ruler(1, 1);
-    // Measured at a large size, where widths are exact.
+    // Measures at a large size, because cairo's widths are more exact there.
     constexpr double scale = 100;
     ruler.set_font({scale * font.size, font.bold});
     cairo_text_extents_t extents;
@@ -71,7 +71,7 @@ double text_width(const std::string& text, DeviceFont font)
 void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at, DeviceFont font,
                 bool upwards)
 {
-    // The box that the line may touch: its ascent and descent are within 1.2 and 0.5 em.
+    // The box around the line; ascent and descent are at most 1.2 and 0.5 em.
     const double length = text_width(text, font) + font.size, ascent = 1.2 * font.size,
                  descent = 0.5 * font.size;
     const double left = at.x - (upwards ? ascent : 0), right = at.x + (upwards ? descent : length);

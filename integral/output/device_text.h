@@ -15,13 +15,13 @@ struct DeviceFont {
     bool bold = false;
 };
 
-/// The width of a line of text, mm. Throws std::invalid_argument where it is not UTF-8,
-/// std::runtime_error where memory is short.
+/// The width of a line of text, mm. Throws std::invalid_argument if it is not UTF-8,
+/// std::runtime_error if cairo fails, for lack of memory.
 double text_width(const std::string& text, DeviceFont font);
 
 /// Writes a line in black, blended in linear light. Its baseline begins at `at`, mm from the
-/// picture's left and top edges. `upwards`: the line runs upwards, turned a quarter to the left.
-/// What would be outside the picture is cut off. Throws as text_width does.
+/// picture's left and top edges. `upwards`: the line is turned by 90 degrees, to be read from
+/// bottom to top. Parts outside the picture are cut off. Throws as text_width does.
 void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at, DeviceFont font,
                 bool upwards = false);
 

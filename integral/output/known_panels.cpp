@@ -4,7 +4,7 @@
 namespace integral {
 namespace {
 
-/// What the maker's software takes for a display that has not told its calibration.
+/// The calibration that the maker's software uses for a display whose own calibration is unknown.
 LookingGlassCalibration nominal(double pitch, double slope, double center, double view_cone,
                                 double dpi, int width, int height)
 {
@@ -19,7 +19,8 @@ LookingGlassCalibration nominal(double pitch, double slope, double center, doubl
     return calibration;
 }
 
-/// With two cells, which take turns by column or by row, counted from the top left.
+/// The calibration with two kinds of subpixel cells, which alternate by column or by row, counted
+/// from the top left.
 LookingGlassCalibration with_cells(LookingGlassCalibration calibration, CellPattern pattern,
                                    const PixelCell& first, const PixelCell& second)
 {
@@ -42,9 +43,10 @@ Panel looking_glass(const char* name, const LookingGlassCalibration& calibration
     return named(name, panel_from(calibration));
 }
 
-/// The thesis's display, an NEC LCD of 10 inches with pixels of 0.207 mm (1024 by 768 are 10.4
-/// inches), stripes, behind its 1.27 mm sheet: about six pixels a lens, and 300 mm from its viewer
-/// as in its other figures.
+/// The thesis's display: an NEC LCD with RGB stripes and pixels of 0.207 mm behind the 1.27 mm
+/// sheet, which gives about six pixels for each lens. The thesis states 10 inches; 1024 x 768 such
+/// pixels have a diagonal of 10.4 inches. The viewing distance of 300 mm is that of its other
+/// figures.
 Panel thesis()
 {
     Panel panel;
@@ -57,14 +59,14 @@ Panel thesis()
 
 std::vector<Panel> make_panels()
 {
-    // Three colours of a pixel in a triangle, and the same upside down.
+    // The three colours of a pixel form a triangle; in the other cell it is upside down.
     const PixelCell blue_below{{{-0.31, 0.25}, {0.28, 0.25}, {0, -0.25}}},
         blue_above{{{-0.31, -0.25}, {0.28, -0.25}, {0, 0.25}}};
     const PixelCell blue_right{{{-0.25, -0.31}, {-0.25, 0.28}, {0.25, 0}}},
         blue_left{{{0.25, -0.31}, {0.25, 0.28}, {-0.25, 0}}};
     const CellPattern columns = CellPattern::columns, rows = CellPattern::rows;
-    // The maker's list of device templates. It counts rows from the bottom: of an even number, the
-    // second cell is the top row's.
+    // The values are from the maker's list of device templates. That list counts rows from the
+    // bottom; with an even number of rows, the top row therefore has the second cell.
     return {
         thesis(),
         looking_glass("looking-glass-portrait", nominal(52, -7, 0.5, 40, 324, 1536, 2048)),

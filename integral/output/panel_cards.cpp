@@ -28,7 +28,7 @@ constexpr Colour black{0, 0, 0, 1}, white{1, 1, 1, 1};
 
 Colour view_number_colour(int view, int count)
 {
-    // Round the circle of hues, never dark: black figures stand on it.
+    // Hues go once round the colour circle. None is dark, because numbers on it are black.
     constexpr double turn = 6.283185307179586;
     const auto channel = [&](int which) {
         return float(0.7 + 0.3 * std::cos(turn * (double(view) / count - which / 3.0)));
@@ -44,9 +44,9 @@ std::vector<Image> view_number_card(int count, double aspect)
     for (int view = 0; view < count; ++view) {
         Image picture = filled(width, height, view_number_colour(view, count));
         const std::string number = std::to_string(view);
-        DeviceFont font{0.8 * std::min(width, height), true}; // pixels here
+        DeviceFont font{0.8 * std::min(width, height), true}; // size in pixels: a pixel is 1 mm
         font.size *= std::min(1.0, 0.8 * width / text_width(number, font));
-        constexpr double half_a_figure = 0.36; // of the em
+        constexpr double half_a_figure = 0.36; // half the height of a digit, in em
         write_text(
             picture, {1, 1}, number,
             {0.5 * (width - text_width(number, font)), 0.5 * height + half_a_figure * font.size},
@@ -92,8 +92,8 @@ Image pitch_card(const Panel& panel)
                                    panel.film.height * panel.film.pixel_pitch.y);
     constexpr double bands = 0.25;
     const double step = bands * pitch * pitch / length;
-    constexpr int most_bars = 11, least_bars = 3; // as many as there is room for, the calibrated
-                                                  // pitch in the middle
+    // As many bars as fit; an odd number, so that the calibrated pitch is in the middle.
+    constexpr int most_bars = 11, least_bars = 3;
     for (int bars = most_bars;; bars -= 2) {
         chart.scale = {pitch - step * (bars - 1) / 2, step, bars};
         try {

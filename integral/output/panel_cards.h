@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Test cards for panels: the views of which they are interlaced.
+// Test cards for panels. Most are given as views, which the caller interlaces.
 #ifndef INTEGRAL_OUTPUT_PANEL_CARDS_H
 #define INTEGRAL_OUTPUT_PANEL_CARDS_H
 
@@ -11,25 +11,26 @@
 
 namespace integral {
 
-/// Each view its number, in black on a colour of its own. `aspect`: the panel's width by its
-/// height. 8 bits, sRGB, as all cards.
+/// Views that show their own numbers in black, each on another colour. `aspect`: the panel's width
+/// divided by its height. All cards have 8 bits and are encoded as sRGB.
 std::vector<Image> view_number_card(int count, double aspect);
 
-/// The colour of a view of that card.
+/// The background colour of a view in view_number_card.
 Colour view_number_colour(int view, int count);
 
-/// White: view `lit`, or without it every other one from the first on. The others are black, and
-/// what an eye sees of white in their places is the display's crosstalk.
+/// View `lit` is white; without `lit`, every other view is, beginning with the first. The other
+/// views are black: white that an eye sees at their positions is the display's crosstalk.
 std::vector<Image> crosstalk_card(int count, std::optional<int> lit);
 
-/// Four bands in view `lit`, red, green, blue and white from the top; the others black. Where a
-/// panel's subpixels are taken to lie as they do, an eye that moves sees the bands light up
-/// together and the white one without colours.
+/// View `lit` shows four bands, red, green, blue and white from the top; the other views are black.
+/// If the panel's description gives the right subpixels, a moving eye sees all bands light up at
+/// the same time, and the white band without colours.
 std::vector<Image> colour_card(int count, int lit);
 
-/// Bars of lines of pitches about that which the panel's micro-images should have, in steps of
-/// which neighbours differ by a quarter of a band along a bar: the even one tells. Upright, as the
-/// viewer sees it. Throws std::invalid_argument where the panel is too coarse or small.
+/// Bars of lines, each bar with another pitch, about the pitch that the panel's micro-images should
+/// have. The bar that looks even from end to end has the right pitch; from bar to bar, the number
+/// of light and dark bands changes by a quarter. Upright, as the viewer sees it. Throws
+/// std::invalid_argument if the panel is too coarse or too small.
 Image pitch_card(const Panel& panel);
 
 } // namespace integral

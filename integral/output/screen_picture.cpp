@@ -10,8 +10,8 @@ ScreenPicture screen_picture(const Image& image)
 {
     const bool is_linear = image.encoding.kind == Encoding::Kind::linear;
     const bool over_black = image.channels == 4;
-    if (sample_bits(image) != 8 || is_linear || (over_black && !image.premultiplied)) // premultiplied:
-                                                                                      // over black
+    // Colours that are premultiplied by alpha are those over black.
+    if (sample_bits(image) != 8 || is_linear || (over_black && !image.premultiplied))
         return screen_picture(
             converted(image, 8, is_linear ? Encoding() : image.encoding, over_black));
     ScreenPicture picture{image.width, image.height,
@@ -112,7 +112,7 @@ std::optional<PicturesAhead::Ready> PicturesAhead::take(long long due)
         ready_.erase(ready_.begin(), later);
         taken_ = newest->number;
     }
-    next_ = std::max(next_, due); // what is overdue is not begun
+    next_ = std::max(next_, due); // pictures that are overdue are not decoded
     room_.notify_all();
     return newest;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A picture as a display takes it, and a sequence of them that threads decode ahead of time.
+// Pictures in a display's pixel format, and a sequence of them that threads decode ahead of time.
 #ifndef INTEGRAL_OUTPUT_SCREEN_PICTURE_H
 #define INTEGRAL_OUTPUT_SCREEN_PICTURE_H
 
@@ -18,29 +18,29 @@
 
 namespace integral {
 
-/// Row by row from the top left, each pixel 0xffRRGGBB.
+/// A picture in a display's pixel format: row by row from the top left, each pixel 0xffRRGGBB.
 struct ScreenPicture {
     int width = 0, height = 0;
     std::vector<std::uint32_t> pixels;
 };
 
-/// 8-bit samples as they are, 16-bit ones rounded to 8 bits, linear light as sRGB; over black where
-/// there is alpha.
+/// Converts a picture. Keeps 8-bit samples, rounds 16-bit samples to 8 bits, and encodes linear
+/// light as sRGB. A picture with alpha is composited over black.
 ScreenPicture screen_picture(const Image& image);
 
-/// How many pictures of so many bytes are kept ahead: at most 64, a GB and a quarter of the
-/// machine's memory, but at least 2.
+/// How many pictures of `bytes_each` are decoded ahead. They take at most 1 GB and at most a
+/// quarter of the machine's memory; the number is 2 to 64.
 int pictures_to_keep(std::size_t bytes_each);
 
-/// Numbers the pictures of a sequence 0, 1, 2 ... and decodes them ahead, `keep` at a time. All of
-/// its functions are for one thread.
+/// Decodes the pictures of a sequence, numbered 0, 1, 2 ..., ahead of time in threads of its own.
+/// All calls must come from one thread.
 class PicturesAhead {
 public:
     struct Source {
-        long long count = 0; ///< of the files
+        long long count = 0; ///< number of files
         bool loop = false;   ///< after the last file comes the first again, with the next number
-        int keep = 2;        ///< pictures in memory, those that are being decoded among them
-        int threads = 1;
+        int keep = 2;        ///< pictures in memory, including those that are being decoded
+        int threads = 1;     ///< that decode
         std::function<ScreenPicture(long long file)> load; ///< called by several threads at once
     };
     struct Ready {
@@ -54,12 +54,12 @@ public:
     PicturesAhead(const PicturesAhead&) = delete;
     PicturesAhead& operator=(const PicturesAhead&) = delete;
 
-    /// Whether as many pictures as can be kept, or all, are ready. Rethrows what `load` threw.
+    /// Whether `keep` pictures, or all, are ready. Rethrows what `load` threw.
     bool is_full();
 
-    /// The newest picture that is ready up to number `due`, and newer than those taken before;
-    /// older ones are given up, and of those up to `due` no other is begun. Rethrows what `load`
-    /// threw.
+    /// Takes the newest picture that is ready, whose number is at most `due` and greater than that
+    /// of all pictures taken before; nothing if there is none. Drops older pictures, and begins to
+    /// decode no other picture up to `due`. Rethrows what `load` threw.
     std::optional<Ready> take(long long due);
 
 private:
@@ -70,11 +70,11 @@ private:
     std::mutex mutex_;
     std::condition_variable room_;
     std::map<long long, std::shared_ptr<const ScreenPicture>> ready_;
-    std::vector<std::shared_ptr<const ScreenPicture>> files_; ///< all of them, where they can be
-                                                              ///< kept: a loop decodes each once
+    /// A loop whose files all fit into `keep`: each file's picture, decoded once.
+    std::vector<std::shared_ptr<const ScreenPicture>> files_;
     std::exception_ptr failure_;
-    long long next_ = 0, taken_ = -1; ///< numbers
-    int begun_ = 0;
+    long long next_ = 0, taken_ = -1; ///< numbers of the next to be decoded and the last taken
+    int begun_ = 0;                   ///< pictures that are being decoded
     bool stop_ = false;
     std::vector<std::thread> threads_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// When which picture is shown.
+// Decides which picture is shown at which time.
 #include "integral/output/screen_window.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Clock::duration duration_of(double seconds)
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-constexpr double longest_wait = 0.05; // seconds between looks at go_on
+constexpr double longest_wait = 0.05; // seconds between calls of go_on
 
 } // namespace
 
@@ -61,10 +61,10 @@ PlayReport play(ScreenWindow& window, const Playing& playing, const std::functio
         return std::min(static_cast<long long>(now / period + 1e-9), total - 1);
     };
 
-    window.show(*pictures.take(0)->picture); // the clock starts with it
+    window.show(*pictures.take(0)->picture);
     report.shown = 1;
     long long newest = 0;
-    Clock::time_point start = Clock::now(); // moved on by each pause
+    Clock::time_point start = Clock::now(); // each pause makes it later
     double last_shown = 0;
     double now = 0;
     for (;;) {
@@ -85,7 +85,7 @@ PlayReport play(ScreenWindow& window, const Playing& playing, const std::functio
                                                  now - double(newest) * period);
                 wait = double(newest + 1) * period - now;
             } else {
-                wait = 0.001; // for the threads that decode it
+                wait = 0.001; // it is due, but not decoded yet
             }
         }
         Wish wish = window.wait(

@@ -17,7 +17,7 @@ using Size = std::pair<int, int>; // width and height, pixels
 
 std::string text_of(Size size) { return size_text(size.first, size.second); }
 
-/// The size that all files have.
+/// The size of all files. Throws if they differ.
 Size common_size(const std::vector<std::string>& files)
 {
     Size first;
@@ -43,7 +43,7 @@ ScreenPicture load_picture(const std::string& file, Size size)
     return picture;
 }
 
-/// A window on the display that takes pictures of that size as they are.
+/// Opens a window on the display that shows pictures of that size pixel for pixel.
 ScreenWindow window_on(const Desktop& desktop, const std::string& display,
                        const std::string& picture, Size size)
 {

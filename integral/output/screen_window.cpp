@@ -27,7 +27,7 @@ struct ScreenWindow::Parts {
     std::unique_ptr<SDL_Texture, Release<SDL_Texture, SDL_DestroyTexture>> texture;
     bool has_picture = false;
 
-    /// Pixels that the renderer draws to.
+    /// Width and height of SDL's drawing area, pixels.
     std::pair<int, int> drawn_size() const
     {
         int width = 0, height = 0;
@@ -44,8 +44,8 @@ ScreenWindow::ScreenWindow(const Screen& screen, const std::string& name)
     parts_->window.reset(SDL_CreateWindow("integral lcd", at, at, screen.width, screen.height,
                                           SDL_WINDOW_BORDERLESS | SDL_WINDOW_FULLSCREEN_DESKTOP |
                                               SDL_WINDOW_ALLOW_HIGHDPI));
-    // In step with the display where the driver can; else as soon as possible; else without a
-    // graphics driver.
+    // Tries a renderer synchronised with the display's refresh first, then one without
+    // synchronisation, then one in software.
     for (const Uint32 flags :
          {SDL_RENDERER_PRESENTVSYNC, SDL_RendererFlags(0), SDL_RENDERER_SOFTWARE}) {
         if (!parts_->window || parts_->texture)
@@ -104,7 +104,8 @@ void ScreenWindow::settle()
                                          "; set its scale to 100%"));
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    SDL_FlushEvents(SDL_WINDOWEVENT, SDL_WINDOWEVENT); // of getting there
+    // Events from opening the window are no changes of the display's size.
+    SDL_FlushEvents(SDL_WINDOWEVENT, SDL_WINDOWEVENT);
 }
 
 void ScreenWindow::draw()
@@ -124,7 +125,7 @@ void ScreenWindow::read_back(const ScreenPicture& picture)
         wrong += ((drawn[k] ^ picture.pixels[k]) & 0xffffff) != 0;
     if (wrong)
         throw OutputError(name_ + ": its driver draws " + std::to_string(wrong) +
-                          " pixels otherwise than they are; SDL_RENDER_DRIVER=software may help");
+                          " pixels with wrong colours; SDL_RENDER_DRIVER=software may help");
 }
 
 void ScreenWindow::show(const ScreenPicture& picture)
@@ -165,7 +166,7 @@ Wish ScreenWindow::wait(std::chrono::nanoseconds longest)
                 SDL_RenderPresent(parts_->renderer.get());
             }
         }
-        // SDL waits by milliseconds; the last one is slept.
+        // SDL waits for whole milliseconds only; the rest is spent in a sleep.
         const auto left = until - Clock::now();
         if (left <= std::chrono::nanoseconds(0))
             return Wish::none;

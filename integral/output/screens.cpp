@@ -75,8 +75,8 @@ bool is_set(const char* variable)
     return value && *value;
 }
 
-/// Calls visit(Screen, const SDL_DisplayMode& desktop) with each display of SDL, as large as its
-/// place among the others.
+/// Calls visit(Screen, const SDL_DisplayMode& desktop) with each display of SDL. The Screen's size
+/// is that of its part of the desktop.
 template <class Visit> void for_each_display(Visit visit)
 {
     for (int k = 0; k < SDL_GetNumVideoDisplays(); ++k) {
@@ -111,7 +111,7 @@ std::vector<Screen> x_screens()
             screen.height = output->mode_height;
             outputs.erase(output);
         } else if (told) {
-            return; // of another X screen, where no window of this one gets
+            return; // it belongs to another X screen, where no window of this one can be put
         }
         if (in_wayland)
             screen.scaled = "its X server is the guest of a Wayland compositor, which may scale; "
@@ -121,7 +121,8 @@ std::vector<Screen> x_screens()
     return screens;
 }
 
-/// All displays of SDL; of its modes the largest is the display's own.
+/// All displays of SDL, without an X server's answers. A display's largest mode is taken as its
+/// native resolution.
 std::vector<Screen> other_screens()
 {
     std::vector<Screen> screens;
@@ -145,11 +146,12 @@ std::vector<Screen> other_screens()
 Desktop::Desktop()
 {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0"); // the keyboard may be on another
-                                                             // display
+    // The window stays when the user types into a window on another display.
+    SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
     // A Wayland compositor's X server hides how it scales, so Wayland comes first. SDL itself would
     // also try drivers without a display.
-    std::vector<std::pair<const char*, const char*>> drivers; // and the variable that leads there
+    // A driver's name, and the environment variable that is set where it works.
+    std::vector<std::pair<const char*, const char*>> drivers;
     for (const auto& driver :
          {std::pair("wayland", "WAYLAND_DISPLAY"), std::pair("x11", "DISPLAY")})
         if (is_set(driver.second))

@@ -10,35 +10,35 @@ namespace integral {
 
 /// A display.
 struct Screen {
-    int index = 0;             ///< SDL's
-    std::string name;          ///< as the desktop calls it: HDMI-1
-    int x = 0, y = 0;          ///< where on the desktop its top left corner is
-    int width = 0, height = 0; ///< its pixels
-    double rate = 0;           ///< Hz; 0: not known
-    std::string scaled; ///< why pixels would be scaled on their way to it, and what helps; empty:
-                        ///< they are not
+    int index = 0;             ///< SDL's number of the display
+    std::string name;          ///< the desktop's name of it, such as HDMI-1
+    int x = 0, y = 0;          ///< position of its top left corner on the desktop, pixels
+    int width = 0, height = 0; ///< pixels
+    double rate = 0;           ///< refresh rate, Hz; 0: not known
+    std::string scaled; ///< why the desktop or the display would scale pixels, and what helps;
+                        ///< empty if neither does
 };
 
 /// A display as an X server drives it.
 struct XOutput {
     std::string name;
-    int x = 0, y = 0, width = 0, height = 0; ///< its part of the desktop, after turning
-    int mode_width = 0, mode_height = 0;     ///< what is sent to it, turned likewise
-    int preferred_width = 0,
-        preferred_height = 0; ///< the mode of its own pixels, turned likewise; 0: it has not told
-    double rate = 0;
-    bool transformed = false; ///< resampled on the way, as xrandr --scale and --transform do
+    // All sizes are in pixels, after the display's rotation.
+    int x = 0, y = 0, width = 0, height = 0;       ///< its part of the desktop
+    int mode_width = 0, mode_height = 0;           ///< of the signal sent to it
+    int preferred_width = 0, preferred_height = 0; ///< its native resolution; 0: not known
+    double rate = 0;                               ///< refresh rate, Hz; 0: not known
+    bool transformed = false; ///< the X server resamples pixels (xrandr --scale or --transform)
 };
 
-/// The X server's displays; empty if it does not say. `in_wayland`: the server is a guest of a
-/// Wayland compositor.
+/// The X server's displays; empty if it does not tell. Sets `in_wayland` if the server is XWayland,
+/// which a Wayland compositor runs.
 std::vector<XOutput> x_outputs(bool& in_wayland);
 
-/// Why it does not show the desktop pixel for pixel, and what helps; empty if it does.
+/// Why the display does not show the desktop pixel for pixel, and what helps; empty if it does.
 std::string why_scaled(const XOutput& output);
 
-/// The desktop's displays as long as this lives; there may be one at a time. Without SDL2 in the
-/// build, or where no display is reached, the constructor throws OutputError.
+/// A connection to the desktop, with its displays. Only one may exist at a time. The constructor
+/// throws OutputError if no display can be reached, or if the program was built without SDL2.
 class Desktop {
 public:
     Desktop();
@@ -52,12 +52,13 @@ private:
     std::vector<Screen> screens_;
 };
 
-/// "display 2 (HDMI-1)".
+/// The name of screens[k] in messages: "display 2 (HDMI-1)".
 std::string call(const std::vector<Screen>& screens, std::size_t k);
 
-/// The place in `screens` of the one that `wanted` tells, a number from 1 or a name, and that shows
-/// width x height pixels of the picture `picture` as they are; "auto": of the only one with so many
-/// pixels. Throws OutputError.
+/// The index in `screens` of the display that the user wants. `wanted` is a number from 1, a name,
+/// or "auto": the only display of width x height pixels. Throws OutputError if there is no such
+/// display, or if it would not show width x height pixels as they are; the message calls the
+/// picture `picture`.
 std::size_t choose_screen(const std::vector<Screen>& screens, const std::string& wanted,
                           const std::string& picture, int width, int height);
 

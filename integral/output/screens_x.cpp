@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What an X server's RandR extension says of its displays: SDL tells their places, not whether they
-// are resampled.
+// Asks an X server's RandR extension about its displays. SDL tells their positions, but not whether
+// their pixels are resampled.
 #ifdef HAVE_SDL2
 #include "integral/output/screens.h"
 
@@ -72,7 +72,7 @@ std::vector<XOutput> x_outputs(bool& in_wayland)
         XOutput o;
         o.name = std::string(output->name, std::size_t(output->nameLen));
         in_wayland = in_wayland ||
-                     o.name.rfind("XWAYLAND", 0) == 0; // older ones have no such extension
+                     o.name.rfind("XWAYLAND", 0) == 0; // older XWayland has no such extension
         o.x = crtc->x;
         o.y = crtc->y;
         o.width = int(crtc->width);

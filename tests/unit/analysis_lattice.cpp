@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Scans back in: the parts of the search for a lattice, on drawings whose lattice is known in
-// closed form. These are small, of about 30 lenses; tests/cli/integral_rectify.test asks for more
-// of larger scans.
+// Tests the steps of the search for a scan's lens lattice, on drawings with a known lattice. These
+// are small, with about 30 lenses; tests/cli/integral_rectify.test has larger scans and stricter
+// limits.
 #include "integral/analysis/border_fit.h"
 #include "integral/analysis/lattice_search.h"
 #include "integral/analysis/lens_borders.h"
@@ -37,8 +37,8 @@ LatticeSearch search_for(const LensSheet& sheet, const ScanMap& about)
     return search;
 }
 
-/// A scan in which each lens has a grey of its own, by chance: nothing but borders. 3 x 3 points a
-/// pixel.
+/// A scan in which each lens has one random grey, so that it shows the lenses' borders only. Drawn
+/// with 3 x 3 samples a pixel.
 Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, int height,
                    double noise)
 {
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(borders_lie_where_the_aperture_ends)
     const SheetOptics near(sheet, *filling_aperture(sheet, 200));
     const double m = sheet.ior * sheet.ior - 1;
     for (const Vec2 point : lens_borders(near, LensMapping::accurate, {8, 0.01}, 0.2, 2000, 1)) {
-        double pole = point.x; // of which this is the displaced place
+        double pole = point.x; // found by iteration: the place whose displacement leads to point.x
         for (int k = 0; k < 50; ++k)
             pole = point.x - pole * sheet.thickness /
                                  std::sqrt(sheet.ior * sheet.ior * 200 * 200 + m * pole * pole);

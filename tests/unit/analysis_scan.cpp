@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Scans back in: light put right, and resampling.
+// Tests the correction of a scan's light, and its resampling.
 #include "integral/analysis/rectify.h"
 
 #include <boost/test/unit_test.hpp>

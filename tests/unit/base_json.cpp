@@ -10,7 +10,7 @@ BOOST_AUTO_TEST_SUITE(base_json)
 
 namespace {
 
-/// What each way of reading a document says of it; empty if nothing.
+/// The error messages of each way of reading a document; empty if it is accepted.
 std::string refusal(const std::string& text)
 {
     std::string plain, lined;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Batches: hashes, scenes' files, records, locks.
+// Tests the files of batches: hashes, the files that scenes read, records and locks.
 #include "integral/base/file_bytes.h"
 #include "integral/batch/batch_folder.h"
 #include "integral/batch/content_hash.h"
@@ -54,7 +54,7 @@ std::string names_of(const std::vector<SceneFile>& files)
     return names;
 }
 
-/// Dates a file back.
+/// Sets a file's time of change to the past.
 void made_ago(const std::string& path, std::chrono::seconds ago)
 {
     std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - ago);
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(records_come_back)
     BOOST_TEST(*back.error == 1.0 / 3);
     BOOST_TEST(back.reason.substr(0, 10) == "a \"reason\"");
     BOOST_TEST(back.remark == "a remark");
-    const std::string earlier = read_file(path); // as records were before they had remarks
+    const std::string earlier = read_file(path); // becomes a record of an older version
     const auto comma = earlier.find(",\n \"remark\"");
     BOOST_REQUIRE(comma != std::string::npos);
     write_file(path, earlier.substr(0, comma) + "\n}\n");
@@ -221,8 +221,8 @@ BOOST_AUTO_TEST_CASE(published_between_record_and_place)
 
 BOOST_AUTO_TEST_CASE(published_while_another_looks)
 {
-    // A process that waits for a step puts its output in place itself, where it finds the record
-    // first: neither is to fail.
+    // A process that waits for a step renames its output itself if it finds the record before the
+    // other process has done so. Neither process must fail.
     const OneStep one;
     const BatchStep& step = one.step;
     const BatchFolder& batch = one.batch;
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(one_holder_of_a_lock)
     BOOST_TEST(second.take(path, holder));
     second.release();
     BOOST_TEST(!std::filesystem::exists(path));
-    // A process that was killed with it.
+    // A process that was killed while it held the lock.
     const pid_t child = fork();
     if (child == 0) {
         LockFile lock;
@@ -321,8 +321,8 @@ BOOST_AUTO_TEST_CASE(locks_of_other_namespaces_are_judged_by_age)
     };
     const std::string process = "\"process\":" + std::to_string(getpid()),
                       name_space = "\"namespace\":\"" + process_namespace() + "\"";
-    // Of a process that is none: in this namespace, in another, and as locks were before they named
-    // one.
+    // Locks of a process that does not exist: in this namespace, in another, and in the older
+    // format without a namespace.
     lock.release();
     write_file(path, replaced(process, "\"process\":4194305"));
     BOOST_TEST(lock.take(path, holder));
@@ -334,8 +334,8 @@ BOOST_AUTO_TEST_CASE(locks_of_other_namespaces_are_judged_by_age)
         BOOST_TEST(holder == "process " + std::to_string(getpid()) + " on " + host_name());
         made_ago(path, std::chrono::seconds(LockFile::seconds_of_silence + 10));
         BOOST_TEST(lock.take(path, holder), other);
-        write_file(path, other); // taken by one of the same number elsewhere: it is not this one's
-                                 // to release
+        // A process with the same number in another namespace holds the lock: it must stay.
+        write_file(path, other);
         lock.release();
         BOOST_TEST(std::filesystem::exists(path));
         std::filesystem::remove(path);
@@ -352,7 +352,7 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
                 names.push_back(entry.path().filename());
         return names;
     };
-    // One that is killed in the midst of a file: by a limit on how long files may be.
+    // A process that is killed while it writes a file, by a limit on the size of files.
     const pid_t child = fork();
     if (child == 0) {
         const rlimit no_core{0, 0}, no_more{100, 100};
@@ -373,12 +373,12 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
     const std::string here = host_name() + "." + process_namespace() + ".";
     BOOST_TEST(unfinished()[0].substr(16) == "." + here + std::to_string(child));
     sweep_unfinished(folder.path);
-    BOOST_TEST(unfinished().size() == 1); // nobody says yet that it has ended
+    BOOST_TEST(unfinished().size() == 1); // a zombie still counts as a running process
     waitpid(child, nullptr, 0);
     sweep_unfinished(folder.path);
     BOOST_TEST(unfinished().empty());
     BOOST_TEST(!std::filesystem::exists(folder.path + "/record"));
-    // What is another's, or may be.
+    // Files that belong to another process, or may do so.
     const std::string of = ".integral-abcdef", number = std::to_string(child),
                       dead = "." + here + number,
                       elsewhere = of + "." + host_name() + ".1." + number;
@@ -401,7 +401,8 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
     for (const std::string& name : others)
         BOOST_TEST(std::filesystem::exists(folder.path + "/" + name), name);
     BOOST_TEST(!std::filesystem::exists(folder.path + "/.integral-lock" + dead));
-    // A process of another namespace cannot be asked: but it does not write for a day.
+    // Whether a process of another namespace still runs cannot be found out; but no process writes
+    // to one file for a whole day.
     const std::string forgotten = folder.path + "/" + elsewhere;
     made_ago(forgotten, std::chrono::hours(23));
     sweep_unfinished(folder.path);

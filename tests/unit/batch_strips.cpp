@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A frame in strips of rows: where they are cut, what they need besides, and what they make
-// together.
+// Tests frames rendered in strips of rows: where they are cut, which rows around a strip are
+// needed, and the merged frame.
 #include "integral/base/file_bytes.h"
 #include "integral/batch/strips.h"
 #include "integral/io/codecs.h"
@@ -67,8 +67,8 @@ std::string encoded(const DecodedImage& picture)
     return picture.image.samples.index() == 2 ? encode_exr(picture) : encode_png(picture);
 }
 
-/// The frame cut into strips: as the renderer gives them, black but for their rows, each of
-/// `seconds`. Returns the strips' files.
+/// Cuts the frame into strips as the renderer writes them: black except for their own rows, and
+/// each rendered in `seconds`. Returns the strips' files.
 template <class Sample>
 std::vector<std::string> cut(const Folder& folder, const DecodedImage& frame,
                              const std::vector<RowStrip>& strips)
@@ -170,8 +170,8 @@ BOOST_AUTO_TEST_CASE(options_name_rows_from_one)
 
 BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
 {
-    // Against the neighbours that anti-aliasing itself visits; and it does visit the furthest of
-    // them.
+    // Compares with the neighbours that anti-aliasing itself visits, the farthest of which must be
+    // needed.
     std::mt19937 random(3);
     for (int round = 0; round < 60; ++round) {
         CameraParameters p = parameters_of(arrangements[round % 3]);
@@ -257,14 +257,14 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
     BOOST_TEST(both.lit_pixels == 200);
     BOOST_TEST(both.low == 0.018 / std::sqrt(2), boost::test_tools::tolerance(1e-12));
     BOOST_TEST(both.high == 0.023 / std::sqrt(2), boost::test_tools::tolerance(1e-12));
-    // Many alike: surer than each, but not of the bias.
+    // Many equal estimates have a smaller interval than each, but the same bias.
     const ErrorEstimate many = combined(std::vector<ErrorEstimate>(400, bad));
     BOOST_TEST(many.rms == bad.rms, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(many.low > bad.low);
     BOOST_TEST(many.high < bad.high);
     BOOST_TEST(many.high * many.high == 1.1 * many.rms * many.rms,
                boost::test_tools::tolerance(1e-9));
-    // Against sums over all pixels, where every one is looked at.
+    // Compares with sums over all pixels.
     std::mt19937 random(1);
     ErrorSums all;
     std::vector<ErrorEstimate> strips;

@@ -177,7 +177,8 @@ BOOST_AUTO_TEST_CASE(where_geometry_comes_from)
     frame = read_frame(folder / "bare.png", folder / "sheet.json");
     BOOST_TEST(frame.metadata->sheet.pitch == 5);
     BOOST_TEST(frame.metadata->film.width == 8);
-    BOOST_CHECK(frame.image.encoding.kind == Encoding::Kind::srgb); // not the sheet's to say
+    // The picture's own encoding counts, not the document's.
+    BOOST_CHECK(frame.image.encoding.kind == Encoding::Kind::srgb);
     BOOST_TEST(read_metadata(folder / "bare.png").sheet.pitch == 4);
     BOOST_TEST(read_metadata(folder / "sheet.json").sheet.pitch == 5);
 
@@ -277,8 +278,8 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
         }
         return "";
     };
-    // Found by tests/sanitized/fuzz.test: libpng made room for the 2 GB of a chunk, OpenEXR for
-    // those of an attribute.
+    // Found by tests/sanitized/fuzz.test: libpng allocated the 2 GB that a chunk's length claims,
+    // OpenEXR those of an attribute.
     using namespace std::string_literals;
     std::string png = encode_png({noise<std::uint8_t>(5, 4, 3, srgb), "", {}});
     constexpr std::size_t behind_header = 33;
@@ -305,14 +306,13 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
         std::string::npos);
     BOOST_TEST(refusal_of(decode_depths, with_attribute("a\0b\0\0\0\0\x70x"s))
                    .find("longer than the file") != std::string::npos);
-    // A list of channels is read up to its own end; behind it lies what would pass for an
-    // attribute.
+    // A list of channels is read up to its end; the bytes behind it look like an attribute.
     for (const std::string& bad :
          {"a\0chlist\0\2\0\0\0\0x"s, "a\0box2i\0\x11\0\0\0"s + std::string(17, 'x'),
           "a\0preview\0\x9\0\0\0\1\0\0\0\1\0\0\0x"s})
         BOOST_TEST(refusal_of(decode_exr, with_attribute(bad)).find("not as long as its type") !=
                    std::string::npos);
-    // A tile of 2 x 134152194 pixels of a picture of 5 x 4, for which OpenEXR makes room.
+    // A tile of 2 x 134152194 pixels in a picture of 5 x 4, which OpenEXR would allocate.
     BOOST_TEST(
         refusal_of(decode_exr, with_attribute("tiles\0tiledesc\0\x9\0\0\0\2\0\0\0\2\0\xff\7\0"s))
             .find("4096 x 4096") != std::string::npos);

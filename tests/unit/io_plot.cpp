@@ -73,7 +73,7 @@ Plot plot_of(const PlotSeries& s)
     return plot;
 }
 
-/// Centre of the pixels of the first series' colour, blue, and how many there are.
+/// The number and the centre of the pixels in blue, the first series' colour.
 struct Blue {
     double x = 0, y = 0;
     int count = 0;
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(logarithmic_axes_have_decades)
     BOOST_TEST(labels(make_scale(axis(true), {1e-9, 1e9}, 8)) ==
                "10^\u22129 10^\u22126 0.001 1 1000 10^6 10^9");
     BOOST_TEST(labels(make_scale(axis(true), {3, 4}, 12)) == "2 3 4 5");
-    // what has no place on it does not count
+    // Values that a logarithmic axis cannot show do not count.
     BOOST_TEST(labels(make_scale(axis(true), {-5, 0, 1, 10, nan_value}, 8)) == "1 2 5 10");
 }
 
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(error_bars_reach_from_low_to_high)
     plot.series[0].high = {9};
     const Blue barred = blue_of(plot);
     BOOST_TEST(barred.count > bare.count + 100);
-    BOOST_TEST(barred.y < bare.y - 10); // more of it above
+    BOOST_TEST(barred.y < bare.y - 10); // the bar reaches farther up than down
     plot.y.low.reset();
     plot.y.high.reset();
     plot.series[0].high = {90};

@@ -73,7 +73,7 @@ void write_interlaced(const std::string& path, const Image& image)
     std::fclose(file);
 }
 
-/// An 8-bit RGB TIFF whose channels stand apart.
+/// An 8-bit RGB TIFF with separate planes for the channels.
 void write_planes(const std::string& path, const Image& image)
 {
     TIFF* tiff = TIFFOpen(path.c_str(), "w");
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_finished_leaves_nothing)
     BOOST_CHECK(bytes_of(path) == wanted);
     BOOST_TEST(folder.names().size() == 1);
 
-    // Nothing of a picture whose rows do not all come.
+    // No file is left of a picture that does not get all its rows.
     const Image image = noise<std::uint8_t>(3);
     for (const char* name : {"a.png", "a.tif", "a.exr"}) {
         PictureWriter writer = PictureWriter::of_frame(folder / name, image, std::nullopt);

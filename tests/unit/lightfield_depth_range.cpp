@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Depths of a scene against the depth budget, by hand values.
+// Compares the depths of scenes with the depth budget; the values are worked out by hand.
 #include "integral/lightfield/depth_range.h"
 
 #include "integral/lightfield/depth_advice.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The error estimate against errors that are known: of single pixels whose light is a known
-// distribution, of populations of pixels, and of whole small frames.
+// Compares error estimates with known errors: of single pixels with a known distribution of light,
+// of populations of pixels, and of whole small frames.
 #include "integral/lightfield/error_estimate.h"
 #include "tests/unit/optics_sheets.h"
 #include "tests/unit/pixel_origins.h"
@@ -31,8 +31,8 @@ struct Distribution {
     const char* name;
     std::function<double()> sample;
     double mean;
-    double kept;        ///< of the plain estimate's bias, the part that the jackknife may leave
-    double besides = 0; ///< and what it may add, where nearly all of the light is cut off
+    double kept;        ///< the fraction of the plain estimate's bias that the jackknife may leave
+    double besides = 0; ///< the bias that it may add, where nearly all of the light is cut off
 };
 
 Distribution edge(const char* name, double dark, double bright, double covered, double kept)
@@ -165,8 +165,8 @@ BOOST_AUTO_TEST_CASE(halves_error_is_the_error_of_their_mean)
 BOOST_AUTO_TEST_CASE(the_interval_holds_the_error_of_heavy_tailed_populations)
 {
     engine.seed(3);
-    // Squared errors of pixels: most of them 0, or small, and a few large. What a frame's edges,
-    // lines and highlights leave.
+    // Squared errors of pixels: most are 0 or small, and a few are large, as at a frame's edges,
+    // lines and highlights.
     const auto few = [](double part, std::function<double()> error) {
         return [=] { return uniform() < part ? error() : 0.0; };
     };
@@ -207,14 +207,14 @@ BOOST_AUTO_TEST_CASE(the_interval_holds_the_error_of_heavy_tailed_populations)
                                            << 100.0 * too_low / audits << "%, widest " << widest);
         BOOST_TEST(held >= 0.91 * audits, population.name << ": " << held << " of " << audits);
         if (population.name == std::string("normal errors"))
-            BOOST_TEST(widest < 1.2); // and it tells something
+            BOOST_TEST(widest < 1.2); // the interval is narrow enough to be useful
     }
 }
 
 BOOST_AUTO_TEST_CASE(the_interval_of_halves_holds_the_frame_s_own_error)
 {
     engine.seed(4);
-    // Each pixel's halves tell its expected error; the frame has one chance outcome of it.
+    // The halves of pixels give the expected error; the frame's own error is one random outcome.
     int held = 0;
     const int frames = random_sheets::count(400, 10000);
     for (int frame = 0; frame < frames; ++frame) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pictures in memory, and work by rows.
+// Tests pictures in memory, and the parallel loop over rows.
 #include "integral/base/parallel.h"
 #include "integral/lightfield/image.h"
 

@@ -43,8 +43,8 @@ double angle_through(const LensSheet& s, double film, double v)
 
 BOOST_AUTO_TEST_CASE(figure_3_26_half_intensity_is_equation_3_9)
 {
-    // Of a cylinder lens's points half send an edge's image outwards of the pole's and half inwards
-    // of it.
+    // Half of a cylinder lens's points image an edge farther out than the pole does, half farther
+    // in.
     for (const double distance : {150.0, 300.0, 600.0, 1200.0}) {
         const double extended = micro_image_width(sheet(), distance, 195);
         const auto full = full_image_width(sheet(), distance, 195, 2001);
@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(figure_3_26_half_intensity_is_equation_3_9)
                    distance << ": " << full->at_half);
         BOOST_TEST(full->at_least < full->at_half);
         BOOST_TEST(full->at_most > full->at_half);
-        // "A very rough explanation": the straight pinhole is out by more than the whole blur.
+        // "A very rough explanation": the error of the straight pinhole is greater than the whole
+        // blur.
         BOOST_TEST(pinhole_spread(sheet(), distance, 195) >
                    full->at_most + (full->at_most - full->at_least));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The JSON document of a frame: what is written reads back, and what makes no sense is refused.
+// Tests the JSON document of a frame: what is written can be read back, and invalid documents are
+// refused.
 #include "integral/lightfield/frame.h"
 #include "integral/lightfield/names.h"
 

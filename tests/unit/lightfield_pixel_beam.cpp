@@ -72,9 +72,9 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
         for_each_pixel(camera, true, [&](Vec2 centre) {
             if (++pixels % 97)
                 return;
-            // Each prefix of 4^k points has each coordinate once in each of its 4^k parts: those of
-            // the cell at the sheet, those of the pixel far away. Of a hexagon, whose coordinates
-            // are not those of a square, the pixel's alone.
+            // Among the first 4^k points, each of the 4^k equal parts of a coordinate has one
+            // point. At the sheet these are the coordinates of the cell, far away those of the
+            // pixel. A hexagonal cell has no such coordinates; there, only the pixel's are checked.
             for (const bool far : {false, true})
                 for (const int count : {4, 16, 64}) {
                     if (!far && arrangement == Arrangement::hexagonal)
@@ -121,9 +121,9 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_pixel_or_cell)
     }
 }
 
-/// The mean squared error with which 16 samples of a beam tell how much of it lies on one side of a
-/// straight edge, seen at a depth, of many pixels and edges of all directions. The truth is 2048
-/// random rays'.
+/// The mean squared error of the fraction of a pixel's beam on one side of a straight edge at a
+/// depth, as 16 samples give it. The mean is taken over many pixels and edges of all directions;
+/// the true fraction is taken from 2048 random rays.
 static double error_of_edges(const IntegralCamera& camera, double depth, double aimed_at)
 {
     const PixelSampler sampler(camera, 3);
@@ -179,8 +179,8 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_what_the_beam_cover
         if (c.tall > 0)
             p.capture_aperture = Vec2{100, c.tall};
         const IntegralCamera camera = camera_of(p, 110, 90);
-        // The wrong side of the sheet is as wrong an aim as there is; but for a tall slit, which
-        // covers about as much there: not the sheet.
+        // Aiming samples at a depth on the other side of the sheet is the worst aim. With a tall
+        // slit the beam covers about as much there; its worst aim is the sheet itself.
         double well = 0, wrongly = 0;
         for (const double depth : {-20.0, 15.0, 60.0}) {
             well += error_of_edges(camera, depth, depth);

@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(samples_lie_in_the_pixel_and_in_the_cell_of_its_lens)
                         far_lens.x = std::max(far_lens.x, std::fabs(at.lens.x));
                     }
                 });
-                // All of both is used.
+                // Samples fill the whole pixel and the whole cell.
                 BOOST_TEST(far_film.x > (slant == 12 ? 0.16 : 0.49));
                 BOOST_TEST(far_film.y > 0.49);
                 BOOST_TEST(far_lens.x > 0.49);
@@ -146,7 +146,8 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
         for (const int samples : {2, 3, 64}) {
             CameraParameters p = parameters_of(arrangement, samples);
             p.sheet.slant = 8;
-            // Of three samples two lie to either side of the centre: seldom are all another lens's.
+            // Two of three samples lie on opposite sides of the centre; seldom do all belong to
+            // another lens.
             const IntegralCamera camera = samples == 3 ? camera_of(p, 500, 400)
                                                        : camera_of(p, 90, 70);
             const PixelSampler sampler(camera, 2);
@@ -165,7 +166,8 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
                 at_centre += length(list[0].film) < 1e-9;
                 fewer += rays.size() < unsigned(samples);
                 kept += rays.size();
-                for (int k = 0; k < 256; ++k) { // the part of its area that its lens images
+                for (int k = 0; k < 256; ++k) { // finds the fraction of the area that its lens
+                                                // images
                     const Vec2 at{centre.x + (k % 16 - 7.5) / 16, centre.y + (k / 16 - 7.5) / 16};
                     const MappedPoint there = camera.optics.map(film_from_pixel(camera.film, at),
                                                                 camera.mapping);
@@ -313,7 +315,7 @@ BOOST_AUTO_TEST_CASE(what_becomes_of_film_points_adds_up)
             reflected += o.total_reflection;
             outside += o.outside_aperture;
             searched += o.searched;
-            // light that one ray in the middle finds is also found at random
+            // If the ray of the pixel's centre exists, random rays are found, too.
             const bool found = sampler.append_random_ray(centre, 0, rays);
             BOOST_TEST((found || o.imaged == 0 || p.model == LensModel::full ||
                         p.model == LensModel::hybrid));

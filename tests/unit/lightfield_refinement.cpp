@@ -13,8 +13,8 @@ namespace {
 
 constexpr int width = 120, height = 90;
 
-/// A frame of 300 dpi behind lenses whose pitch is 15 pixels, or other, coloured by colour(place
-/// behind the lens in pitches, lens); pixels for which it returns nothing are empty.
+/// A frame of 300 dpi behind lenses with a pitch of 15 pixels by default. colour(place behind the
+/// lens in pitches, lens) gives a pixel's colour; if it returns nothing, the pixel is empty.
 FirstSamples coloured(Arrangement arrangement,
                       const std::function<std::optional<double>(Vec2, LensIndex)>& colour,
                       IntegralCamera* made = nullptr, double pitch = 1.27)
@@ -67,9 +67,9 @@ BOOST_AUTO_TEST_CASE(even_colours_have_no_contrast)
 
 BOOST_AUTO_TEST_CASE(lens_borders_do_not_count)
 {
-    // Each lens has the same ramp from 0.1 to 0.9: neighbours across a border differ by 0.8, and
-    // each pixel is what its neighbours behind the lens and in its direction let expect. Away from
-    // the frame's edge, where a ramp has one side.
+    // Each lens has the same ramp from 0.1 to 0.9. Neighbours across a border differ by 0.8, but
+    // each pixel can be predicted from its neighbours behind the same lens and in the same
+    // direction. Pixels at the frame's edge are left out, because they lack neighbours on one side.
     for (const Arrangement arrangement : arrangements)
         for (const double pitch : {1.27, 1.124, 0.845}) {
             const auto ramp = [](Vec2 place, LensIndex) { return 0.5 + 0.8 * place.x; };
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(neighbours_of_either_kind_count)
                         (one.contrast(x, y) < 0.01 || std::fabs(one.contrast(x, y) - 1.5) < 0.01));
             }
     }
-    // an edge behind each lens: those two pixels beside it depart from a straight line
+    // An edge behind each lens: only the two pixels beside it are off a straight line.
     const auto edge = coloured(Arrangement::square,
                                [](Vec2 place, LensIndex) { return place.x < 0.03 ? 0.0 : 1.0; });
     int beside = 0;

@@ -47,8 +47,8 @@ BOOST_AUTO_TEST_CASE(points_are_a_digital_net)
 
 BOOST_AUTO_TEST_CASE(scramblings_are_uniform_and_independent)
 {
-    // The first point alone is anywhere; so are two scramblings' first points together, and two
-    // coordinates of one.
+    // Over many scramblings, the first point is evenly distributed; so are pairs of the first
+    // points of two scramblings, and pairs of coordinates of one point.
     constexpr int keys = 40000, parts = 10;
     std::vector<int> keys_apart(parts * parts), dimensions_apart(parts * parts);
     for (int key = 0; key < keys; ++key) {

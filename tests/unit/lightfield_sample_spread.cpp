@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How a pixel's samples are spread over its area and its lens's cell: evenly or at random, and
-// independently where they should be.
+// Tests how a pixel's samples are distributed over its area and its lens's cell: evenly or at
+// random, and independently where they should be.
 #include "tests/unit/optics_sheets.h"
 #include "tests/unit/pixel_origins.h"
 
@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(samples_are_spread_evenly_over_all_four_dimensions)
 
 BOOST_AUTO_TEST_CASE(halves_predict_the_error_of_their_mean)
 {
-    // Integrands over the four dimensions: smooth ones, and edges, of which the Irwin-Hall
-    // distribution tells the part where the coordinates' sum is below 1.6.
+    // Smooth integrands over the four dimensions, and edges. The fraction of points whose
+    // coordinates' sum is below 1.6 is given by the Irwin-Hall distribution.
     const std::function<double(const std::array<double, 4>&)> integrands[] = {
         [](const auto& u) { return u[0] * u[1] + u[2] * u[3]; },
         [](const auto& u) { return u[0] + u[1] + u[2] + u[3] < 1.6 ? 1.0 : 0.0; },
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(halves_predict_the_error_of_their_mean)
                                        << correlation);
             BOOST_TEST(std::fabs(told[k] / found[k] - 1) < 0.06);
             BOOST_TEST(std::fabs(together[k] / found[k]) < 0.03);
-            // the audit's random rays know nothing of the pixel's own
+            // The audit's random rays are independent of the pixel's own samples.
             BOOST_TEST(std::fabs(correlation) < 0.035);
         }
     }
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(random_rays_are_even_and_independent_over_the_lens_s_part)
     // A pixel across which the border of two slanted lenses runs.
     CameraParameters p = parameters_of(Arrangement::square);
     p.sheet.slant = 20;
-    // As wide as fills an upright lens, so that nearly all of the pixel's area is one lens's.
+    // The width that fills a lens without slant, so that one lens images nearly the whole pixel.
     const double width = *filling_width(p.sheet, 300, p.sheet.pitch);
     p.capture_aperture = Vec2{width, width};
     const IntegralCamera camera = camera_of(p);
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(random_rays_are_even_and_independent_over_the_lens_s_part)
     const auto most = [](std::size_t bins) { return bins + 4 * std::sqrt(2.0 * bins); };
     BOOST_TEST(chi_squared(whole_cells) < most(whole_cells.size()));
     BOOST_TEST(chi_squared(lens) < most(lens.size()));
-    // No coordinate tells anything of another one, nor of the next index's.
+    // Coordinates are independent of each other, and of those of the next index.
     for (int j = 0; j < 4; ++j)
         for (int k = 0; k < 4; ++k) {
             double same = 0, next = 0, a = 0, b = 0;

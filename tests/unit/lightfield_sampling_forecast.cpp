@@ -62,8 +62,8 @@ std::vector<Vec2> points_of(IntegralCamera c, int beam_samples, int pixel_sample
     return points;
 }
 
-/// Straight edges at random within a circle, `detail` apart on average along any line: as many as a
-/// Poisson process of lines has that meet the circle, pi radius/detail on average.
+/// Random straight edges that meet a circle: a Poisson process of lines, with pi radius/detail
+/// lines on average. Along any line, edges are `detail` apart on average.
 struct RandomEdges {
     struct Edge {
         Vec2 normal;
@@ -124,7 +124,8 @@ BOOST_AUTO_TEST_CASE(n_rays_across_a_narrow_footprint)
 
 BOOST_AUTO_TEST_CASE(fine_detail_is_all_error_for_one_ray_and_noise_for_many)
 {
-    // Far apart points of fine detail have nothing in common: 1/4 for one ray, 1/4N for N.
+    // With detail finer than the samples' distances, samples are independent: the squared error is
+    // 1/4 for one ray, 1/(4N) for N.
     const auto errors = forecast(camera(Arrangement::square), {1e5}, 0.5,
                                  {{1, 1, {}}, {2, 2, {}}, {4, 4, {}}});
     for (const SamplingForecast& setting : errors)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The thesis's figures, as optics.md section 6 lists them.
+// Compares figures of sheets with those that the thesis prints (optics.md section 6).
 #include "integral/lightfield/sheet_figures.h"
 
 #include "integral/optics/film.h"
@@ -25,7 +25,7 @@ LensSheet sheet(double pitch = 1.27, double thickness = 3.08, double ior = 1.6)
 
 constexpr double dpi_300 = mm_per_inch / 300;
 
-/// Equal to the printed figure, to half of its last digit.
+/// Checks that a value, rounded to the printed digits, is the printed figure.
 void check_printed(double value, double printed, double last_digit)
 {
     BOOST_TEST(std::fabs(value - printed) <= 0.5 * last_digit, value << " instead of " << printed);
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(moire_of_lenses_and_pixels)
     // 15 pixels a lens: the images of an eye at d are p t/(n d) farther apart, so the pattern
     // repeats after pixel n d/t on the sheet.
     check_printed(*moire_pitch(1.27, sheet(), dpi_300, 300), dpi_300 * 1.6 * 300 / 3.08, 1e-6);
-    // Far away only the odd part of a pixel per lens is left: 7.087 pixels, 0.6/0.087.
+    // At a great distance only the fraction of a pixel per lens counts: 7.087 pixels, 0.6/0.087.
     check_printed(*moire_pitch(0.6, sheet(0.6, 2.65, 1.52), dpi_300, 1e9),
                   0.6 / (0.6 / dpi_300 - 7), 1e-4);
     BOOST_CHECK(!moire_pitch(1.27, sheet(), 1.27 / 15, 1e12));

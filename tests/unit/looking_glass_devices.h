@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The nominal figures of every Looking Glass display, as their maker's list of devices has them:
-// cells by rows from the bottom.
+// The nominal figures of every Looking Glass display, from the maker's list of devices. Cells are
+// listed by rows from the bottom.
 #ifndef TESTS_UNIT_LOOKING_GLASS_DEVICES_H
 #define TESTS_UNIT_LOOKING_GLASS_DEVICES_H
 
@@ -44,8 +44,8 @@ inline const std::vector<Device>& devices()
     return all;
 }
 
-/// Those, and displays with every pattern and number of cells and with sides of either parity,
-/// which nobody makes.
+/// Those displays, and invented ones: with every pattern and number of cells, and with odd and even
+/// widths and heights.
 inline std::vector<Device> variants()
 {
     std::vector<Device> all = devices();
@@ -62,7 +62,7 @@ inline std::vector<Device> variants()
     return all;
 }
 
-/// As the display's own memory has it.
+/// The calibration file in the form in which the display's own memory holds it.
 inline std::string file_of(const Device& device, const Flips& flips)
 {
     std::ostringstream text;

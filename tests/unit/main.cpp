@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The unit tests' program; every other file of this folder adds its own BOOST_AUTO_TEST_SUITE. Run
-// by tests/run (HARNESS_ACTIVE is set in the environment then) it prints TAP, a line for each test
-// case; else what Boost.Test prints.
+// The unit tests' program. Every other file of this folder adds its own BOOST_AUTO_TEST_SUITE. If
+// tests/run starts it (which sets HARNESS_ACTIVE in the environment), it prints TAP, with a line
+// for each test case; otherwise it prints Boost.Test's own output.
 #define BOOST_TEST_MODULE unit
 #include <boost/test/framework.hpp>
 #include <boost/test/results_collector.hpp>
@@ -43,14 +43,18 @@ private:
             std::cout << "ok " << ++count_ << " - " << unit.full_name() << " # SKIP " << reason
                       << '\n';
     }
-    /// What was logged outside of the test cases fails none of them: the exit status tells.
+    /// Errors outside of test cases make no line of TAP; the exit status reports them.
     void test_finish() override
     {
         say_log();
         unit_test_log.set_stream(std::cout);
         std::cout << "1.." << count_ << std::endl;
     }
-    int priority() override { return 5; } // behind Boost.Test's own observers: it prints theirs
+    int priority() override
+    {
+        return 5;
+    } // called after Boost.Test's own observers, whose results
+      // it prints
 
     void say_log()
     {

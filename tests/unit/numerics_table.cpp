@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What this run measured against what doc/numerics.md states. With NUMERICS_TABLE=FILE in the
-// environment the table of this run goes to that file, in Markdown.
+// Compares the errors measured in this run with those that doc/numerics.md states. With
+// NUMERICS_TABLE=FILE in the environment, writes the table of this run to that file, in Markdown.
 #include "tests/unit/numerics_table.h"
 
 #include <boost/test/unit_test.hpp>

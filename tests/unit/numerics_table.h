@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The largest errors that a run of the unit tests meets: recorded here by whichever test measures
-// them, written as the table of doc/numerics.md (`make numerics`), and held against it by
-// numerics_table.cpp.
+// Collects the largest errors that the unit tests measure in a run. They are written as the table
+// of doc/numerics.md (`make numerics`); numerics_table.cpp compares them with that table.
 #ifndef TESTS_UNIT_NUMERICS_TABLE_H
 #define TESTS_UNIT_NUMERICS_TABLE_H
 

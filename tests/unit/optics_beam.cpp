@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Every lens model, forward and inverse, against 100-digit arithmetic over optics.md section 7's
-// ranges and in named worst cases. What is measured goes to doc/numerics.md's table.
+// Compares every lens model, forward and inverse, with 100-digit arithmetic, over the ranges of
+// optics.md section 7 and in named worst cases. The errors go to the table of doc/numerics.md.
 #include "tests/unit/numerics_table.h"
 #include "tests/unit/optics_beam_oracle.h"
 #include "tests/unit/optics_sheets.h"
@@ -17,7 +17,7 @@ using oracle::Vector;
 constexpr double epsilon = 2.220446049250313e-16;
 const std::string inverse = "film point (inverse)";
 
-/// A point of a lens and the film point whose light leaves there.
+/// A film point, and the point of a lens where its light leaves.
 struct Case {
     oracle::System system;
     LensIndex lens;
@@ -40,8 +40,9 @@ Vector vector(Vec3 v) { return {v.x, v.y, v.z}; }
 double size(const Vec3& v) { return std::sqrt(dot(v, v)); }
 Real planar(const Real& x, const Real& y) { return sqrt(x * x + y * y); }
 
-/// Errors of a ray's direction, of where it leaves (relative to how far from the sheet's centre and
-/// from the film point that is) and of the aperture point (relative to |point| + d/c).
+/// Errors of a ray's direction; of the point where it leaves the lens, relative to the distances of
+/// that point from the sheet's centre and from the film point; and of the aperture point, relative
+/// to |point| + d/c.
 struct Errors {
     double direction = 0, point = 0, aperture = 0;
 };
@@ -58,8 +59,8 @@ Errors errors(const oracle::Beam& want, const Vector& point, const Vector& direc
 
 bool has_ray(const Case& c) { return oracle::beam(c.system, c.film, c.lens, c.at).has_value(); }
 
-/// The case with its inputs, one after another, `units` in the last place away. (Rounding n as such
-/// is not among them: n - 1 is exact.)
+/// Calls `visit` with the case after changing one input by `units` in the last place, for every
+/// input. (n has no rounding error: n - 1 is exact.)
 template <class Visit> void for_each_neighbour(const Case& c, double units, Visit visit)
 {
     const double by = units * epsilon;
@@ -74,15 +75,16 @@ template <class Visit> void for_each_neighbour(const Case& c, double units, Visi
         moved[4].system.sheet.ior += sign * (c.system.sheet.ior - 1);
         moved[5].at.slit *= 1 + sign;
         moved[6].system.distance *= 1 + sign;
-        moved[7].system.sheet.slant += 57 * sign; // the axes, by so many units of 1
+        moved[7].system.sheet.slant += 57 *
+                                       sign; // 57 degrees are 1 radian: turns the axes by `sign`
         for (const Case& one : moved)
             if (slit_is_horizontal(one.system.sheet) == slit_is_horizontal(c.system.sheet))
                 visit(one);
     }
 }
 
-/// What two units in the last place of each input do to the ray, added up. Nothing if they decide
-/// whether there is one.
+/// The change of the ray when inputs change by two units in the last place, summed over all inputs.
+/// Nothing if such a change decides whether there is a ray.
 std::optional<Errors> sensitivity(const Case& c, const std::optional<oracle::Beam>& want)
 {
     Errors sum;
@@ -110,7 +112,7 @@ double allowed_forward(const Case& c, const oracle::Beam& want)
     return std::max(1e-12, 16 * epsilon * kappa * (1 + far / double(want.length)));
 }
 
-/// Compares, and records: a worst case's row has all of a ray's errors in one.
+/// Checks an error, and records it. A worst case has one row for all errors of its ray.
 void judge(const Case& c, const std::string& quantity, double error, double allowed)
 {
     BOOST_TEST(error <= allowed, quantity);
@@ -244,8 +246,8 @@ void check_inverse(const Case& c, Vec3 scene)
     }
 }
 
-/// Forward; then back from points of the ray in front of and behind the sheet, and from a point
-/// anywhere.
+/// Checks a case forward, then inversely from points of the ray in front of and behind the sheet,
+/// and from a random point.
 void check(const Case& c, random_sheets::Generator& random)
 {
     BOOST_TEST_CONTEXT(c)
@@ -260,7 +262,7 @@ void check(const Case& c, random_sheets::Generator& random)
     }
 }
 
-/// n and t so that the surface reaches the cell's edge, if they do not already.
+/// Changes n and t, if necessary, so that the lens surface reaches the cell's edge.
 void give_surface(LensSheet& sheet, random_sheets::Generator& random)
 {
     while (!has_surface(sheet)) {
@@ -418,8 +420,8 @@ BOOST_AUTO_TEST_CASE(surface_that_just_reaches_the_edge)
 
 BOOST_AUTO_TEST_CASE(light_through_the_edge_of_the_aperture)
 {
-    // Film points found for points of the aperture's edge send their light to that edge. (A slit's
-    // own plane does not tell where along it the light came from; there, points just behind it.)
+    // A film point found for a point of the aperture's edge sends its light to that edge. (A point
+    // in the slit's own plane has no single film point; there, points just behind it are used.)
     random_sheets::Generator random(3435);
     const int most = random_sheets::count(1000, 100000);
     for (int k = 0; k < most; ++k) {

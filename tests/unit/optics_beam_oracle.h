@@ -29,8 +29,8 @@ inline Vector cross(const Vector& a, const Vector& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// One ray of a film point's light beyond the lens; for the error bound, the cosines of incidence
-/// and refraction at the surface and the way's length inside.
+/// One ray of a film point's light outside the lens. For the error bound it also has the cosines of
+/// incidence and refraction at the surface, and the path's length inside the lens.
 struct Beam {
     Vector point, direction;
     Point aperture;
@@ -131,9 +131,10 @@ Real root_between(const Function& function, const Real& low, const Real& high)
     return (found.first + found.second) / 2;
 }
 
-/// Light from a film point through a generating line of a cylinder and through the slit: along the
-/// line, the way from the slit to where the light meets its plane, times the cosine there, has
-/// opposite signs at both ends of what can leave towards the viewer.
+/// Finds light from a film point through a generating line of a cylinder and through the slit. For
+/// a point of the line, take the distance from the slit to where its light meets the slit's plane,
+/// times the cosine there. This has opposite signs at both ends of the part of the line from which
+/// light can leave towards the viewer.
 class ThroughSlit {
 public:
     ThroughSlit(const System& system, const Vector& film, const Surface& line, double height)

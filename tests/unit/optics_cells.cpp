@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A lens's cell: the points of it that the models send light through, and whether its surface
-// reaches its edge.
+// Tests a lens's cell: the points through which the models send light, and whether the lens's
+// surface reaches the cell's edge.
 #include "integral/optics/lens_model.h"
 
 #include <boost/test/unit_test.hpp>
@@ -21,8 +21,8 @@ BOOST_AUTO_TEST_SUITE(optics_cells)
 
 BOOST_AUTO_TEST_CASE(cells_are_filled_evenly)
 {
-    // mean, second moments and area of the cell; (1/2, 1/2) is the pole; every point belongs to its
-    // own lens
+    // Checks mean, second moments and area of the cell, that (1/2, 1/2) is the pole, and that every
+    // point belongs to its own lens.
     constexpr int n = 300;
     for (Arrangement arrangement : arrangements)
         for (double slant : {0.0, 20.0, -67.0}) {
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(cells_are_filled_evenly)
                     const Vec2 where = lattice.pole(lens) + point.offset;
                     BOOST_TEST(lattice.distance(where, lens) <=
                                lattice.distance(where, lattice.nearest(where)) + 1e-12);
-                    // area: the map's determinant, away from where the cell is folded together
+                    // The area is the map's determinant, except where the map is folded.
                     const double step = 1e-6;
                     const LensPoint right = cell_point(lattice, unit + Vec2{step, 0}, 7);
                     const LensPoint up = cell_point(lattice, unit + Vec2{0, step}, 7);
@@ -74,7 +74,8 @@ BOOST_AUTO_TEST_CASE(cells_are_filled_evenly)
 
 BOOST_AUTO_TEST_CASE(tents_of_all_lenses_add_up_to_one)
 {
-    // how often points of the lenses about one fall into the squares of a grid over its cell
+    // Counts how often points of neighbouring lenses' tents fall into the squares of a grid over a
+    // lens's cell.
     constexpr int n = 600, grid = 5;
     for (Arrangement arrangement : {Arrangement::square, Arrangement::hexagonal})
         for (double slant : {0.0, 33.0}) {
@@ -89,8 +90,8 @@ BOOST_AUTO_TEST_CASE(tents_of_all_lenses_add_up_to_one)
                     const Vec2 at = tent_point(lattice, {(i + 0.5) / n, (j + 0.5) / n}, 7).offset;
                     const double part[2] = {dot(at, lattice.across()) / size[0],
                                             dot(at, lattice.along()) / size[1]};
-                    // The lenses' lattice taken out, what is left is where in a cell: odd rows are
-                    // shifted.
+                    // Subtracting the lens's place in the lattice, where odd rows are shifted,
+                    // leaves the place in the cell.
                     const double j_row = std::floor(part[1]);
                     const double shift = arrangement == Arrangement::hexagonal &&
                                                  std::fmod(std::fabs(j_row), 2) == 1
@@ -122,7 +123,7 @@ BOOST_AUTO_TEST_CASE(tents_of_all_lenses_add_up_to_one)
 
 BOOST_AUTO_TEST_CASE(hybrid_weights)
 {
-    // thesis 3.4.7's I at the pole and at the margin, normalised
+    // Normalised values of I (thesis 3.4.7) at the pole and at the margin.
     for (Arrangement arrangement : arrangements) {
         const Lattice lattice({arrangement, 1.27, 3.08, 1.6, 12, {0, 0}});
         const auto points = hybrid_points(lattice);

@@ -96,7 +96,8 @@ BOOST_AUTO_TEST_CASE(default_apertures_turn_with_the_cell)
     const Vec2 lying = cell_extent({Arrangement::hexagonal, 2, 3, 1.5, 30, {0, 0}});
     BOOST_TEST(lying.x == upright.y, boost::test_tools::tolerance(1e-14));
     BOOST_TEST(lying.y == upright.x, boost::test_tools::tolerance(1e-14));
-    // The extents hold the cell's corners, touch two of them, and a quarter turn swaps the two.
+    // The extents contain the cell's corners and touch two of them. A quarter turn exchanges width
+    // and height.
     for (const auto arrangement : {Arrangement::square, Arrangement::hexagonal})
         for (double slant = -89; slant < 90; slant += 1) {
             const Vec2 extent = cell_extent({arrangement, 1, 3, 1.5, slant, {0, 0}});
@@ -117,8 +118,8 @@ BOOST_AUTO_TEST_CASE(default_apertures_turn_with_the_cell)
 
 BOOST_AUTO_TEST_CASE(default_apertures_fill_slanted_sheets)
 {
-    // Without the slant in the cell's extent 97, 94, 86 and 82% of a square sheet's film were
-    // imaged.
+    // When the cell's extent neglected the slant, only 97, 94, 86 and 82% of a square sheet's film
+    // were imaged.
     for (const auto arrangement : {Arrangement::square, Arrangement::hexagonal})
         for (const double slant : {0.0, 15.0, 30.0, 45.0, -20.0}) {
             CameraParameters parameters;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The lattice of lenses: the nearest pole against a search of all, and the rule for ties.
+// Tests the lattice of lenses: compares the nearest pole with a search of all, and checks the rule
+// for ties.
 #include "tests/unit/optics_sheets.h"
 
 #include <boost/test/unit_test.hpp>

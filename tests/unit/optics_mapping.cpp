@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// From film point to lens: accurate = exhaustive, closest is part of auto, and the symmetries.
+// Tests the mappings from film points to lenses: accurate equals exhaustive, closest is part of
+// auto, and symmetries.
 #include "integral/optics/coverage.h"
 #include "tests/unit/optics_sheets.h"
 
@@ -9,7 +10,7 @@ using namespace integral;
 
 namespace {
 
-/// A sheet and an aperture of any fill, such that a search of all lenses stays small.
+/// A sheet and an aperture that underfills or overfills the lenses, few enough for a search of all.
 struct System {
     LensSheet sheet;
     Aperture aperture;
@@ -56,7 +57,7 @@ BOOST_AUTO_TEST_CASE(accurate_equals_exhaustive)
                                   s.sheet);
         }
     }
-    BOOST_TEST(imaged > systems); // the test has looked at points that image something
+    BOOST_TEST(imaged > systems); // enough of the points tried image something
 }
 
 BOOST_AUTO_TEST_CASE(closest_is_part_of_automatic)
@@ -159,7 +160,7 @@ BOOST_AUTO_TEST_CASE(sight_lines_start_at_the_aperture_and_pass_the_pole)
     const IntegralCamera camera = make_camera(parameters, view, 600, 400);
     parameters.depth_range = Vec2{20, 50};
     const IntegralCamera limited = make_camera(parameters, view, 600, 400);
-    parameters.depth_range = Vec2{1e9, 50}; // farther than the aperture: nobody sees behind the eye
+    parameters.depth_range = Vec2{1e9, 50}; // beyond the aperture, the range ends at the eye
     const IntegralCamera reaching = make_camera(parameters, view, 600, 400);
     const double k = camera.placement.units_per_mm;
     for (int i = 0; i < 600; i += 7) {

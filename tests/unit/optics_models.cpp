@@ -18,7 +18,8 @@ const Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square
 const LensModel models[] = {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid,
                             LensModel::full};
 
-/// A sheet that one could buy, a lens of it, a point of that and a film point behind it.
+/// A sheet with usual dimensions, one of its lenses, a point of the lens and a film point behind
+/// it.
 struct System {
     LensSheet sheet;
     double distance = 300;
@@ -61,7 +62,7 @@ double apart(const BeamRay& a, const BeamRay& b, double distance)
            length(a.aperture_point - b.aperture_point) / (distance + length(a.aperture_point));
 }
 
-/// Compares a system's ray, moved as `move` does, with another's.
+/// Compares a system's ray, after `move` is applied to it, with another system's ray.
 template <class Move> void check_same(const System& s, const System& other, Move move)
 {
     const auto a = s.ray(), b = other.ray();
@@ -255,7 +256,8 @@ BOOST_AUTO_TEST_CASE(symmetries)
 
 BOOST_AUTO_TEST_CASE(common_scaling_of_all_lengths)
 {
-    // by a power of two to the last bit, by another number to rounding
+    // Scaled by a power of two, results are equal to the last bit; by another number, except for
+    // rounding.
     random_sheets::Generator random(16);
     for (int k = 0; k < 5000; ++k) {
         const System s = random_system(random);
@@ -322,8 +324,8 @@ BOOST_AUTO_TEST_CASE(a_cylinder_s_section_is_a_sphere_s)
 
 BOOST_AUTO_TEST_CASE(directions_move_steadily_with_the_film_point)
 {
-    // the farther right the film point, the farther left its light, up to rounding, at every step
-    // size
+    // When the film point moves to the right, the direction of its light moves to the left (except
+    // for rounding), for steps of all sizes.
     for (LensModel model : models)
         for (double v : {-0.5, 0.0, 0.3})
             for (double step : {1e-3, 1e-9, 1e-15}) {
@@ -359,7 +361,7 @@ BOOST_AUTO_TEST_CASE(no_light_is_no_value)
             if (refracts_at_surface(model)) {
                 BOOST_TEST(!beam_ray(optics, {0, 0}, {}, {{2, 0}, 0}).has_value()); // R is 1.155
                 BOOST_TEST(!film_point_imaging(optics, {0, 0, 100}, {}, {{2, 0}, 0}).has_value());
-                // seen so much from the side that the surface hides the point
+                // The line of sight is so oblique that the surface hides the point.
                 BOOST_TEST(
                     !film_point_imaging(optics, {-1000, 0, -1}, {}, {{0.6, 0}, 0}).has_value());
             }

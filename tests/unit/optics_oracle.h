@@ -18,7 +18,7 @@ struct Point {
     Real x, y;
 };
 
-/// What one lens makes of one film point; the error bound's condition number with it.
+/// The ray of one film point through one lens, with the condition number of the error bound.
 struct Ray {
     Point pole;        ///< mm
     Real s_x, s_y, c;  ///< direction (s_x, s_y, -c)

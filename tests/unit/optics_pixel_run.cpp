@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Tests that pixels mapped in runs equal pixels mapped one by one, bit for bit; and that
-// `automatic`, which takes short cuts, gives what its definition says.
+// Tests that pixels mapped in runs equal pixels mapped one by one, bit for bit, and that the
+// mapping `automatic`, which takes short cuts, agrees with its definition.
 #include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/pixel_run.h"
 
@@ -23,7 +23,7 @@ struct Found {
     long imaged = 0, searched = 0, not_imaged = 0;
 };
 
-/// All runs of a frame, from every pixel on, against one_ray and sight_line.
+/// Compares the runs that begin at every pixel of a frame with one_ray and sight_line.
 Found compare(const CameraParameters& parameters, const ViewFrame& view, int width, int height,
               const std::string& what)
 {
@@ -62,8 +62,8 @@ Found compare(const CameraParameters& parameters, const ViewFrame& view, int wid
     return found;
 }
 
-/// `automatic` as it is defined: closest, and accurate only where closest's check fails. Compares
-/// it with what map gives, every bit.
+/// Maps by the definition of `automatic`: closest, and accurate only where the check of closest
+/// fails. Compares the results with those of map, bit for bit.
 void compare_with_definition(const CameraParameters& parameters, const ViewFrame& view, int width,
                              int height, const std::string& what)
 {
@@ -132,8 +132,8 @@ BOOST_AUTO_TEST_CASE(a_run_is_its_pixels)
 
 BOOST_AUTO_TEST_CASE(searched_for)
 {
-    // A sheet as broad as the eye is far: at its sides many pixels are another lens's than the
-    // nearest.
+    // A sheet as wide as its distance from the eye. Near its sides, many pixels are imaged by
+    // another lens than the nearest.
     constexpr int width = 240, height = 40;
     constexpr double pitch = 10 * mm_per_inch / 300;
     for (const auto arrangement : {Arrangement::lenticular, Arrangement::square})
@@ -143,8 +143,8 @@ BOOST_AUTO_TEST_CASE(searched_for)
                 parameters.sheet = {arrangement, 1.27, 3.08, 1.6, slant, {0.1, -0.2}};
                 parameters.film.pixel_pitch = {pitch, pitch};
                 parameters.mapping = mapping;
-                // Of the size that fills an upright lens: behind a leaning one's default, which is
-                // wider, the nearest lens serves nearly every pixel.
+                // The size that fills a lens without slant. The default aperture of a slanted sheet
+                // is wider, and with it the nearest lens images nearly every pixel.
                 const double filling = *filling_width(parameters.sheet, 200,
                                                       parameters.sheet.pitch);
                 if (arrangement == Arrangement::square)
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(any_camera)
             found = compare(parameters, view, width, height, "camera " + std::to_string(trial));
             compare_with_definition(parameters, view, width, height,
                                     "camera " + std::to_string(trial));
-        } catch (const std::invalid_argument&) { // cannot be
+        } catch (const std::invalid_argument&) { // this combination is not a valid camera
             continue;
         }
         imaged += found.imaged;

@@ -39,8 +39,8 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
                 const MappedPoint closest = optics.map(point, LensMapping::closest);
                 const MappedPoint automatic = optics.map(point, LensMapping::automatic);
                 const MappedPoint accurate = optics.map(point, LensMapping::accurate);
-                // where all light is within rounding of total reflection, the reason for none is
-                // anybody's guess
+                // Where rounding decides whether light is totally reflected, the reasons for having
+                // no ray may differ.
                 const bool grazing = length(point) > 1e4 * s.aperture.distance;
                 if (farthest_lens(s, point) < 30 * s.sheet.pitch) {
                     const MappedPoint exhaustive = optics.map(point, LensMapping::exhaustive);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
             }
         }
     }
-    // it has looked at points of every kind
+    // The points tried were of every kind.
     BOOST_TEST(compared > 4 * systems);
     BOOST_TEST(imaged > 2 * systems);
     BOOST_TEST(rule > systems);
@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
 
 BOOST_AUTO_TEST_CASE(exhaustive_is_the_rule_written_down)
 {
-    // of the lenses that pass, the one nearest to the centre; of those within 1e-9 pitches of that,
-    // the preferred
+    // Of the lenses whose rays pass the aperture, the one nearest to its centre is taken; if others
+    // are within 1e-9 pitches of that, the rule for ties decides.
     Generator random(76);
     const int systems = random_sheets::count(2000, 100000);
     int imaged = 0, tied = 0;
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(exhaustive_is_the_rule_written_down)
 
 BOOST_AUTO_TEST_CASE(aperture_points_of_two_lenses_keep_apart)
 {
-    // What the searches rest on (the head of lens_mapping.cpp).
+    // The searches assume this (see the head of lens_mapping.cpp).
     Generator random(80);
     const int systems = random_sheets::count(20000, 1000000);
     int pairs = 0;
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(hostile_values_are_answered)
                         for (double extent : {0.0, 1e-3, 1.0, 1e12, infinity}) {
                             System s{{Arrangement(arrangement), 1, thickness, ior, slant, {0.5, 0}},
                                      {distance, extent, extent}};
-                            if (extent == 1) // one of them fills, the other is without limit
+                            if (extent == 1) // the width fills a lens, the height is unlimited
                                 s.aperture = {distance, s.stretch(), infinity};
                             s.aperture.shape = random.one_in(2) ? ApertureShape::ellipse
                                                                 : ApertureShape::rectangle;

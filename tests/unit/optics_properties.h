@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the tests of every lens mapping share: random sheets with their apertures, film points where
-// it is hard to decide, and when two answers are the same.
+// Shared by the tests of all lens mappings: random sheets with apertures, film points at which
+// mappings are difficult to decide, and comparisons of results.
 #ifndef TESTS_UNIT_OPTICS_PROPERTIES_H
 #define TESTS_UNIT_OPTICS_PROPERTIES_H
 
@@ -24,7 +24,7 @@ struct System {
     Aperture aperture;
     SheetOptics optics() const { return SheetOptics(sheet, aperture); }
     bool lenticular() const { return sheet.arrangement == Arrangement::lenticular; }
-    /// How much the map of offsets to aperture points stretches at least.
+    /// The least factor by which the map from lens offsets to aperture points stretches lengths.
     double stretch() const { return 1 + sheet.ior * aperture.distance / sheet.thickness; }
     double total_reflection() const
     {
@@ -39,8 +39,8 @@ inline std::ostream& operator<<(std::ostream& out, const System& s)
                << (s.aperture.shape == ApertureShape::ellipse ? ", ellipse" : "");
 }
 
-/// Apertures from a twentieth of what fills a lens to twenty times that, now and then without limit
-/// one way or both.
+/// A random system. The aperture has 1/20 to 20 times the size that fills a lens; sometimes its
+/// width, its height or both are unlimited.
 inline System random_system(Generator& random)
 {
     System s;
@@ -86,9 +86,10 @@ inline Vec2 film_point_through(const SheetOptics& optics, Vec2 pole, Vec2 apertu
                                         {way.x / length_3, way.y / length_3, -d / length_3});
 }
 
-/// Anywhere up to 1e6 lenses from the centre, as far as a search of all lenses stays small; or
-/// within 1e-8 of where a decision falls: where two lenses are equally near, where the light meets
-/// the aperture's edge, and where two lenses' aperture points are equally near to its centre.
+/// A film point up to 1e6 lenses from the centre (less if a search of all lenses would take too
+/// long), or a point within 1e-8 of a place where a decision changes: where two lenses are equally
+/// near, where the light meets the aperture's edge, or where the aperture points of two lenses are
+/// equally near to the aperture's centre.
 inline Vec2 random_film_point(Generator& random, const System& s, const SheetOptics& optics)
 {
     const double pitch = s.sheet.pitch, most = 30 * pitch;
@@ -139,7 +140,7 @@ inline Vec2 plain_film_point(Generator& random, const System& s, double lenses)
 
 inline bool equal(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
 
-/// The same lens, and bit for bit the same ray.
+/// Whether lens and ray are the same, bit for bit.
 inline bool equal(const LensRay& a, const LensRay& b)
 {
     return a.lens == b.lens && equal(a.pole, b.pole) && equal(a.aperture_point, b.aperture_point) &&
@@ -152,8 +153,8 @@ inline bool equal(const MappedPoint& a, const MappedPoint& b)
     return a.ray.has_value() == b.ray.has_value() && (!a.ray || equal(*a.ray, *b.ray));
 }
 
-/// Whether two systems make the same of corresponding film points, but for rounding: `b`'s rays,
-/// taken back by `undo`, are `a`'s.
+/// Whether two systems have the same rays for corresponding film points, except for rounding, after
+/// `undo` is applied to `b`'s rays.
 template <class Undo>
 bool alike(const MappedPoint& a, const MappedPoint& b, const System& s, Undo undo)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A lens's ray against 100-digit arithmetic: error within 16 eps kappa (1e-12 where that is
-// smaller), over the whole of optics.md section 7's ranges; and its inverse.
+// Compares a lens's ray and its inverse with 100-digit arithmetic over the ranges of optics.md
+// section 7. Errors must be within 16 eps kappa, or 1e-12 where that is smaller.
 #include "tests/unit/numerics_table.h"
 #include "tests/unit/optics_oracle.h"
 #include "tests/unit/optics_sheets.h"
@@ -36,7 +36,8 @@ Error difference(const LensRay& got, const oracle::Ray& want, Vec2 film_point, d
         film_point, distance);
 }
 
-/// What four units in the last place of the film point, and of the turn of the axes, do to the ray.
+/// The change of the ray when the film point and the rotation of the axes change by four units in
+/// the last place.
 Error sensitivity(const LensSheet& sheet, double distance, Vec2 film_point, LensIndex lens,
                   const oracle::Ray& want)
 {
@@ -93,8 +94,8 @@ void check_ray(const char* what, const LensSheet& sheet, double distance, Vec2 f
         const Error error = difference(*got, *want, film_point, distance);
         Error allowed{bound, aperture_bound};
         if (error.direction > bound || error.aperture > aperture_bound) {
-            // Worse than that is right only where rounding the film point itself does as much: next
-            // to the end of the slit's reach, which kappa does not know of.
+            // A greater error is accepted only if rounding the film point has the same effect. That
+            // is so near the end of the slit's reach, which kappa does not take into account.
             BOOST_TEST(slit);
             const Error inherent = sensitivity(sheet, distance, film_point, lens, *want);
             allowed = {bound + inherent.direction, aperture_bound + inherent.aperture};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Subpixels: hand values of stripes and cells, and the nearest one against a search of the whole
-// film.
+// Tests subpixels: values of stripes and cells worked out by hand, and the nearest subpixel, which
+// is compared with a search of the whole film.
 #include "integral/optics/subpixels.h"
 
 #include <boost/test/unit_test.hpp>
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(stripes_stand_from_left_to_right_or_from_top_to_bottom)
 
 BOOST_AUTO_TEST_CASE(which_cell_a_pixel_has)
 {
-    // rows of the top left corner's 4 x 4 pixels, written out
+    // The cells of the 4 x 4 pixels in the top left corner, row by row.
     const struct {
         CellPattern pattern;
         int number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The lenses' curved surface: the line of sight that meets it is the ray that leaves it.
+// Tests the lenses' curved surface: an eye on a ray that leaves the surface sees back along it.
 #include "integral/optics/beam.h"
 #include "integral/optics/lens_surface.h"
 
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(an_eye_on_a_ray_sees_the_film_point_that_sent_it)
         const auto met = surface.first_intersection(at_poles, slope);
         const std::string what = "trial " + std::to_string(trial);
         BOOST_REQUIRE_MESSAGE(met && met->depth <= ray->point.z + 1e-9, what);
-        if (met->depth < ray->point.z - 1e-6 * sheet.pitch) { // a neighbour's edge is in the way
+        if (met->depth < ray->point.z - 1e-6 * sheet.pitch) { // the edge of a neighbour hides it
             ++hidden;
             continue;
         }

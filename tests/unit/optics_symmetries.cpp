@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What holds of every lens mapping, over random sheets of optics.md section 7's ranges: mirrored
-// and turned sheets, other scales, and the order of lenses and of the aperture points.
+// Tests symmetries of every lens mapping with random sheets in the ranges of optics.md section 7:
+// mirrored and rotated sheets, other scales, and the order of lenses and of aperture points.
 #include "integral/optics/camera.h"
 #include "tests/unit/optics_properties.h"
 
@@ -175,14 +175,14 @@ BOOST_AUTO_TEST_CASE(scene_and_units_scale_together)
 
 BOOST_AUTO_TEST_CASE(aperture_points_move_against_the_film_point)
 {
-    // A goes one way along a line when the film point goes the other way: through one lens, as far
-    // as its light leaves.
+    // When the film point moves along a line, the aperture point A moves the opposite way, as long
+    // as the same lens sends its light out.
     Generator random(83);
     const int systems = random_sheets::count(2000, 200000);
     for (int k = 0; k < systems; ++k) {
         System s = random_system(random);
         if (s.lenticular())
-            s.sheet.slant = 0; // beyond that, not where refraction is strong
+            s.sheet.slant = 0; // for slanted slits it need not hold where refraction is strong
         const SheetOptics optics = s.optics();
         const LensIndex lens = optics.lattice().nearest(plain_film_point(random, s, 100));
         const Vec2 pole = optics.lattice().pole(lens);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Words on a page have the size that they should have, whatever the device's pixels.
+// Tests that text on a page has the right size, whatever the size and shape of the device's pixels.
 #include "integral/output/device_text.h"
 
 #include <boost/test/unit_test.hpp>
@@ -14,7 +14,7 @@ BOOST_AUTO_TEST_SUITE(output_device_text)
 
 namespace {
 
-/// mm of what is darker than half, from the left and top edges.
+/// The box around all pixels that are darker than half, mm from the left and top edges.
 struct Extent {
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
 };

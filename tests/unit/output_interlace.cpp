@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Interlacing, subpixel by subpixel, against its definition in double precision.
+// Compares interlaced images, subpixel by subpixel, with the definition in double precision.
 #include "integral/output/interlace.h"
 #include "integral/output/interlace_rows.h"
 #include "integral/replay/perspective_views.h"
@@ -37,7 +37,8 @@ LookingGlassCalibration calibration(int width, int height)
     return c;
 }
 
-/// Displays of every kind: either lean, flipped, inverted or not, and cells in each pattern.
+/// Displays of every kind: slanted to either side, flipped or not, inverted or not, and with each
+/// pattern of cells.
 std::vector<LookingGlassCalibration> displays()
 {
     std::vector<LookingGlassCalibration> all;
@@ -69,8 +70,8 @@ double between(double at, double& weight, int count)
     return left;
 }
 
-/// What a panel's subpixel shows, in double precision, of views in a function of their number and
-/// pixel.
+/// The value that a subpixel of a panel shows, computed in double precision. A function gives the
+/// views' values by view number and pixel.
 template <class Value>
 double shown(double view, double x, double y, int count, int width, int height, Blend blend,
              Value value)
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
         for (const ViewGrid grid : {ViewGrid{5, 3}, ViewGrid{1, 1}})
             for (const Blend& blend : blends) {
                 const int width = c.width / 3 + 1,
-                          height = c.height / 2 + 1; // a quilt with a rest at its right and top
+                          height = c.height / 2 + 1; // leaves unused pixels at the right and top
                 const Image quilt = noise<std::uint8_t>(
                     grid.columns * width + (grid.columns > 1 ? 2 : 0),
                     grid.rows * height + (grid.rows > 1 ? 1 : 0), 3);
@@ -154,7 +155,7 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
                             const double edge = view * grid.count() -
                                                 std::round(view * grid.count());
                             if (blend.views == Neighbours::nearest && std::fabs(edge) < 1e-6)
-                                continue; // on the border of two views either is right
+                                continue; // on the border between two views, either is right
                             const double x = (c.flip_x ? c.width - column - 0.5 : column + 0.5) /
                                              c.width;
                             const double y = (c.flip_y ? c.height - row - 0.5 : row + 0.5) /
@@ -192,8 +193,8 @@ std::uint64_t between(std::uint64_t a, std::uint64_t b, Step step)
     return a * (256 - weight_of(step)) + b * weight_of(step);
 }
 
-/// The image of views on one line, 8 bits, in whole numbers: what the interlacer, whichever loops
-/// it takes, must give to the bit.
+/// The image of views in one row, 8 bits a sample, computed with integers. The interlacer must give
+/// exactly this, whichever of its loops it uses.
 std::vector<std::uint8_t> image_in_whole_numbers(const ViewPictures& views,
                                                  const PanelMapping& mapping, Blend blend)
 {
@@ -281,7 +282,7 @@ BOOST_AUTO_TEST_CASE(all_loops_give_the_same_bits)
     }
 }
 
-/// Lenses of every kind: upright, slanted and lying, whole and partly dark.
+/// Lenses of every kind: vertical, slanted and horizontal, filled and partly dark.
 std::vector<FrameMetadata> lens_panels()
 {
     std::vector<FrameMetadata> all;
@@ -423,7 +424,8 @@ BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
                 const bool round = arrangement != Arrangement::lenticular;
                 const ViewGrid grid{5, round ? 4 : 1};
                 const EyeGrid eyes{{m.aperture.width, m.aperture.height}, 400};
-                std::vector<Image> views; // smooth, as 16 bits of place tell little of noise
+                std::vector<Image> views; // smooth, because 16 bits of position are too few for
+                                          // noise
                 for (int k = 0; k < grid.count(); ++k) {
                     Image view = make_image<std::uint16_t>(33, 21, 3, linear);
                     for (int y = 0; y < view.height; ++y)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Calibration files: every field, in every form, and the mapping against the published formula in
-// single precision.
+// Tests calibration files, with every field in every form, and compares the mapping with the
+// published formula in single precision.
 #include "integral/output/panel.h"
 
 #include "tests/unit/looking_glass_devices.h"
@@ -52,9 +52,9 @@ void check_equal(const LookingGlassCalibration& a, const LookingGlassCalibration
     BOOST_TEST(same_layout(a.cells, b.cells));
 }
 
-/// The published formula for a colour of a pixel, as a shader evaluates it: in single precision,
-/// rows from the bottom. Flips are those of the makers' shader for Unity, whose text takes x at 1 -
-/// x and negates tilt and subpixel step; invView is not in it.
+/// The published formula for a colour of a pixel, evaluated as a shader does: in single precision,
+/// with rows counted from the bottom. Flips are taken from the maker's shader for Unity, which
+/// replaces x by 1 - x and negates tilt and subpixel step. The formula does not use invView.
 float shader_view(const Device& device, const Flips& flips, int column, int row, int channel)
 {
     const float w = device.width, h = device.height;
@@ -118,11 +118,12 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
     const char nested[] =
         R"({"configVersion": "3.0", "serial": "LKG-X1", "pitch": {"value": 44.5}, "slope": {"value": -6.9},
         "center": {"value": 0.25}, "fringe": {"value": 0.5}, "viewCone": {"value": 51}, "invView": {"value": 0.0},
-        "verticalAngle": {"value": 3}, "DPI": {"value": 283.0}, "screenW": {"value": 2160.0}, "screenH": {"value": 3840.0},
+        "verticalAngle": {"value": 3}, "DPI": {"value": 283.0},
+        "screenW": {"value": 2160.0}, "screenH": {"value": 3840.0},
         "flipImageX": {"value": 1.0}, "flipImageY": {"value": 1.0}, "flipSubp": {"value": 1}, "subpixelCells": []})";
     check_equal(calibration_in(nested), calibration);
 
-    // What the makers' programs wrap around it
+    // The calibration inside the document that the maker's programs write.
     const std::string text = nested;
     check_equal(
         calibration_in(
@@ -144,7 +145,8 @@ BOOST_AUTO_TEST_CASE(reads_every_field)
 BOOST_AUTO_TEST_CASE(fields_that_older_files_lack)
 {
     const LookingGlassCalibration calibration = calibration_in(
-        R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, "screenH": 1600, "viewCone": null})");
+        R"({"pitch": 49.8, "slope": 5.4, "center": 0, "DPI": 338, "screenW": 2560, )"
+        R"("screenH": 1600, "viewCone": null})");
     check_equal(calibration, [] {
         LookingGlassCalibration expected;
         expected.pitch = 49.8, expected.slope = 5.4, expected.dpi = 338, expected.width = 2560,
@@ -222,8 +224,8 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
     const std::string deep = std::string(60000, '[') + "{}" + std::string(60000, ']');
     BOOST_TEST(refusal("[" + deep + "]") ==
                "line 1: objects and lists are nested more than 64 deep; nest them less");
-    BOOST_TEST(refusal("[\"" + deep + "\"]") == refusal("[]")); // a text that is no document is a
-                                                                // text
+    // A string that is no JSON document is taken as an ordinary string.
+    BOOST_TEST(refusal("[\"" + deep + "\"]") == refusal("[]"));
     BOOST_TEST(refusal(with("\"center\"", "\"centre\"")) == "center is missing");
     BOOST_TEST(refusal(with("\"DPI\": {\"value\"", "\"DPI\": {\"worth\"")) ==
                "DPI.value is missing");
@@ -247,8 +249,8 @@ BOOST_AUTO_TEST_CASE(refuses_by_the_name_of_the_field)
 
 BOOST_AUTO_TEST_CASE(inv_view_is_told_and_changes_nothing)
 {
-    // A display of the third generation, LKG-J00133, has invView 0. The makers' shaders do not read
-    // it.
+    // LKG-J00133, a display of the third generation, has invView 0, which the maker's shaders
+    // ignore.
     for (const Device& device : devices()) {
         const LookingGlassCalibration plain = calibration_in(file_of(device, {})),
                                       with_0 = calibration_in(
@@ -269,7 +271,7 @@ BOOST_AUTO_TEST_CASE(inv_view_is_told_and_changes_nothing)
 
 BOOST_AUTO_TEST_CASE(hand_values)
 {
-    // Two micro-images across the picture, upright: at a twentieth of it the phase is a tenth.
+    // Two vertical micro-images across the picture: at 1/20 of its width, the phase is 1/10.
     LookingGlassCalibration calibration;
     calibration.pitch = 2, calibration.slope = 1e9, calibration.dpi = 10,
     calibration.width = calibration.height = 10;
@@ -297,7 +299,7 @@ BOOST_AUTO_TEST_CASE(hand_values)
     calibration.cells.number = 1;
     calibration.cells.cell[0][1] = {-0.25, 0.5};
     BOOST_TEST(view_of_subpixel(calibration, 3, 8, 1) == 1 - (0.325 + 0.2) * std::sqrt(2), near);
-    // View 0 and view 1 are the same place: the rightmost.
+    // View 0 and view 1 have the same position, the rightmost.
     calibration = {};
     calibration.pitch = 1, calibration.slope = 1e9, calibration.dpi = 1,
     calibration.width = calibration.height = 2, calibration.center = 0.5;
@@ -315,8 +317,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_shader)
             const Flips flips{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
             const LookingGlassCalibration calibration = calibration_in(file_of(device, flips));
             check_equal(looking_glass_from_json(json_of(calibration)), calibration);
-            // What single precision leaves of the phase, whose largest part is pitch (u + v tilt):
-            // some eight roundings
+            // The rounding error of the phase in single precision: its largest part is pitch
+            // (u + v tilt), with about eight roundings.
             const double phases = device.pitch * device.width / device.dpi *
                                   (1 +
                                    2 * std::fabs(device.height / (device.width * device.slope)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Frames on paper: where the picture, its tiles and its marks come, by hand values and formulas of
-// their own.
+// Tests the layout of frames on paper: positions of the picture, its tiles and its marks, compared
+// with values worked out by hand and with independent formulas.
 #include "integral/output/colour_profile.h"
 #include "integral/output/page_marks.h"
 #include "integral/output/page_raster.h"
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_picture_comes_to_the_middle_and_its_lens_to_it)
     const auto page = lay_out(m, m.film.pixel_pitch, on(101.6, 152.4))[0];
     BOOST_TEST(page.width == 1200);
     BOOST_TEST(page.height == 1800);
-    // 0.3 mm are 3.54 pixels: the axis is so far to the right of the picture's middle
+    // 0.3 mm are 3.54 pixels: the distance of the axis to the right of the picture's middle.
     BOOST_TEST(page.x == 300 - 4);
     BOOST_TEST(page.y == 700);
     PageRequest request = on(101.6, 152.4);
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(registration_marks_stand_beyond_axis_marks)
     const auto page = lay_out(m, m.film.pixel_pitch, axes)[0],
                all = lay_out(m, m.film.pixel_pitch, both)[0];
     const double pixel = 25.4 / 300;
-    const auto outside = [&](Vec2 p) { // how far from the picture
+    const auto outside = [&](Vec2 p) { // the distance of a point from the picture
         return std::max({all.x * pixel - p.x, p.x - (all.x + 600) * pixel, all.y * pixel - p.y,
                          p.y - (all.y + 400) * pixel});
     };
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(quilts_name_their_views)
 
 BOOST_AUTO_TEST_CASE(lengths_that_no_page_has_are_refused)
 {
-    // Found by tests/sanitized/fuzz.test: a frame's file may say such films and lenses.
+    // Found by tests/sanitized/fuzz.test: a frame's file may contain such films and lenses.
     const auto refusal = [](const FrameMetadata& m, const PageRequest& request) -> std::string {
         try {
             lay_out(m, m.film.pixel_pitch, request);

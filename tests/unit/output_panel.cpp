@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Panels: descriptions, and that a frame which our optics render for a display is what its maker's
-// mapping makes of views.
+// Tests panels: their descriptions, and that our optics and the maker's mapping send the subpixels
+// of a display to the same views.
 #include "integral/output/panel.h"
 
 #include "integral/lightfield/camera_words.h"
@@ -33,7 +33,8 @@ std::string refusal(const std::string& text)
 }
 
 const char own[] =
-    R"({"panel": {"name": "mine", "width": 1920, "height": 1080, "pixel_pitch_mm": 0.25, "subpixels": "bgr", "mirrored": "x"},)"
+    R"({"panel": {"name": "mine", "width": 1920, "height": 1080, "pixel_pitch_mm": 0.25, )"
+    R"("subpixels": "bgr", "mirrored": "x"},)"
     R"( "sheet": {"arrangement": "lenticular", "pitch_mm": 1.5, "thickness_mm": 4, "ior": 1.6, "slant_degrees": 9.5,)"
     R"( "offset_mm": [0.25, 0]}, "viewing_distance_mm": 800})";
 
@@ -44,9 +45,10 @@ std::string with(const std::string& old_text, const std::string& new_text)
     return text.replace(text.find(old_text), old_text.size(), new_text);
 }
 
-/// The largest difference, in views' whole span, between where our optics send subpixels and the
-/// published mapping: of some hundred pixels about a place of the film as its viewer sees it, in
-/// fractions of its sides. `of_all`: how many were compared.
+/// The largest difference between the directions of subpixels by our optics and by the published
+/// mapping, as a fraction of the span of all views. Compares some hundred pixels around `place`,
+/// which is in fractions of the film's width and height as the viewer sees it. Adds the number of
+/// those compared to `of_all`.
 double difference_at(const Panel& panel, Vec2 place, int& of_all)
 {
     const SheetOptics optics(panel.sheet, panel.aperture);
@@ -63,7 +65,7 @@ double difference_at(const Panel& panel, Vec2 place, int& of_all)
                     panel.film, subpixel_centre(panel.film.subpixels, column, row, channel));
                 const MappedPoint mapped = optics.map(point, LensMapping::automatic);
                 if (!mapped.ray)
-                    continue; // of the dark gaps between zones
+                    continue; // in a dark gap between zones
                 ++of_all;
                 const double ours = 0.5 + mapped.ray->aperture_point.x / zone;
                 double difference = ours - view_of_subpixel(
@@ -258,10 +260,10 @@ BOOST_AUTO_TEST_CASE(known_panels_are_what_they_are_made_of)
                boost::test_tools::tolerance(1e-9));
 }
 
-// The mapping is linear over the zone and over the panel, and refraction is not: at the middle of
-// the panel they differ by up to 1.3% of the views' span, at a corner, whose lenses send their
-// light askew, by up to 4.5%. Lenses that send theirs nearly straight ahead, by a cone of one
-// degree from a hundred times as far, leave nothing of it.
+// The published mapping is linear over the zone and over the panel, but refraction is not. At the
+// middle of the panel they differ by up to 1.3% of the views' span; at a corner, where light leaves
+// obliquely, by up to 4.5%. With a cone of one degree and a hundred times the distance, light
+// leaves nearly straight ahead, and the difference vanishes.
 BOOST_AUTO_TEST_CASE(our_optics_and_the_published_mapping_agree)
 {
     double middle = 0, corner = 0, straight = 0;
@@ -334,8 +336,8 @@ static std::string file_of_project(const char* name)
     return text.str();
 }
 
-// include/integral.inc has a macro, the pixels, the width and the distance of every panel, by the
-// same figures.
+// For every panel, include/integral.inc has a macro and the panel's pixels, width and distance. The
+// figures must be the same.
 BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
 {
     const std::string include = file_of_project("include/integral.inc");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pitch charts, measured in the raster by their Fourier components, and read by an eye that sees
-// them replayed.
+// Tests pitch charts: measures Fourier components of the drawn pictures, and reads replayed charts
+// as an eye would.
 #include "integral/output/pitch_chart.h"
 #include "tests/unit/replay_frames.h"
 
@@ -45,7 +45,7 @@ std::vector<PitchChart> some_charts()
         chart_of(Arrangement::hexagonal, 1.27, 0, {300, 400}, {297, 210}, {1.262, 0.002, 15})};
 }
 
-/// Place of a pixel's centre on the film, mm, y upwards: a formula of the test's own.
+/// Position of a pixel's centre on the film, mm, y upwards; does not use the library's formula.
 Vec2 place_of(const Film& film, int x, int y)
 {
     return {(2 * x + 1 - film.width) * film.pixel_pitch.x / 2,
@@ -54,11 +54,11 @@ Vec2 place_of(const Film& film, int x, int y)
 
 struct Component {
     double phase;  ///< periods by which the lines are farther along the wave than they should be
-    double middle; ///< of what it was measured in, pixels along the bar
+    double middle; ///< the middle of the part that was measured, pixels along the bar
 };
 
-/// The stated component of a bar's half, in linear light, within [from, to] of its length and all
-/// of its thickness.
+/// The Fourier component of a bar's half at its stated period, in linear light, over [from, to] of
+/// its length and over its whole thickness.
 Component component(const PitchChart& chart, const ChartBar& bar, const Image& image, bool second,
                     double from, double to)
 {
@@ -68,7 +68,7 @@ Component component(const PitchChart& chart, const ChartBar& bar, const Image& i
     const int first = second ? thickness / 2 : 0, last = second ? thickness : thickness / 2;
     std::complex<double> sum = 0;
     for (int along = begin; along < end; ++along) {
-        // Blackman and Harris's window: what is not at this frequency leaks by less than 1e-4.
+        // With the Blackman-Harris window, other frequencies contribute less than 1e-4.
         const double u = 2 * pi * (along - begin + 0.5) / (end - begin);
         const double window = 0.35875 - 0.48829 * std::cos(u) + 0.14128 * std::cos(2 * u) -
                               0.01168 * std::cos(3 * u);
@@ -243,8 +243,8 @@ BOOST_AUTO_TEST_CASE(charts_that_have_no_room_are_refused)
 
 namespace {
 
-/// How uneven each bar of a replayed page is: the variance along it of the light of its halves,
-/// smoothed over three lenses.
+/// The unevenness of each bar of a replayed page: the variance of light along its halves, smoothed
+/// over three lenses.
 std::vector<double> unevenness(const PitchChart& chart, const std::vector<ChartBar>& bars,
                                const Image& view)
 {
@@ -287,8 +287,9 @@ std::vector<double> unevenness(const PitchChart& chart, const std::vector<ChartB
     return result;
 }
 
-/// The bar (of one direction) that is most even for an eye on the axis while the sheet is moved by
-/// a lens in `steps`: an odd number, as the second halves, a quarter on, then show other phases.
+/// The bar of one direction that looks most even to an eye on the axis, while the sheet is moved by
+/// one lens pitch in `steps` steps. Their number is odd, so that a bar's second half, which is
+/// shifted by a quarter of a period, shows other phases than its first.
 int most_even(const PitchChart& chart, const LensSheet& truth, double distance, int direction,
               int steps)
 {

@@ -15,15 +15,15 @@ BOOST_AUTO_TEST_SUITE(output_pitch_wizard)
 
 namespace {
 
-/// What an eye on the axis needs the lines' pitch to be: where Snell's law leads its sight through
-/// the middle lens and through one close beside it.
+/// The pitch of lines that looks even to an eye on the axis: the distance between the film points
+/// that the eye sees, by Snell's law, through the middle lens and through one close to it.
 double even_pitch(const LensSheet& sheet, double distance)
 {
     const Vec2 beside{1e-4, 0};
     return sheet.pitch * film_point(sheet, beside, beside, {0, 0, distance}).x / beside.x;
 }
 
-/// The bar nearest to a pitch, or the two neighbours of one that is about in their middle.
+/// The reading for a pitch: the nearest bar, or two neighbouring bars if it is about half-way.
 ChartReading reading_of(const PitchScale& scale, double pitch, double distance)
 {
     const double place = 1 + (pitch - scale.first) / scale.step, low = std::floor(place);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(one_reading_gives_the_pitch)
 
 BOOST_AUTO_TEST_CASE(readings_from_two_distances_give_pitch_and_index_of_a_fine_chart)
 {
-    // A scale so fine that readings are exact: what comes back is the sheet itself.
+    // With so fine a scale readings are exact, and the result is the sheet itself.
     std::mt19937 random(8);
     const auto between = [&](double a, double b) {
         return std::uniform_real_distribution<double>(a, b)(random);

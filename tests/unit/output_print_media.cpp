@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which medium a page fits, and where on it: the figures are those of Gutenprint's drivers.
+// Tests which medium a page fits, and the page's position on it. The media are those of
+// Gutenprint's drivers.
 #include "integral/output/print_media.h"
 #include "integral/output/spool.h"
 
@@ -18,7 +19,8 @@ PrintMedium medium(const char* name, const char* label, SizeMm sheet, SizeMm pri
     return {name, label, sheet, printable, {}};
 }
 
-/// A DNP DS620's: 2x6 and 4x6 have one sheet, and 4x6 and 2x6*2 have one printable area.
+/// Media of a DNP DS620: 2x6 and 4x6 have the same sheet; 4x6 and 2x6*2 have the same printable
+/// area.
 const std::vector<PrintMedium> ds620 = {
     medium("B7", "3.5x5", {92.12, 162.56}, {92.12, 131.06}),
     medium("w144h432", "2x6", {104.99, 162.56}, {52.49, 156.13}),
@@ -119,8 +121,8 @@ BOOST_AUTO_TEST_CASE(centres)
     BOOST_TEST(samples(*centred_page(page, 5, 3)) == samples(page),
                boost::test_tools::per_element());
 
-    // Smaller areas cut white margins off, and nothing else: back to the page, from any size that
-    // had it in the middle.
+    // For smaller areas, only white margins are cut off: from any larger page with this one in its
+    // middle, the same page results.
     for (int width : {5, 7, 9})
         for (int height : {3, 5, 7})
             BOOST_TEST(samples(*centred_page(*centred_page(page, width, height), 5, 3)) ==

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What is shown on displays and what is refused, and pictures decoded ahead. The displays
-// themselves: tests/cli/lcd_show.test.
+// Tests which pictures a display shows and which are refused, and pictures decoded ahead of time.
+// tests/cli/lcd_show.test uses real displays.
 #include "integral/base/file_bytes.h"
 #include "integral/output/screen_picture.h"
 #include "integral/output/screens.h"
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(what_scales_is_found)
 {
     BOOST_TEST(why_scaled(panel()) == "");
     XOutput output = panel();
-    output.preferred_width = output.preferred_height = 0; // it has not told
+    output.preferred_width = output.preferred_height = 0; // native resolution unknown
     BOOST_TEST(why_scaled(output) == "");
     output = panel();
     output.transformed = true;
@@ -180,8 +180,8 @@ BOOST_AUTO_TEST_CASE(late_pictures_are_skipped)
     BOOST_TEST(!pictures.take(2));
     wait_for([&] { return pictures.is_full(); });
     const int before = loads;
-    auto ready = pictures.take(500); // the newest that there is, and nothing older than 500 is
-                                     // begun
+    // Takes the newest that is ready; from now on, nothing older than 500 is decoded.
+    auto ready = pictures.take(500);
     BOOST_REQUIRE(ready);
     BOOST_TEST(ready->number < 10);
     wait_for([&] { return (ready = pictures.take(500)).has_value(); });

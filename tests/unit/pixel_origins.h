@@ -53,9 +53,9 @@ inline std::vector<PixelRay> random_rays_at(const PixelSampler& sampler, Vec2 ce
     return rays;
 }
 
-/// Where a ray comes from, by the inverse of the lens: in pixels from the pixel's centre, in
-/// pitches from the pole (across and along the lattice's rows), and the slit's height that it
-/// passes.
+/// The origin of a ray, found by the inverse of the lens model: its film point in pixels from the
+/// pixel's centre, its lens point in pitches from the pole (across and along the lattice's rows),
+/// and the height at which it passes the slit.
 struct Origin {
     Vec2 film, lens;
     double slit;
@@ -101,7 +101,7 @@ inline std::vector<Origin> origins(const IntegralCamera& camera, Vec2 centre,
     return list;
 }
 
-/// Whether the four corners of a pixel image something, through one lens.
+/// Whether all four corners of a pixel image something through the same lens.
 inline bool whole(const IntegralCamera& camera, Vec2 centre)
 {
     const MappedPoint middle = camera.optics.map(film_from_pixel(camera.film, centre),

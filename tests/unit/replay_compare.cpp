@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The figures of comparisons, against values worked out by hand.
+// Checks the figures of comparisons against values worked out by hand.
 #include "integral/compare/compare.h"
 #include "integral/compare/similarity.h"
 

@@ -11,8 +11,8 @@ BOOST_AUTO_TEST_SUITE(replay_eyes)
 
 namespace {
 
-/// Judges each pixel of a view of frame_of_places by the film point that `expected(q, pole)` gives
-/// for its point of the sheet.
+/// Checks each pixel of a view of frame_of_places: it must show the film point that
+/// expected(q, pole) gives for the pixel's point q of the sheet.
 template <class Expected> void judge(const FrameMetadata& m, const View& view, Expected expected)
 {
     const auto image = replay(frame_of_places(m), view);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The interactive page's parts. What it shows is for tests/cli/replay_html.test, in a browser.
+// Tests the parts of the interactive page. tests/cli/replay_html.test shows the page in a browser.
 #include "integral/io/codecs.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/replay_page.h"
@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_SUITE(replay_pages)
 
 namespace {
 
-/// What stands between two texts of the page.
+/// The part of the page between two texts.
 std::string between(const std::string& page, const std::string& before, const std::string& after)
 {
     const auto from = page.find(before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Parallel views: frames of known light fields, and back.
+// Tests parallel views: their conversion from frames of known light fields, and back.
 #include "integral/replay/parallel_views.h"
 
 #include "integral/lightfield/image.h"
@@ -100,9 +100,9 @@ BOOST_AUTO_TEST_CASE(the_thesis_s_15_views_are_every_fifteenth_pixel)
 
 BOOST_AUTO_TEST_CASE(a_view_is_what_a_far_eye_sees)
 {
-    // Each film pixel holds its own place. A view holds, for each lens, the place behind it that an
-    // eye endlessly far away in that direction sees: the middle of the direction's part of the
-    // lens, and far from the film's edge nothing else.
+    // The colour of each film pixel is its own position. A view has, for each lens, the position
+    // behind it that an eye at an infinite distance in the view's direction sees. Far from the
+    // film's edge, that is the middle of the direction's part of the lens.
     for (const Arrangement arrangement :
          {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
         for (const double slant : {0.0, 9.46, -30.0}) {
@@ -237,8 +237,8 @@ BOOST_AUTO_TEST_CASE(far_eyes_see_the_parallel_views_upright)
 
 BOOST_AUTO_TEST_CASE(fractional_pixels_a_lens_come_back_nearly)
 {
-    // A smooth light field: what there and back costs, where nothing is whole. Finer views cost
-    // less.
+    // The error of converting a smooth light field to views and back, where lenses and pixels do
+    // not coincide. Finer views have smaller errors.
     for (const Arrangement arrangement :
          {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
         for (const double slant : {0.0, 9.46}) {
@@ -286,9 +286,10 @@ BOOST_AUTO_TEST_CASE(fractional_pixels_a_lens_come_back_nearly)
 
 BOOST_AUTO_TEST_CASE(stripes_have_directions_of_their_own)
 {
-    // Each channel of each pixel holds its stripe's place across its lens. A view of a film of
-    // subpixels has one colour, the direction's own; and back, each stripe has its place again.
-    // Taken for pixels, red and blue come out a third of a pixel off.
+    // The value of each channel of each pixel is the position of its stripe across the lens. A view
+    // of a film with subpixels then has one grey, given by its direction. Converted back, each
+    // stripe has its position again. If subpixels are ignored, red and blue are wrong by a third of
+    // a pixel.
     for (const Subpixels order : {Subpixels::rgb, Subpixels::bgr}) {
         FrameMetadata m = geometry(Arrangement::lenticular, 1.27, 9.46, {0.1, 0}, 240, 120,
                                    {0.207, 0.207});

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(paths_by_hand)
     is_at(eyes[3], 10, -5 - 48, 300);
     is_at(eye_path(EyePath::circle, middle, zone, 20, 4)[1], 10, -5 + 6, 300);
 
-    // Around a zone that is a point: round where a span is given, else nowhere.
+    // A zone that is a point: a circle if a span is given, otherwise no movement.
     is_at(eye_path(EyePath::circle, middle, {0, 0}, 20, 4)[1], 10, -5 + 10, 300);
     is_at(eye_path(EyePath::circle, middle, {0, 0}, {}, 4)[1], 10, -5, 300);
 
@@ -130,8 +130,9 @@ BOOST_AUTO_TEST_CASE(blur_shows_the_part_of_its_spot_that_is_lit)
 
 BOOST_AUTO_TEST_CASE(spot_and_pupil_are_spread_independently)
 {
-    // A film that is a product of two ramps, one seen through each: were the spot's points tied to
-    // the pupil's, their product would not be that of the means.
+    // The film is a product of two ramps, one for the spot and one for the pupil. If the points of
+    // the spot depended on those of the pupil, the mean of the product would not be the product of
+    // the means.
     FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 2000, 2000, 0.002);
     m.film.pixel_pitch.y = 0.002;
     Frame frame{make_image<float>(m.film.width, m.film.height, 3, linear), {}};
@@ -166,8 +167,8 @@ BOOST_AUTO_TEST_CASE(spot_and_pupil_are_spread_independently)
 
 BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
 {
-    // Light that is linear in the place where a line meets the plane at depth z: linear in eye and
-    // sheet, so that views hold all of it.
+    // Light is a linear function of the point where a line meets the plane at depth z. It is then
+    // linear in the positions of eye and sheet point, so that interpolation of views is exact.
     constexpr double z = 40;
     const EyeGrid eyes{{180, 140}, 280};
     for (const Case& c : cases)
@@ -197,8 +198,8 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
             for (int y = 4; y < m.film.height - 4; ++y)
                 for (int x = 4; x < m.film.width - 4; ++x)
                     for (int channel = 0; channel < 3; ++channel) {
-                        // The ray by Snell's law in angles; behind lenticular lenses the height on
-                        // the axis is the slit's affair.
+                        // The ray by Snell's law with angles. For lenticular lenses the slit
+                        // decides the height at which light leaves.
                         const double shift = subpixels == Subpixels::none ? 0 : (1 - channel) / 3.0;
                         const Vec2 f = film_from_pixel(m.film, {x + 0.5 + shift, y + 0.5});
                         double margin;

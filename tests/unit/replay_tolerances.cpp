@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The tolerances of a suite: the document, which entries a name gets, and limits against figures;
-// geometry compared.
+// Tests the tolerances of a suite (the document, the entries that apply to a name, and the check of
+// figures against limits), and the comparison of geometry.
 #include "integral/compare/compare_geometry.h"
 #include "integral/compare/tolerances.h"
 
@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_SUITE(replay_tolerances)
 
 namespace {
 
-enum { rmse, psnr, ssim, difference, micro_image }; // as limit_kinds has them
+enum { rmse, psnr, ssim, difference, micro_image }; // the order of limit_kinds
 
 std::string refusal(const std::string& text)
 {
@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(figures_against_limits)
     figures.largest_difference = std::nan("");
     Limits limits;
     BOOST_TEST(missed_limits(limits, figures).empty());
-    limits = {0.2, 1e6, 0.5, std::nullopt, 0}; // what is at its limit keeps it; there is no
-                                               // micro-image
+    // A figure equal to its limit is accepted, and so is a limit for a figure that does not exist.
+    limits = {0.2, 1e6, 0.5, std::nullopt, 0};
     BOOST_TEST(missed_limits(limits, figures).empty());
     limits = {0.19, 40, 0.51, 1, 0.1};
     figures.worst = WorstMicroImage{{}, {}, 0.11};
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(geometry)
     other.render->pseudoscopic = true;
     BOOST_TEST(geometry_difference(reference, other) ==
                "render.pseudoscopic is there, its reference has none");
-    other.render.reset(); // then nothing is known of it
+    other.render.reset(); // what is unknown is not compared
     BOOST_TEST(geometry_difference(reference, other) == "");
     other.film.pixel_pitch.y = 0.2;
     BOOST_TEST(geometry_difference(reference, other) ==

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Replay of frames whose view is known in closed form, by formulas of their own.
+// Compares replayed views with views known in closed form, by independent formulas.
 #include "tests/unit/replay_frames.h"
 
 #include <boost/test/unit_test.hpp>
@@ -52,9 +52,9 @@ BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
 
 BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stripe)
 {
-    // Each channel of a film pixel holds the place of its own stripe's centre, in pixels. What the
-    // eye sees of each is within half a pixel of the film point behind the lens, and within a whole
-    // one if the stripes are taken for pixels.
+    // The value of each channel of a film pixel is the position of its stripe's centre, in pixels.
+    // What the eye sees is within half a pixel of the film point behind the lens, or within one
+    // pixel if the stripes are ignored.
     for (const Subpixels order : {Subpixels::rgb, Subpixels::bgr})
         for (const Case& c : cases) {
             FrameMetadata m = geometry(c, 300, 200, 0.05);
@@ -100,8 +100,8 @@ BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stri
 
 namespace {
 
-/// Where the bar's two edges are seen on average, mm on the sheet: what light each channel has to
-/// the left and to the right of the bar's middle.
+/// The mean positions of the bar's two edges, mm on the sheet, found from the light that each
+/// channel has to the left and to the right of the bar's middle.
 struct Edges {
     double left[3], right[3];
 };
@@ -134,8 +134,8 @@ Edges edges_of(const Frame& frame, Eye eye)
 
 BOOST_AUTO_TEST_CASE(a_white_bar_on_a_film_of_subpixels_has_no_coloured_edges)
 {
-    // A panel of 0.207 mm pixels under slanted lenses, a white bar 20 mm behind the sheet. Taken
-    // for pixels, the stripes' channels would be seen z/t n times a third of a pixel apart.
+    // A panel of 0.207 mm pixels under slanted lenses, and a white bar 20 mm behind the sheet. If
+    // the stripes were ignored, channels would be seen z/(t n) times a third of a pixel apart.
     FrameMetadata m;
     m.sheet = {Arrangement::lenticular, 1.27, 3.08, 1.6, 9.46, {}};
     m.film = {480, 300, {0.207, 0.207}, Subpixels::rgb};
@@ -163,8 +163,8 @@ BOOST_AUTO_TEST_CASE(a_white_bar_on_a_film_of_subpixels_has_no_coloured_edges)
 
 BOOST_AUTO_TEST_CASE(subpixels_at_the_film_s_edge_and_alpha)
 {
-    // White to the film's very edge, every other column transparent; under one wide lens the eye
-    // sees the film plainly.
+    // The film is white up to its edge, with every other column transparent. One wide lens covers
+    // it, so that the eye sees all of it.
     FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 30, 20, 0.01);
     m.sheet.pitch = 10;
     m.sheet.thickness = 30;

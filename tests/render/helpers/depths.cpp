@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Reads depth frames for the tests of the renderer, with OpenEXR alone.
 //
-// depths count FILE                  prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without,
-// EMPTY" depths range FILE                  prints the least and the greatest depth of a surface,
-// mm depths near FILE ORACLE MASK LOW HIGH TOLERANCE FRACTION  the frame ORACLE shows depths: green
-// is 0 at LOW mm and 1 at HIGH,
-//                                    red 1 where there is no surface, in linear light. Of the
-//                                    pixels that MASK calls imaged (1), at least FRACTION have that
-//                                    depth in FILE, within TOLERANCE mm; the others are empty
+// depths count FILE    prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without, EMPTY"
+// depths range FILE    prints the least and the greatest depth of a surface, mm
+// depths near FILE ORACLE MASK LOW HIGH TOLERANCE FRACTION
+//                      compares with the frame ORACLE, whose colours show depths in linear light:
+//                      green is 0 at LOW mm and 1 at HIGH; red is 1 where there is no surface. Of
+//                      the pixels that MASK calls imaged (1), at least FRACTION must have that
+//                      depth in FILE, within TOLERANCE mm. The other pixels must be empty.
 // Exit status: 0 yes, 1 no, 2 unreadable or wrong usage.
 #include "tests/render/helpers/frames.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Compares PNG frames for the tests of the renderer, with libpng alone. Here is what it is told to
-// do:
+// Compares PNG frames for the tests of the renderer, with libpng alone. Its command lines:
 //
 // frames info A            prints "WIDTHxHEIGHT BITS CHANNELS"
 // frames same A B          every pixel is equal (as 16-bit RGBA); prints how many are not
@@ -10,45 +9,46 @@
 // frames mirror A B        A's rows, read backwards, are B's
 // frames crop A B X Y W H  A and B are equal in the rectangle whose top-left pixel is (X, Y)
 // frames shrink A N B TOLERANCE FRACTION
-//                          like near, for what +AM1 +A0.0 +RN makes of A's squares of N by N
-//                          pixels, N odd: their mean, the middle one counted twice; needs linear
-//                          pixels (File_Gamma=1)
+//                          like near, for B and A reduced by N as +AM1 +A0.0 +RN does: a pixel is
+//                          the mean of N by N pixels of A, with the middle one counted twice. N is
+//                          odd; pixels must be linear (File_Gamma=1)
 // frames alike A B RMSE    root mean square difference over all pixels and channels <= RMSE/255
 // frames pixel A X Y       prints "r g b a" in 0...65535
 // frames samples A         prints R, G and B of every pixel, row by row, a byte each
 // frames rerecord A MIRRORED B
-//                          writes B: each pixel is A's at the place that its line of MIRRORED
-//                          (oracle mirrored) names, else black; all else, and what A says of
-//                          itself, is A's
+//                          writes B: each pixel is the pixel of A whose place the pixel's line of
+//                          MIRRORED (oracle mirrored) gives, or black if there is none. Everything
+//                          else in the file, metadata included, is A's
 // frames rerecorded A B MIRRORED TOLERANCE FRACTION
 //                          like near, for the pixels that MIRRORED gives a place
 // frames oracle OURS FAR PART...
-//                          a PART is three words: WEIGHT ORACLE MASK. The ORACLEs' mean by their
-//                          weights, in linear light, over those whose MASK calls the pixel imaged
-//                          (1; 0 is empty, - is not compared) is what OURS ought to be. WEIGHT red,
-//                          green, blue: that channel alone, once. Pixels, and channels, that all
-//                          MASKs call empty are exactly 0 in OURS; of the others writes those that
-//                          differ by more than 2/255 into FAR, "i j" lines; at most 0.5% may
+//                          compares OURS with the mean of the PARTs' frames. A PART is three words:
+//                          WEIGHT ORACLE MASK. The mean is weighted, in linear light, and taken
+//                          over the ORACLEs whose MASK calls the pixel imaged (1; 0 is empty, - is
+//                          not compared). If WEIGHT is red, green or blue, that ORACLE gives that
+//                          channel alone. Pixels and channels that all MASKs call empty must be
+//                          exactly 0 in OURS. Writes the "i j" of the others that differ by more
+//                          than 2/255 into FAR; at most 0.5% may
 // frames edges OURS FAR PART...
-//                          for each pixel of FAR a row of the PARTs' frames, which are of oracle
-//                          around, holds its neighbourhood: OURS has to lie within the means of
-//                          what is seen there, at most one pixel away, give or take a quarter of
-//                          the range (at a silhouette of glass the range of a few samples is not
-//                          all); prints the worst radius
+//                          for pixels at the edges of objects. Each pixel of FAR has one row in the
+//                          PARTs' frames (made by oracle around), which holds what is seen in the
+//                          pixel's neighbourhood. OURS must lie within the range of the means of
+//                          what is seen up to one pixel away, widened by a quarter, because a few
+//                          samples at a silhouette of glass do not show the whole range. Prints the
+//                          worst radius
 // frames masked-alike A ORACLE MASK RMSE
 //                          like alike, for the pixels that MASK calls imaged (1)
 // frames error A B MASK    prints the root mean square difference (1 = full scale) of red, green
-// and blue over the
-//                          pixels that MASK calls imaged (1)
+//                          and blue over the pixels that MASK calls imaged (1)
 // frames points-at WHERE A B MASK R
-//                          the brightness of WHERE goes with the difference of A from B: over the
-//                          imaged pixels, the two correlate by R or more
+//                          over the imaged pixels, the brightness of WHERE and the difference of A
+//                          from B have a correlation of R or more
 // frames unbiased A1 A2 ORACLE1 ORACLE2 MASK [CHANNEL]
-//                          pixels are means of random samples, and linear (File_Gamma=1): A's
-//                          differ from the ORACLE's by chance alone. The mean over the imaged
-//                          pixels of (A1 - ORACLE1)(A2 - ORACLE2) is within 4 of its own standard
-//                          errors of 0; empty pixels are black in A1 and A2. CHANNEL (0, 1, 2):
-//                          that one alone
+//                          the frames A1 and A2, whose pixels are means of random samples, differ
+//                          from the ORACLEs by chance alone. The mean over the imaged pixels of
+//                          (A1 - ORACLE1)(A2 - ORACLE2) must be within 4 of its own standard errors
+//                          of 0; empty pixels must be black in A1 and A2. Pixels must be linear
+//                          (File_Gamma=1). CHANNEL (0, 1, 2): only this channel is compared
 // Exit status: 0 yes, 1 no, 2 unreadable or wrong usage.
 #include "frames.h"
 

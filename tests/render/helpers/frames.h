@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the files of the comparer `frames` share; the head of frames.cpp says what it is told to do.
+// Functions that the files of the program `frames` share; the head of frames.cpp has its usage.
 #ifndef TESTS_RENDER_HELPERS_FRAMES_H
 #define TESTS_RENDER_HELPERS_FRAMES_H
 
@@ -19,12 +19,12 @@ struct Frame {
     const Pixel& at(int i, int j) const { return pixels[std::size_t(j) * width + i]; }
 };
 
-/// A pixel's column and row; those of the lines of `oracle mirrored` are -1 where there is none.
+/// A pixel's column and row; both are -1 where `oracle mirrored` has found no pixel.
 struct Place {
     int i, j;
 };
 
-/// One of the frames whose mean is compared with.
+/// One of the frames of which our frame ought to be the mean.
 struct Part {
     std::array<double, 4> weights{}; ///< red, green, blue, alpha
     Frame frame;
@@ -33,25 +33,26 @@ struct Part {
 
 // frames_files.cpp
 
-/// Any PNG, as 16-bit RGBA.
+/// Reads any PNG as 16-bit RGBA.
 Frame read_frame(const std::string& name);
 /// POV-Ray's mesh_camera shows its row of faces j in the frame's row j + 1 (and its row 0 twice):
 /// the oracle's frames are one row higher, and lose their first row here.
 Frame read_oracle(const std::string& name, int height);
-/// Writes `to`: each pixel is that of `from` at its place, and all else is as in `from`.
+/// Writes `to`: each pixel is the pixel of `from` at its place; everything else in the file is as
+/// in `from`.
 void rerecord(const std::string& from, const std::vector<Place>& places, const std::string& to);
-/// "i j" lines.
+/// Reads a file of "i j" lines.
 std::vector<Place> read_places(const std::string& name);
-/// A mask's rows.
+/// Reads the rows of a mask.
 std::vector<std::string> read_mask(const std::string& name);
-/// Which of so many pixels the mask calls imaged (1), in their order.
+/// For each pixel, row by row, whether the mask calls it imaged (1).
 std::vector<std::size_t> read_imaged(const std::string& mask_name, std::size_t pixels);
 
 // frames_compare.cpp
 
-/// Between the channels that differ most.
+/// The difference of the channel that differs most.
 int difference(const Pixel& a, const Pixel& b);
-/// Else says so and throws 1, the exit status.
+/// Checks that both frames have the same size. If not, says so and throws 1, the exit status.
 void need_same_size(const Frame& a, const Frame& b);
 /// Counts pixels for which `of(i, j)` differs from B's.
 bool all_equal(const Frame& b, const std::function<Pixel(int, int)>& of);
@@ -74,12 +75,14 @@ Frame shrink(const Frame& a, int n);
 
 // frames_oracle.cpp
 
-/// Of the words from `from` on, three a part, whose frames are of this height.
+/// Reads the parts that the words from `from` on name, three words a part. Their frames have this
+/// height.
 std::vector<Part> read_parts(const std::vector<std::string>& w, std::size_t from, int height);
-/// Whether ours is the parts' mean, but for few pixels; writes their places to the file `far_name`.
+/// Whether our frame is the parts' mean except in a few pixels; writes the places of those to the
+/// file `far_name`.
 bool oracle(const Frame& ours, const std::string& far_name, const std::vector<Part>& parts);
-/// Whether ours lies, at each place, within what the places' rows of the parts' frames show of its
-/// neighbourhood.
+/// Whether our frame is, at each place, within the range of colours in the neighbourhood, which the
+/// place's row of the parts' frames shows.
 bool edges(const Frame& ours, const std::vector<Place>& places, const std::vector<Part>& parts);
 /// Whether two of our frames differ from two of the oracle's by chance alone; in the channel
 /// `only`, or in all if < 0.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What `frames` reads and writes: PNG frames, places of pixels, masks of imaged pixels.
+// Reads and writes the files of `frames`: PNG frames, places of pixels, masks of imaged pixels.
 #include "frames.h"
 
 #include <png.h>

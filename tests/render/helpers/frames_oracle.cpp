@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Compares frames with what the oracle's frames say they ought to be.
+// Compares frames with frames made from the oracle's rays.
 #include "frames.h"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ double encoded(double v)
     return 65535 * (v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
 }
 
-/// The parts' mean of column x and row y in their frames, of those that image pixel (i, j); the
-/// channels of which none does are 0. With a single part, its very pixel.
+/// The mean colour at column x and row y of the parts' frames, over the parts that image pixel
+/// (i, j). Channels that no part images are 0. With a single part it is that part's pixel, exactly.
 Pixel mean(const std::vector<Part>& parts, int x, int y, int i, int j)
 {
     Pixel result{};
@@ -46,7 +46,7 @@ Pixel mean(const std::vector<Part>& parts, int x, int y, int i, int j)
                                                                  : int(std::lround(encoded(value)));
         }
     }
-    // Nothing of the parts' alpha is compared where they are channels.
+    // If the parts are single channels, alpha is not compared.
     if (parts[0].weights[3] == 0)
         result[3] = 65535;
     return result;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# For the tests of this layer (sourced): tap.sh, the helper programs, and rendering with few words.
+# Sourced by the tests of this layer: tap.sh, the helper programs, and functions for rendering.
 . "$(dirname "${BASH_SOURCE[0]}")/../../tap.sh"
 scenes=$TOP/tests/render/scenes
 oracle=$BUILD/tests/oracle frames=$BUILD/tests/frames

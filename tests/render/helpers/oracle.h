@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The tests' own integral camera, computed from optics.md alone, in long double and by brute force:
-// it searches every lens within reach, finds the slit's root by bisection, and shares no line with
+// The tests' own integral camera, written from optics.md alone, in long double and by brute force.
+// It tries every lens within reach, and finds the slit's root by bisection. It shares no code with
 // integral/optics.
 #ifndef TESTS_RENDER_HELPERS_ORACLE_H
 #define TESTS_RENDER_HELPERS_ORACLE_H
@@ -42,18 +42,18 @@ struct Description {
     int beam_samples = 0, pixel_samples = 1; ///< beam_samples 0: not given
     bool pseudoscopic = false, display_prefilter = false;
 
-    // What the oracle alone is told:
+    // Keys for the oracle only:
     std::optional<Real> start; ///< mm before the sheet where its rays start; default: at the
                                ///< aperture
     int channel = 1;  ///< 0 red, 1 green, 2 blue: which of a pixel's film points, with subpixels
     int marginal = 0; ///< which of hybrid's 3 or 5 rays, the pole's first
-    /// For tests whose rays differ by where they start: a file with a number for every pixel, and
-    /// the pixels of this number alone.
+    /// For tests in which the rays of groups of pixels start at different distances: a file with a
+    /// number for every pixel, and the number of the pixels whose rays are made.
     std::string groups;
     int group = 0;
 };
 
-/// Reads "key=value" words; throws std::invalid_argument at one that it does not know.
+/// Reads "key=value" words. Throws std::invalid_argument at an unknown key.
 Description read_description(const std::vector<std::string>& words);
 
 /// The same camera in the scene language, for the renderer under test.
@@ -61,7 +61,7 @@ std::string camera_text(const Description& description);
 /// An ordinary perspective camera with the same view.
 std::string perspective_text(const Description& description);
 
-/// The sheet in the scene: where its frame's millimetres are.
+/// The sheet's frame of reference in the scene.
 struct Placed {
     Point3 location; ///< the aperture's centre
     Point3 x, y, z;  ///< one mm along the sheet frame's axes, in scene units
@@ -112,8 +112,8 @@ std::vector<Real> hybrid_weights(const Description&);
 std::optional<SheetRay> film_ray(const Description&, Real distance, Point2 film_point,
                                  Real& margin);
 
-/// Numbers in [0, 1) to choose a sample by: two for the pixel's area, two for the lens's cell or
-/// the cell and the slit.
+/// Numbers in [0, 1) that choose a sample: two for the pixel's area, two for the lens's cell (or,
+/// with a slit, for the cell and the slit).
 using Numbers = std::array<Real, 4>;
 
 /// `count` rays of the pixel (i, j), chosen by what `next` gives, over all that the description

@@ -30,8 +30,8 @@ std::vector<Real> numbers(const std::string& key, const std::string& text)
     return result;
 }
 
-/// Where POV-Ray's `kind value` takes a point (or a direction, which nothing translates). Rotations
-/// are about x, then y, then z.
+/// Applies POV-Ray's transform `kind value` to a point, or to a direction, which `translate` does
+/// not change. Rotations are about x, then y, then z.
 Point3 transformed(const Description::Transform& t, Point3 p, bool direction)
 {
     if (t.kind == "translate")
@@ -176,7 +176,7 @@ Description read_description(const std::vector<std::string>& words)
 
 namespace {
 
-/// What both cameras say: the view. The transforms come last.
+/// The part of the text that both cameras share: the view, with the transforms last.
 std::string view_text(const Description& d)
 {
     std::ostringstream out;
@@ -284,7 +284,7 @@ Placed place(const Description& d)
     const Real window = distance * length(right) / length(direction);
     const Real film_width = film_from_pixel(d, d.width, 0)[0] - film_from_pixel(d, 0, 0)[0];
     const Real k = d.units_per_mm ? *d.units_per_mm : window / film_width;
-    if (d.viewing_distance) { // the eye moves along the axis, the sheet's middle stays
+    if (d.viewing_distance) { // the eye moves along the axis; the sheet's centre does not move
         const Real moved = (distance - *d.viewing_distance * k) / length(direction);
         for (int i = 0; i < 3; ++i)
             location[i] += moved * direction[i];

@@ -121,8 +121,8 @@ std::optional<SheetRay> slit_ray(const Description& d, Real distance, Point2 f, 
         exit.at[0] += tau * a[0], exit.at[1] += tau * a[1];
         return exit;
     };
-    // Where the slit is missed: below (-1) or above (1); total reflection is infinitely far on its
-    // own side.
+    // The side on which the slit is missed: below (-1) or above (1). Total reflection counts as a
+    // miss by an infinite distance on the same side.
     const auto side = [&](Real tau) {
         const auto ray = refract(d, distance, f, at(tau), lens);
         const Real value = ray         ? ray->aperture_point[e] - eta
@@ -139,7 +139,7 @@ std::optional<SheetRay> slit_ray(const Description& d, Real distance, Point2 f, 
         if (into <= 0 || limit <= 0)
             return std::nullopt;
         high = std::sqrt(limit);
-        if (curved(d)) { // it may be sent sideways before it is totally reflected
+        if (curved(d)) { // light may leave sideways before total reflection begins
             if (!refract(d, distance, f, at(0), lens))
                 return std::nullopt;
             const auto end = [&](Real fails) {

@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// oracle camera KEY=VALUE...             prints the camera in the scene language
-// oracle mesh OUT KEY=VALUE...           OUT.inc: the same rays as a mesh_camera, one triangle a
-// pixel, for an unmodified
-//                                        POV-Ray; OUT.mask: a row of 0 (images nothing) and 1 a
-//                                        line of pixels
-// oracle rays OUT KEY=VALUE...           OUT.csv: A, P and the direction of every imaged pixel in
-// the scene, for SDL's
-//                                        #read: "imaged, Ax, Ay, Az, Px, Py, Pz, dx, dy, dz,";
-//                                        OUT.mask as above groups=FILE group=N leaves out the
-//                                        pixels whose number there is another: - in the mask
-// oracle samples OUT COUNT SEED KEY=VALUE...  COUNT rays a pixel, evenly spread over what the keys
-// sample, in OUT.inc; OUT.mask oracle weights KEY=VALUE...            prints the weights of the
-// hybrid model's rays oracle around OUT PIXELS KEY=VALUE...  for every "i j" line of the file
-// PIXELS a row of rays about that pixel's as a
-//                                        mesh_camera in OUT.inc: its own, then 8 that are moved by
-//                                        no more than single precision, in which a mesh keeps them,
-//                                        can tell; then 8 film points through the pixel's own lens
-//                                        at each of the radii 0.02, 0.2 and 1 pixel
-// oracle mirrored KEY=VALUE...           for every pixel the "i j" of the one at the place mirrored
-// in its lens, if that belongs to the
-//                                        same lens and lies on the film, else "-1 -1"
-// oracle perspective KEY=VALUE...        prints POV-Ray's perspective camera of the same
-// description oracle pinhole OUT KEY=VALUE...        its rays as a mesh_camera: proves placement,
-// transforms and the mesh itself All but camera print the frame's figures: pixels imaged, and the
-// least relative margin by which a tie or the aperture's edge was decided.
+// oracle camera KEY=VALUE...      prints the camera in the scene language
+// oracle mesh OUT KEY=VALUE...    writes OUT.inc, a mesh_camera for an unmodified POV-Ray with the
+//                                 same rays, one triangle a pixel; and OUT.mask, for each row of
+//                                 pixels a line of 0 (images nothing) and 1
+// oracle rays OUT KEY=VALUE...    writes OUT.csv for the scene language's #read: A, P and the
+//                                 direction of every imaged pixel in the scene, as
+//                                 "imaged, Ax, Ay, Az, Px, Py, Pz, dx, dy, dz,"; and OUT.mask as
+//                                 above. groups=FILE group=N leaves out the pixels that have
+//                                 another number in FILE; the mask has - for them
+// oracle samples OUT COUNT SEED KEY=VALUE...
+//                                 writes OUT.inc with COUNT rays a pixel, evenly spread over what
+//                                 the keys sample; and OUT.mask
+// oracle weights KEY=VALUE...     prints the weights of the hybrid model's rays
+// oracle around OUT PIXELS KEY=VALUE...
+//                                 writes OUT.inc, a mesh_camera with a row of rays for every "i j"
+//                                 line of the file PIXELS: the pixel's own ray; 8 rays moved by no
+//                                 more than the rounding to single precision, in which a mesh keeps
+//                                 them; then the rays of 8 film points through the pixel's own lens
+//                                 at each of the radii 0.02, 0.2 and 1 pixel
+// oracle mirrored KEY=VALUE...    prints for every pixel the "i j" of the pixel at the place
+//                                 mirrored in its lens, if that belongs to the same lens and lies
+//                                 on the film, else "-1 -1"
+// oracle perspective KEY=VALUE... prints POV-Ray's perspective camera of the same description
+// oracle pinhole OUT KEY=VALUE... writes the perspective camera's rays as a mesh_camera, which
+// tests
+//                                 placement, transforms and the mesh itself
+// All but camera print the frame's figures: the number of pixels imaged, and the least relative
+// margin by which a tie or the aperture's edge was decided.
 #include "oracle.h"
 
 #include <cmath>
@@ -45,8 +48,9 @@ Point3 along(const Placed& p, Real x, Real y, Real z)
 }
 
 /// Writes triangles whose centroid is the ray's origin and whose normal is its direction. POV-Ray
-/// takes the normal from the vertices in double and keeps both in single precision: so the vertices
-/// are written about the aperture's centre, close together, and the whole mesh is moved there.
+/// computes the normal from the vertices in double precision, and stores both in single precision.
+/// To lose little, vertices are written relative to the aperture's centre, close together, and the
+/// whole mesh is then translated.
 class MeshCamera {
 public:
     MeshCamera(const std::string& file, const Description& d, const Placed& placed,
@@ -63,7 +67,7 @@ public:
     }
     void add(const SheetRay* ray)
     {
-        const SheetRay nothing{{}, {0, 0}, {0, 0, 1}}; // any ray: these pixels are masked
+        const SheetRay nothing{{}, {0, 0}, {0, 0, 1}}; // any ray, as the mask leaves the pixel out
         if (!ray)
             ray = &nothing;
         Point3 start{ray->aperture_point[0], ray->aperture_point[1], 0}; // from the aperture's
@@ -99,7 +103,7 @@ public:
         }
         out_ << "}\n";
     }
-    /// What follows are the pixels' next rays.
+    /// Begins the next ray of every pixel.
     void next_ray()
     {
         end();
@@ -129,7 +133,7 @@ void print_figures(long imaged, long pixels, Real margin, const Placed& placed)
               << double(placed.distance) << " mm\n";
 }
 
-/// The one ray of a pixel; of hybrid's, the one that the description chooses.
+/// The ray of a pixel; for the hybrid model, the one of its rays that the description chooses.
 std::optional<SheetRay> pixel_ray(const Description& d, const Placed& placed, int i, int j,
                                   Real& margin)
 {
@@ -157,7 +161,7 @@ void frame(const Description& d, const std::string& out, bool csv)
     const auto left_out = [&](int i, int j) {
         return !groups.empty() && groups[std::size_t(j) * d.width + i] != d.group;
     };
-    // Rays that are left out are traced like the first that is not: no pixel starts elsewhere.
+    // A ray that is left out gets the start of the first that is not, so that all rays start alike.
     std::optional<SheetRay> first;
     for (int n = 0; !groups.empty() && !first && n < d.width * d.height; n++)
         if (!left_out(n % d.width, n / d.width))
@@ -192,7 +196,7 @@ void frame(const Description& d, const std::string& out, bool csv)
     print_figures(imaged, long(d.width) * d.height, margin, placed);
 }
 
-/// Halton's sequence, moved as a whole at random.
+/// Halton's sequence with one random shift for all points.
 class Halton {
 public:
     explicit Halton(std::mt19937_64& random)
@@ -297,8 +301,8 @@ void mirrored(const Description& d)
     }
 }
 
-/// The rays of POV-Ray's perspective camera: from the location through the sheet's points that lie
-/// before the pixels.
+/// The rays of POV-Ray's perspective camera: from the location through the point of the sheet in
+/// front of each pixel.
 void pinhole(const Description& d, const std::string& out)
 {
     const Placed placed = place(d);

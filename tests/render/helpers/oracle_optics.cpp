@@ -9,7 +9,7 @@
 namespace oracle {
 namespace {
 
-/// Of the channel in question: pixels to the right and up.
+/// The position of the description's channel in its pixel: pixels to the right and up.
 Point2 subpixel_shift(const Description& d, Real px, Real py)
 {
     const Real third = (d.channel - 1) / 3.0L;
@@ -33,7 +33,7 @@ Point2 subpixel_shift(const Description& d, Real px, Real py)
     return d.places.at(3 * (cells.at(d.pattern) % number) + d.channel);
 }
 
-/// Of a colour's own area, in pixels.
+/// Width and height of a colour's area, in pixels.
 Point2 subpixel_size(const Description& d)
 {
     if (d.subpixels == "none")
@@ -43,7 +43,7 @@ Point2 subpixel_size(const Description& d)
     return d.subpixels[0] == 'v' ? Point2{1, 1 / 3.0L} : Point2{1 / 3.0L, 1};
 }
 
-/// Ties: the pole nearest to the sheet's centre, then least x, then least y.
+/// The rule for ties: the pole nearest to the sheet's centre wins, then least x, then least y.
 bool wins_tie(const Description& d, Lens one, Lens other)
 {
     const Real tie = 1e-9L * d.pitch;
@@ -56,7 +56,7 @@ bool wins_tie(const Description& d, Lens one, Lens other)
     return p[1] < q[1];
 }
 
-/// 1 where A is on the aperture's edge, less inside.
+/// The position of A in the aperture: 1 on its edge, less inside.
 Real edge_ratio(const Description& d, Point2 size, Point2 a)
 {
     const Real x = std::fabs(a[0]) / (size[0] / 2), y = std::fabs(a[1]) / (size[1] / 2);
@@ -157,14 +157,14 @@ bool in_cell(const Description& d, Point2 offset)
     return nearest;
 }
 
-/// A ray of the display prefilter: of a point around the pixel and a point around its lens, each
-/// coordinate's density a tent: where its cumulated density, on either side 1/2 - (1 - a)^2/2, is
-/// the number.
+/// Chooses a ray of the display prefilter: a point about the pixel's centre and one about its
+/// lens's pole, each coordinate with the density of a tent. A coordinate is found from its number
+/// by the inverse of the cumulated density, which on either side is 1/2 - (1 - a)^2/2.
 std::optional<SheetRay> prefiltered(const Description& d, Real distance, Point2 pixel,
                                     const SheetRay& centre, bool pole_only, const Numbers& x)
 {
     const bool lenticular = d.arrangement == "lenticular";
-    std::array<Real, 4> at{}; // in pixels, and pitches of lenses or of their rows
+    std::array<Real, 4> at{}; // two in pixels, two in pitches of lenses and of their rows
     for (int k = 0; k < 4; k++) {
         const bool fixed = k < 2 ? d.pixel_samples == 1 : pole_only || (lenticular && k == 3);
         if (fixed)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What commands do with geometry that a file may say: every number anywhere in the range that its
-// reader lets through.
+// Runs commands with the geometry that a file may contain: every number is anywhere in the range
+// that the file's reader accepts.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/cli/command.h"
@@ -22,17 +22,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr int film_width = 8, film_height = 6;
 
-/// Choices that bytes make.
+/// Makes choices from the bytes of the fuzzer's input.
 class Choices {
 public:
     explicit Choices(const Bytes& bytes) : bytes_(bytes) {}
     unsigned of(unsigned count) { return byte() % count; }
-    /// Any size of number in [least, greatest], which is > 0: evenly in its logarithm.
+    /// A number in [least, greatest], evenly distributed in its logarithm. Both must be > 0.
     double size(double least, double greatest)
     {
         return least * std::pow(greatest / least, std::min(1.0, part()));
     }
-    /// In [least, greatest], often 0, a bound or halfway.
+    /// A number in [least, greatest], often 0, one of the bounds, or halfway between them.
     double within(double least, double greatest)
     {
         switch (of(8)) {
@@ -42,7 +42,7 @@ public:
         default: return least + (greatest - least) * part();
         }
     }
-    /// Of either sign, or 0.
+    /// A number of either sign, or 0.
     double signed_size(double greatest)
     {
         const unsigned sign = of(3);
@@ -60,8 +60,9 @@ private:
     std::size_t at_ = 0;
 };
 
-/// As frame_metadata.cpp and find_value_errors let through. `narrow`: the aperture is seen through
-/// few lenses at a time, whose rays a forecast has to try by the thousand.
+/// Geometry that frame_metadata.cpp and find_value_errors accept. `narrow`: the aperture is
+/// so small that each film point sees it through few lenses, because a forecast tries thousands of
+/// rays.
 Json geometry(Choices& c, bool has_picture, bool narrow)
 {
     Json json;
@@ -111,7 +112,7 @@ Json geometry(Choices& c, bool has_picture, bool narrow)
     return json;
 }
 
-/// A path with that extension; what is written there goes nowhere.
+/// A path with that extension; everything written to it is discarded.
 std::string sink(const std::string& extension)
 {
     const std::string path = scratch_path("out." + extension);
@@ -141,7 +142,7 @@ const Bytes& picture()
 
 using Words = std::vector<std::string>;
 
-/// What follows `integral`, of a command that needs no picture.
+/// The words after `integral` of a command that needs no picture.
 Words words_without_picture(Choices& c, const std::string& sheet)
 {
     Words words = {"sheet", "--sheet", sheet};
@@ -188,8 +189,8 @@ Words words_with_picture(Choices& c, const std::string& sheet)
         break;
     case 1:
         words = {"views", frame, "--threads", "1", "-o", "-"};
-        // Parallel views have a pixel a lens: what sheets of narrow lenses promise takes long to
-        // draw, though it is drawn.
+        // Parallel views have a pixel for each lens. For sheets of very narrow lenses they are so
+        // large that drawing them takes too long here.
         if (c.of(2))
             words.insert(words.end(), {"--eyes", "--views", "3x2", "--size", "4x3"});
         else
@@ -203,7 +204,7 @@ Words words_with_picture(Choices& c, const std::string& sheet)
             words.push_back("--eyes");
         break;
     case 3:
-        if (c.of(3) == 0) { // no larger than the film
+        if (c.of(3) == 0) { // a part no larger than the film
             words = {"print", frame, "-o", sink(c.word({"png", "tiff"}))};
             break;
         }
@@ -236,7 +237,7 @@ void run_command(const Bytes& bytes)
     std::vector<char*> pointers;
     for (std::string& word : words)
         pointers.push_back(&word[0]);
-    if (std::getenv("FUZZ_SHOW")) { // what a finding's bytes mean
+    if (std::getenv("FUZZ_SHOW")) { // prints the command line that an input's bytes choose
         for (const std::string& word : words)
             std::fprintf(stderr, "%s ", word.c_str());
         std::fprintf(stderr, "\n%s\n", document.c_str());

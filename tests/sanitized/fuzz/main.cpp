@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The fuzzing program: libFuzzer, or mutations.cpp, around the targets of targets.cpp.
-//   readers --targets             their names
-//   readers --seeds NAME FOLDER   writes a target's seeds into FOLDER, and its dictionary into
-//   FOLDER.words FUZZ_TARGET=NAME readers ...  libFuzzer's own options, or those of mutations.cpp
+// The fuzzing program: the targets of targets.cpp, run by libFuzzer or by mutations.cpp.
+//   readers --targets                 prints the targets' names
+//   readers --seeds NAME FOLDER       writes a target's seeds into FOLDER, and its dictionary into
+//                                     FOLDER.words
+//   FUZZ_TARGET=NAME readers ...      fuzzes, with the options of libFuzzer or of mutations.cpp
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/base/file_bytes.h"
@@ -34,7 +35,7 @@ const Target& target_named(const char* name)
     std::exit(2);
 }
 
-/// What is wrong with the program, and not with its input.
+/// A fault of the program, in contrast to an error in its input.
 [[noreturn]] void found(const char* what, const char* message)
 {
     std::fprintf(stderr, "%s: %s: %s\n", chosen->name, what, message);

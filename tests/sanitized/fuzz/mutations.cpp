@@ -2,7 +2,7 @@
 // A replacement for libFuzzer on machines without it: runs a target on files and on mutations of
 // them, which are the same in every run.
 //   FUZZ_TARGET=NAME mutations COUNT FILE...   each file as it is, then COUNT mutations of each
-// What a target fails on is written to the file FUZZ_FOUND. Without FUZZ_TARGET: see main.cpp.
+// Writes an input that fails to the file that FUZZ_FOUND names. Without FUZZ_TARGET: see main.cpp.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/base/file_bytes.h"
@@ -26,7 +26,7 @@ namespace {
 using fuzz::Bytes;
 
 constexpr std::size_t most_bytes = 4096;
-constexpr unsigned most_seconds = 25; // of one input
+constexpr unsigned most_seconds = 25; // that a target may take for one input
 
 std::minstd_rand chance;
 const std::vector<Bytes>* dictionary = nullptr;
@@ -50,7 +50,7 @@ void run(const Bytes& bytes)
     LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
 
-/// One small change.
+/// Makes one small change.
 void change(Bytes& bytes, std::size_t most)
 {
     const std::size_t at = below(bytes.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// PNG by its chunks: mutations that its checksums do not stop.
+// Mutates PNG files chunk by chunk, with right checksums, so that readers do not stop at those.
 #include "tests/sanitized/fuzz/target.h"
 
 #include <zlib.h>
@@ -25,7 +25,7 @@ std::uint32_t value_of(const Bytes& bytes, std::size_t at)
     return value;
 }
 
-/// As far as they make sense.
+/// Splits a file into chunks. Lengths that go beyond the file's end are reduced.
 std::vector<Chunk> chunks_of(const Bytes& png)
 {
     std::vector<Chunk> chunks;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Makes small files of every kind that the commands read: as we write them, and as other programs
-// do.
+// Makes small files of every kind that the commands read, as this project writes them and as other
+// programs do.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/base/file_bytes.h"
@@ -67,7 +67,7 @@ std::vector<DecodedImage> pictures()
     return all;
 }
 
-/// Each also cut short.
+/// Adds a truncated copy of each file.
 std::vector<Bytes> and_halves(std::vector<Bytes> seeds)
 {
     const std::size_t count = seeds.size();
@@ -76,8 +76,8 @@ std::vector<Bytes> and_halves(std::vector<Bytes> seeds)
     return seeds;
 }
 
-/// JSON documents that are nested as deep as the fuzzing's inputs are long, and that have as many
-/// fields.
+/// JSON documents with the deepest nesting, and with the most fields, that inputs of the fuzzer's
+/// length can have.
 std::vector<Bytes> endless_documents()
 {
     constexpr int bytes = 4000;
@@ -119,7 +119,7 @@ Bytes plain_png(int bits, int type, bool interlaced)
     return png_of(chunks);
 }
 
-/// Written to a file by OpenEXR.
+/// A file that OpenEXR has written.
 Bytes exr_of(const std::vector<std::string>& names, Imf::PixelType type,
              Imf::Compression compression, bool tiles)
 {
@@ -156,7 +156,7 @@ struct TiffForm {
     bool planes = false, tiles = false, floats = false, big = false;
 };
 
-/// Written to a file by libtiff.
+/// A file that libtiff has written.
 Bytes tiff_of(const TiffForm& form)
 {
     const std::string path = scratch_path("seed.tiff");
@@ -265,7 +265,8 @@ std::vector<Bytes> sheet_seeds()
 {
     return and_endless(and_halves(
         {document(false), document(true),
-         R"({"sheet":{"arrangement":"lenticular","pitch_mm":1,"thickness_mm":3,"ior":1.6},"film":{"pixel_pitch_mm":[0.1,0.1]},)"
+         R"({"sheet":{"arrangement":"lenticular","pitch_mm":1,"thickness_mm":3,"ior":1.6},)"
+         R"("film":{"pixel_pitch_mm":[0.1,0.1]},)"
          R"("aperture":{"distance_mm":300,"width_mm":null}})"}));
 }
 
@@ -283,14 +284,16 @@ std::vector<Bytes> panel_seeds()
 std::vector<Bytes> tolerance_seeds()
 {
     return and_endless(and_halves(
-        {R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},"a?[0-9].png":{"min_ssim":null,)"
+        {R"({"defaults":{"max_rmse":0.002,"min_ssim":0.99},"files":{"glass/*":{"max_rmse":0.01},)"
+         R"("a?[0-9].png":{"min_ssim":null,)"
          R"("max_difference":1}}})"}));
 }
 
 std::vector<Bytes> manifest_seeds()
 {
     return and_endless(and_halves(
-        {R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],"options":["+A0.1"],"declare":{"N":2}}],)"
+        {R"({"output":"out","scenes":[{"name":"a","file":"/dev/null","size":[60,40],)"
+         R"("options":["+A0.1"],"declare":{"N":2}}],)"
          R"("sheets":[{"name":"s","camera":"lens_sheet{square pitch 1 thickness 3 ior 1.6} film{dpi 300}"}],)"
          R"("papers":[{"name":"p","paper":"A5","options":["--mirror"]}],"panels":[{"name":"l","panel":"thesis-lcd"}],)"
          R"("previews":[{"name":"v","options":["--eye","0,0,400"]}]})",
@@ -300,7 +303,7 @@ std::vector<Bytes> manifest_seeds()
 std::vector<Bytes> profile_seeds()
 {
     std::vector<Bytes> seeds = {srgb_profile()};
-    // One with tables for each intent, as printers' profiles have.
+    // A profile with a table for each rendering intent, as printers' profiles have.
     const cmsHPROFILE srgb = cmsCreate_sRGBProfile(), lab = cmsCreateLab4Profile(nullptr);
     const cmsHTRANSFORM transform = cmsCreateTransform(lab, TYPE_Lab_DBL, srgb, TYPE_RGB_16,
                                                        INTENT_PERCEPTUAL, cmsFLAGS_LOWRESPRECALC);

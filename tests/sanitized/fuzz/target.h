@@ -10,14 +10,14 @@ namespace fuzz {
 
 using Bytes = std::string;
 
-/// A reader and what its fuzzing starts from. A new one is a line in the table of targets.cpp, and
-/// the function that it names.
+/// A reader, and the files from which its fuzzing starts. To add a target, write a line in the
+/// table of targets.cpp and the function that it names.
 struct Target {
     const char* name;
     void (*run)(const Bytes&);     ///< reads the bytes; may throw InputError and UsageError, whose
                                    ///< messages are one line
     std::vector<Bytes> (*seeds)(); ///< small files that are read, of every kind
-    std::vector<Bytes> words;      ///< of the format, for mutations
+    std::vector<Bytes> words;      ///< byte sequences of the format, which mutations insert
     Bytes (*mutated)(Bytes, std::size_t most,
                      unsigned seed) = nullptr; ///< the format's own mutation; else libFuzzer's
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The table of what is fuzzed. Readers get their bytes through the functions that the commands use,
-// from a file; what they read is then put to use, as far as that is a matter of microseconds.
+// The table of fuzz targets. Readers get their bytes from a file, through the functions that the
+// commands use. What they return is then used, in ways that take only microseconds.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/batch/manifest.h"
@@ -20,7 +20,7 @@ namespace {
 
 using namespace integral;
 
-constexpr int most_pixels = 4096; // of pictures that are looked at
+constexpr int most_pixels = 4096; // larger pictures are read, but not used further
 
 void look_at(const Frame& frame)
 {
@@ -57,7 +57,7 @@ void read_depth_frame(const Bytes& bytes)
     scene_depth_text(depths);
 }
 
-/// A document that is read is written so that it reads back to itself.
+/// Checks that a document which was read, when written and read again, is the same.
 void read_sheet(const Bytes& bytes)
 {
     const FrameMetadata metadata = read_metadata(file_of(bytes));
@@ -277,8 +277,8 @@ const std::vector<Bytes> profile_words = {"acsp", "prtr", "mntr", "spac", "RGB "
                                           "XYZ ", "A2B0", "B2A0", "rTRC", "gXYZ", "wtpt", "curv",
                                           "para", "mft1", "mft2", "mAB ", "mBA ", "desc"};
 
-/// A fault for the test of the fuzzing itself: reads past its end, but only where the bytes lead it
-/// there.
+/// A planted fault, for the test of the fuzzing itself: reads past the end of its input, but only
+/// for certain bytes.
 void planted(const Bytes& bytes)
 {
     static volatile char sink;
