@@ -11,8 +11,8 @@
 #include "integral/optics/coverage.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <vector>
 
 // this must be the last file included
@@ -61,17 +61,16 @@ bool Are_Parted(Vec3 from, Vec3 to, const std::vector<ObjectPtr>& objects, Trace
                        });
 }
 
-/// Looks from the eye to points of the aperture, until a deadline.
+/// Looks from the eye to points of the aperture, for some processor time: what else the machine
+/// does changes no finding.
 struct Look
 {
-    using Clock = std::chrono::steady_clock;
-
     const integral::IntegralCamera& camera;
     TraceThreadData *thread;
     std::vector<ObjectPtr> near;
-    Clock::time_point end = Clock::now() + std::chrono::milliseconds(20);
+    std::clock_t end = std::clock() + CLOCKS_PER_SEC / 50;
 
-    bool Time_Left() const { return Clock::now() < end; }
+    bool Time_Left() const { return std::clock() < end; }
     Vec3 Scene_Point(Vec2 point) const
     {
         return scene_from_sheet(camera.placement,

@@ -21,9 +21,9 @@ struct IntegralStarts
                        ///< such ray, 0 to 1
 };
 
-/// Looks along straight lines from the eye to at most 128 rays' starts, for at most 20 ms. Objects
-/// that the camera does not see and containers of media do not count. With depth_range or
-/// pseudoscopic, whose rays start nearer to the sheet, nothing is found.
+/// Looks along straight lines from the eye to at most 128 rays' starts, for at most 20 ms of
+/// processor time. Objects that the camera does not see and containers of media do not count. With
+/// depth_range or pseudoscopic, whose rays start nearer to the sheet, nothing is found.
 IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, const SceneData& scene,
                                      TraceThreadData *thread);
 
