@@ -14,7 +14,7 @@ const char* first_steps()
   a panel: integral lcd --panel looking-glass-go --camera > panel.ini    (integral lcd --list: the panels)
            povray-integral panel.ini +ISCENE.pov
            integral lcd SCENE.png --panel looking-glass-go -o panel.png
-Add Integral_Draft=3 for a quick look at the same print or panel. integral help lists all commands; doc/guide.md explains them.
+integral help lists all commands; doc/guide.md explains them. Integral_Draft=3 gives a quick look at the same print or panel.
 )steps";
 }
 
