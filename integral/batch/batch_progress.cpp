@@ -4,7 +4,6 @@
 #include "integral/batch/batch_steps.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 
 namespace integral {
@@ -56,24 +55,6 @@ BatchState WorkMeter::state(const std::map<int, double>& running, double seconds
     if (state.done >= least_part && seconds >= least_seconds)
         state.seconds_left = seconds * (1 - state.done) / state.done;
     return state;
-}
-
-double rendered_part(const std::string& said)
-{
-    constexpr std::streamoff some = 4096;
-    std::ifstream file(said, std::ios::binary | std::ios::ate);
-    const std::streamoff size = file.tellg();
-    if (!file || size <= 0)
-        return 0;
-    std::string text(std::size_t(std::min(some, size)), '\0');
-    file.seekg(-std::streamoff(text.size()), std::ios::end);
-    file.read(text.data(), std::streamsize(text.size()));
-    double done = 0, all = 0;
-    for (auto at = text.rfind("Rendered "); at != std::string::npos;
-         at = at > 0 ? text.rfind("Rendered ", at - 1) : std::string::npos)
-        if (std::sscanf(text.c_str() + at, "Rendered %lf of %lf pixels", &done, &all) == 2)
-            return all > 0 ? std::clamp(done / all, 0.0, 1.0) : 0;
-    return 0;
 }
 
 bool copy_log(const std::string& said, const std::string& log)

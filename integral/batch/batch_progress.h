@@ -68,10 +68,6 @@ private:
     int ended_ = 0;
 };
 
-/// The part of a frame that the renderer has done, by the last line of its progress in what it has
-/// printed to the file `said`; 0 where there is none.
-double rendered_part(const std::string& said);
-
 /// Copies what a program has printed. Of a line that was written over again and again, as progress
 /// is, only the last text stays. Returns whether that was possible.
 bool copy_log(const std::string& said, const std::string& log);

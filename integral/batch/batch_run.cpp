@@ -7,6 +7,7 @@
 #include "integral/batch/batch_schedule.h"
 #include "integral/batch/batch_steps.h"
 #include "integral/batch/running_steps.h"
+#include "integral/batch/renderer.h"
 
 #include <csignal>
 #include <filesystem>

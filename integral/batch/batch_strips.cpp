@@ -19,8 +19,6 @@
 namespace integral {
 namespace {
 
-constexpr int usual_block_side = 32; // the renderer's
-
 std::string job_of(const BatchStep& frame) { return frame.name.substr(frame.name.find('.') + 1); }
 
 std::string plan_file(const BatchFolder& folder, const BatchStep& frame)

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <unistd.h>
 
 namespace integral {
@@ -88,22 +88,22 @@ std::vector<std::string> scene_words(const std::string& path)
     return words;
 }
 
-/// The last characters of a growing file; none of one that cannot be read.
-static std::string end_of(const std::string& path)
+double rendered_part(const std::string& said)
 {
-    constexpr std::streamoff most = 1000;
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(0, std::ios::end);
-    file.seekg(-std::min(most, std::streamoff(file.tellg())), std::ios::end);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// The last "(NN%)" that the renderer has printed, in hundredths; 0 before any.
-static int hundredths_in(const std::string& said)
-{
-    const auto end = said.rfind("%)");
-    const auto begin = end == std::string::npos ? end : said.rfind('(', end);
-    return begin == std::string::npos ? 0 : std::clamp(std::atoi(said.c_str() + begin + 1), 0, 100);
+    constexpr std::streamoff some = 4096;
+    std::ifstream file(said, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    if (!file || size <= 0)
+        return 0;
+    std::string text(std::size_t(std::min(some, size)), '\0');
+    file.seekg(-std::streamoff(text.size()), std::ios::end);
+    file.read(text.data(), std::streamsize(text.size()));
+    double done = 0, all = 0;
+    for (auto at = text.rfind("Rendered "); at != std::string::npos;
+         at = at > 0 ? text.rfind("Rendered ", at - 1) : std::string::npos)
+        if (std::sscanf(text.c_str() + at, "Rendered %lf of %lf pixels", &done, &all) == 2)
+            return all > 0 ? std::clamp(done / all, 0.0, 1.0) : 0;
+    return 0;
 }
 
 ChildEnd render(const std::string& what, const std::vector<std::string>& options,
@@ -112,7 +112,7 @@ ChildEnd render(const std::string& what, const std::vector<std::string>& options
     std::vector<std::string> words = options;
     words.insert(words.begin(), renderer_program());
     const std::string log = scratch.path("said.txt");
-    const auto tell = [&] { progress(hundredths_in(end_of(log)), 100); };
+    const auto tell = [&] { progress(int(100 * rendered_part(log)), 100); };
     const ChildEnd end = ChildProcess(words, ".", log)
                              .wait(progress ? std::function(tell) : std::function<void()>());
     if (progress)

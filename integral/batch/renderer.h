@@ -38,6 +38,10 @@ std::string reason_in(const std::string& said);
 /// printed.
 InputError no_renderer(const std::string& said);
 
+/// The part of a frame that the renderer has done, by the last line of its progress in what it has
+/// printed to the file `said`; 0 where there is none.
+double rendered_part(const std::string& said);
+
 /// The words of povray-integral's command line for a scene (.pov, .ini): one picture of an
 /// animation, no window. Throws InputError where the scene cannot be read.
 std::vector<std::string> scene_words(const std::string& path);

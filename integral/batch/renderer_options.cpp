@@ -158,6 +158,13 @@ std::string quoted(const std::string& name)
     return quote + name + quote;
 }
 
+std::string without_quotes(const std::string& text)
+{
+    const bool quoted = text.size() >= 2 && (text[0] == '"' || text[0] == '\'') &&
+                        text.back() == text[0];
+    return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 bool can_be_quoted(const std::string& name)
 {
     return name.find('"') == std::string::npos || name.find('\'') == std::string::npos;

@@ -29,6 +29,9 @@ std::vector<RendererOption> renderer_options_in(const std::string& word);
 /// A file's name for the command line: in quotation marks of a kind that it does not have.
 std::string quoted(const std::string& name);
 
+/// A text without the quotation marks around it, if it has any.
+std::string without_quotes(const std::string& text);
+
 /// Whether quoted() can pass a name on: one with both kinds of quotation marks cannot be.
 bool can_be_quoted(const std::string& name);
 

@@ -25,13 +25,6 @@ std::string from(const std::string& folder, const std::string& name)
     return name[0] == '/' ? name : folder + "/" + name;
 }
 
-std::string without_quotes(const std::string& text)
-{
-    const bool quoted = text.size() >= 2 && (text[0] == '"' || text[0] == '\'') &&
-                        text.back() == text[0];
-    return quoted ? text.substr(1, text.size() - 2) : text;
-}
-
 /// Whether a file is a scene's text or settings, by its name. Others (pictures, fonts, meshes of
 /// data) name no files.
 bool names_files(const std::string& path)

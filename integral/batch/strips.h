@@ -18,6 +18,8 @@ struct RowStrip {
     int above = 0, below = 0; ///< further rows that are rendered
 };
 
+constexpr int usual_block_side = 32; ///< of the renderer's blocks without Render_Block_Size
+
 /// Divides a frame of `height` rows into at most `strips` (at least 1) strips of whole blocks, of
 /// nearly the same height; a frame with fewer blocks has fewer strips. The renderer anti-aliases
 /// block by block (`block_side` pixels, 32 unless Render_Block_Size says otherwise), counted from

@@ -5,6 +5,7 @@
 #include "integral/base/interrupt.h"
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
+#include "integral/batch/slurm.h"
 #include "integral/batch/strips.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/first_samples.h"
@@ -19,7 +20,6 @@
 namespace integral {
 namespace {
 
-constexpr int block_side = 32; // the renderer's, by itself
 constexpr int most_bands = 5;
 constexpr int blocks_a_band = 3; // a band of one block's rows for so many
 
@@ -54,10 +54,7 @@ std::vector<Chain> chains()
 /// The text of Integral_Camera= among options, without quotation marks around it; "" if none.
 std::string camera_in(const std::vector<std::string>& options)
 {
-    std::string text = value_of_option(options, "integral_camera", "");
-    if (text.size() >= 2 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0])
-        text = text.substr(1, text.size() - 2);
-    return text;
+    return without_quotes(value_of_option(options, "integral_camera", ""));
 }
 
 /// The option with the camera's words that there are, and a setting's.
@@ -88,7 +85,7 @@ public:
         start_processor_ = probe.processor;
         film_ = probe.metadata.film;
         reach_ = rows_looked_at(probe.metadata.sheet, film_);
-        const int blocks = (film_.height + block_side - 1) / block_side;
+        const int blocks = (film_.height + usual_block_side - 1) / usual_block_side;
         bands_ = std::clamp((blocks + blocks_a_band - 1) / blocks_a_band, 1, most_bands);
     }
 
@@ -157,8 +154,8 @@ private:
     /// Bands of one block's rows, spread evenly over the frame's height.
     std::vector<RowStrip> bands(int reach) const
     {
-        const int blocks = (film_.height + block_side - 1) / block_side;
-        const auto all = row_strips(film_.height, blocks, block_side, reach);
+        const int blocks = (film_.height + usual_block_side - 1) / usual_block_side;
+        const auto all = row_strips(film_.height, blocks, usual_block_side, reach);
         std::vector<RowStrip> chosen;
         for (int k = 0; k < bands_; ++k)
             chosen.push_back(all[std::size_t((2 * k + 1) * blocks / (2 * bands_))]);
@@ -256,14 +253,11 @@ bool worth_measuring(const Chain& chain, const std::vector<TunePoint>& points, c
     return !(goal.error && best && chain.expected >= points[*best].seconds);
 }
 
-std::string for_shell(const std::string& word)
+/// A word of a command line to paste: quoted only where a shell would read it otherwise.
+std::string pasted(const std::string& word)
 {
-    if (word.find_first_of(" \"'$`\\<>|&;(){}*?#~!") == std::string::npos)
-        return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+    return word.find_first_of(" \"'$`\\<>|&;(){}*?#~!") == std::string::npos ? word
+                                                                             : for_shell(word);
 }
 
 } // namespace
@@ -326,14 +320,14 @@ std::string tuned_command(const std::string& scene, const std::vector<std::strin
                           const TuneResult& result, const TuneSetting& setting)
 {
     std::string text = "povray-integral " +
-                       for_shell(extension_of(scene) == "pov" ? "+I" + scene : scene);
+                       pasted(extension_of(scene) == "pov" ? "+I" + scene : scene);
     for (const std::string& option : options)
         if (camera_in({option}).empty())
-            text += " " + for_shell(option);
+            text += " " + pasted(option);
     for (const std::string& option : setting.options)
         if (option != "-A")
             text += " " + option;
-    return text + " " + for_shell(camera_option(result.camera, setting));
+    return text + " " + pasted(camera_option(result.camera, setting));
 }
 
 } // namespace integral

@@ -130,9 +130,14 @@ void change_film(const FilmOptions& given, Film& film)
     }
 }
 
+Vec2 parse_paper_size(const char* option, const std::string& text)
+{
+    return parse_size_mm(option, text, largest_size);
+}
+
 void set_film_size(const char* option, const std::string& text, Film& film)
 {
-    const Vec2 size = parse_size_mm(option, text, largest_size);
+    const Vec2 size = parse_paper_size(option, text);
     const double width = size.x / film.pixel_pitch.x, height = size.y / film.pixel_pitch.y;
     if (std::max(width, height) > largest_film_side)
         throw UsageError(std::string("--") + option + " " + text +

@@ -36,6 +36,9 @@ FrameMetadata default_geometry();
 void change_sheet(const SheetOptions& given, LensSheet& sheet);
 void change_film(const FilmOptions& given, Film& film);
 
+/// An option's WxH in mm, of a page or a print. Throws UsageError.
+Vec2 parse_paper_size(const char* option, const std::string& text);
+
 /// Gives the film the pixels of an option's WxH in mm, at its resolution. Throws UsageError.
 void set_film_size(const char* option, const std::string& text, Film& film);
 

@@ -22,8 +22,6 @@
 namespace integral {
 namespace {
 
-constexpr double any_size = 1e9; // mm
-
 struct SheetCommandOptions : CommonOptions {
     SheetOptions sheet;
     FilmOptions film;
@@ -213,7 +211,7 @@ std::string words_for_scene(const SheetCommandOptions& o, const FrameMetadata& g
                             ? camera_words(geometry)
                             : sheet_words(geometry.sheet) + " " + film_words(geometry.film);
     if (o.print) {
-        const Vec2 size = parse_size_mm("print", *o.print, any_size); // set_film_size checked it
+        const Vec2 size = parse_paper_size("print", *o.print);
         words += " print_size <" + with_digits(size.x, 9) + ", " + with_digits(size.y, 9) + ">";
     }
     return words;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Makes HTML report pages of tables and small pictures. Each page is one file without scripts and
-// without links to other hosts; only moving pictures may be files beside it. Escape plain text with markup_text (integral/io/markup.h).
+// without links to other hosts; only moving pictures may be files beside it. Escape plain text with
+// markup_text (integral/io/markup.h).
 #ifndef INTEGRAL_IO_HTML_PAGE_H
 #define INTEGRAL_IO_HTML_PAGE_H
 

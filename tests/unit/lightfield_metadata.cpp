@@ -26,7 +26,8 @@ const char complete[] =
     R"( "camera": {"origin": [1, 2, 3], "x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1], "units_per_mm": 0.5},)"
     R"( "encoding": {"kind": "power", "gamma": 1.8},)"
     R"( "render": {"program": "p 1", "scene": "s.pov", "model": "full", "mapping": "accurate",)"
-    R"( "pixel_samples": 4, "beam_samples": 16, "draft": 4, "pseudoscopic": true, "display_prefilter": true, "seconds": 7,)"
+    R"( "pixel_samples": 4, "beam_samples": 16, "draft": 4, "pseudoscopic": true,)"
+    R"( "display_prefilter": true, "seconds": 7,)"
     R"( "error": {"rms": 0.01, "low": 0.005, "high": 0.02, "confidence": 0.95, "method": "audit", "pixels": 1000,)"
     R"( "lit_pixels": 19200, "samples": 17, "seconds": 0.5}}})";
 
