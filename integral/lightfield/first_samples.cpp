@@ -11,11 +11,26 @@ namespace integral {
 
 namespace {
 
-constexpr double levels = 8192; // stored value of a colour of 1; the greatest stored colour is 8
-
 int rounded(double x) { return int(std::lround(x)); }
 
 } // namespace
+
+StoredColour stored_colour(const ComparedColour& colour)
+{
+    StoredColour stored;
+    for (std::size_t k = 0; k < stored.size(); ++k)
+        // fmax makes 0 of NaN.
+        stored[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * colour_levels + 0.5, 65535));
+    return stored;
+}
+
+ComparedColour colour_of(const StoredColour& stored)
+{
+    ComparedColour colour;
+    for (std::size_t k = 0; k < stored.size(); ++k)
+        colour[k] = stored[k] / colour_levels;
+    return colour;
+}
 
 double colour_distance(const ComparedColour& a, const ComparedColour& b)
 {
@@ -40,7 +55,7 @@ int rows_looked_at(const LensSheet& sheet, const Film& film)
 
 std::size_t FirstSamples::bytes(const Film& film)
 {
-    return sizeof(Entry) * film.width * film.height;
+    return bytes_a_pixel * film.width * film.height;
 }
 
 FirstSamples::FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
@@ -75,19 +90,12 @@ FirstSamples::FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> m
 void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex lens, double depth)
 {
     Entry& entry = entries_[std::size_t(y) * width_ + x];
-    for (std::size_t k = 0; k < colour.size(); ++k)
-        // fmax makes 0 of NaN.
-        entry.colour[k] = std::uint16_t(std::fmin(std::fmax(colour[k], 0) * levels, 65535));
+    entry.colour = stored_colour(colour);
     entry.i = std::uint16_t(lens.i);
     entry.j = std::uint16_t(lens.j);
     entry.depth = std::isnan(depth) ? std::numeric_limits<float>::infinity() : float(depth);
     if (entry.depth == 0)
         entry.depth = -0.0f;
-}
-
-bool FirstSamples::empty(const Entry& entry)
-{
-    return entry.depth == 0 && !std::signbit(entry.depth);
 }
 
 double FirstSamples::depth(int x, int y) const
@@ -97,19 +105,11 @@ double FirstSamples::depth(int x, int y) const
                         : entry.depth + 0.0; // -0 + 0 is 0
 }
 
-const FirstSamples::Entry* FirstSamples::at(int x, int y) const
+std::optional<FirstSamples::StoredLens> FirstSamples::lens(int x, int y) const
 {
-    if (x < 0 || y < 0 || x >= width_ || y >= height_)
-        return nullptr;
-    const Entry& entry = entries_[std::size_t(y) * width_ + x];
-    return empty(entry) ? nullptr : &entry;
-}
-
-/// The entry of pixel (x, y) if it is behind lens (i, j), else null.
-const FirstSamples::Entry* FirstSamples::at(int x, int y, std::uint16_t i, std::uint16_t j) const
-{
-    const Entry* entry = at(x, y);
-    return entry && entry->i == i && entry->j == j ? entry : nullptr;
+    if (const Entry* entry = at(x, y))
+        return StoredLens{entry->i, entry->j};
+    return {};
 }
 
 double FirstSamples::contrast(int x, int y) const
@@ -129,7 +129,7 @@ double FirstSamples::contrast(int x, int y) const
         most = std::max(most, a == b ? sum / 2 : sum);
     };
     for_each_axis(*own, x, y, compare);
-    return most < 0 ? std::numeric_limits<double>::infinity() : double(most) / levels;
+    return most < 0 ? std::numeric_limits<double>::infinity() : double(most) / colour_levels;
 }
 
 } // namespace integral

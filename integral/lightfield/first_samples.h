@@ -9,15 +9,23 @@
 #include "integral/optics/camera.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace integral {
 
 /// A colour for comparison: red, green, blue and transparency in a perceptual encoding.
 using ComparedColour = std::array<double, 4>;
+
+/// A ComparedColour in 8 bytes: colour_levels times its components, clamped to 0 to 65535 (0 to 8).
+using StoredColour = std::array<std::uint16_t, 4>;
+constexpr double colour_levels = 8192;
+StoredColour stored_colour(const ComparedColour& colour);
+ComparedColour colour_of(const StoredColour& stored);
 
 /// The sum of the four absolute differences, as POV-Ray computes it: 3 between black and white.
 double colour_distance(const ComparedColour& a, const ComparedColour& b);
@@ -37,6 +45,7 @@ public:
     FirstSamples(const FirstSamples&) = delete;
 
     /// Bytes of memory for a film's first samples, stored row by row from the top.
+    static constexpr std::size_t bytes_a_pixel = 16;
     static std::size_t bytes(const Film& film);
 
     /// Sets the colour of pixel (x, y) (clamped to 0 to 8), the lens that images it, and the depth
@@ -45,6 +54,19 @@ public:
 
     /// The depth that was set; NaN for an empty pixel.
     double depth(int x, int y) const;
+
+    /// The lens that was set, with its indices modulo 2^16; nothing for an empty pixel.
+    using StoredLens = std::array<std::uint16_t, 2>;
+    std::optional<StoredLens> lens(int x, int y) const;
+
+    /// Whether (x, y) is a pixel of the frame behind that lens, and not empty.
+    bool is_behind(int x, int y, StoredLens lens) const { return at(x, y, lens[0], lens[1]); }
+    /// The same for the pixel at an index, which counts row by row from the top.
+    bool is_behind(std::size_t index, StoredLens lens) const
+    {
+        const Entry& entry = entries_[index];
+        return entry.i == lens[0] && entry.j == lens[1] && !empty(entry);
+    }
 
     /// How much a pixel differs from its neighbours: the largest value over the axes of the light
     /// field. Along one axis the value is the colour_distance between twice the pixel's colour and
@@ -58,18 +80,31 @@ public:
 
 private:
     struct Entry {
-        std::array<std::uint16_t, 4> colour{};
+        StoredColour colour{};
         std::uint16_t i = 0, j = 0; // the lens, modulo 2^16
         float depth = 0;            // +0 marks an empty pixel; a depth of 0 is stored as -0
     };
+    static_assert(sizeof(Entry) == bytes_a_pixel);
     /// The step to the next lens along a lattice axis (i, j), and to its pixel of the same
     /// direction (x, y).
     struct Step {
         int i[2], j, x, y; // i[0]: from an even row of lenses; i[1]: from an odd one
     };
-    static bool empty(const Entry& entry);
-    const Entry* at(int x, int y) const;
-    const Entry* at(int x, int y, std::uint16_t i, std::uint16_t j) const;
+    static bool empty(const Entry& entry) { return entry.depth == 0 && !std::signbit(entry.depth); }
+    /// The entry of pixel (x, y); null if it is empty or outside the frame.
+    const Entry* at(int x, int y) const
+    {
+        if (x < 0 || y < 0 || x >= width_ || y >= height_)
+            return nullptr;
+        const Entry& entry = entries_[std::size_t(y) * width_ + x];
+        return empty(entry) ? nullptr : &entry;
+    }
+    /// The same if the pixel is behind lens (i, j), else null.
+    const Entry* at(int x, int y, std::uint16_t i, std::uint16_t j) const
+    {
+        const Entry* entry = at(x, y);
+        return entry && entry->i == i && entry->j == j ? entry : nullptr;
+    }
 
     /// Calls visit(a, b) for each axis, with the two neighbours of `own`; null for a missing one.
     template <class Visit> void for_each_axis(const Entry& own, int x, int y, Visit visit) const;

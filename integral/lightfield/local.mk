@@ -34,6 +34,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/quilt_name.h \
   integral/lightfield/quilt_sampler.cpp \
   integral/lightfield/quilt_sampler.h \
+  integral/lightfield/reconstruction.cpp \
+  integral/lightfield/reconstruction.h \
   integral/lightfield/refinement.cpp \
   integral/lightfield/refinement.h \
   integral/lightfield/sample_points.cpp \

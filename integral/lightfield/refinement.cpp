@@ -23,19 +23,37 @@ constexpr double order = 1.2;
 // Chosen so that a threshold of 0.3 takes about 10 samples at a black and white edge.
 constexpr double threshold_of_worth = 3;
 
+constexpr double greatest_contrast = 3;
+
+// What the expected error is more than the samples' own variance says: it was found on sample
+// scenes of POV-Ray's as the factor with which reconstruction errs least.
+constexpr double missed_by_samples = 3;
+
+/// The variance that a contrast predicts, summed over components of which three differ alike.
+double variance_of(double contrast)
+{
+    const double scatter = scatter_of_contrast * std::min(contrast, greatest_contrast);
+    return scatter * scatter / 3;
+}
+
 } // namespace
+
+double squared_error_of_one(double contrast) 
+{
+    return missed_by_samples * variance_of(std::max(0.0, contrast));
+}
 
 double samples_at_edges(const RefinementRule& rule)
 {
     if (rule.method == 1)
         return double(rule.depth) * rule.depth;
-    const double contrast = 3, worth = rule.threshold / threshold_of_worth;
+    const double contrast = greatest_contrast, worth = rule.threshold / threshold_of_worth;
     return std::min(std::ldexp(1.0, 2 * rule.depth),
                     std::pow(scatter_of_contrast * contrast / worth, 1 / order));
 }
 
 Refinement::Refinement(const RefinementRule& rule, double contrast)
-    : rule_(rule), contrast_(std::min(contrast, 3.0))
+    : rule_(rule), contrast_(std::min(contrast, greatest_contrast))
 {
 }
 
@@ -67,6 +85,16 @@ double Refinement::scatter() const
         sum += std::sqrt(std::max(0.0, squares_[k] / taken_ - mean * mean));
     }
     return sum;
+}
+
+double Refinement::squared_error() const
+{
+    double seen = 0; // the sum over samples and components of squared deviations
+    for (std::size_t k = 0; k < sum_.size(); ++k)
+        seen += std::max(0.0, squares_[k] - sum_[k] * sum_[k] / taken_);
+    const double variance = (seen + weight_of_contrast * variance_of(contrast_)) /
+                            (taken_ - 1 + weight_of_contrast);
+    return missed_by_samples * variance / std::pow(double(taken_), 2 * order - 1);
 }
 
 double Refinement::worth() const

@@ -19,6 +19,10 @@ struct RefinementRule {
 /// The approximate number of samples that the rule takes in a pixel with a black and white edge.
 double samples_at_edges(const RefinementRule& rule);
 
+/// The expected squared error, summed over the colour's components, of a pixel that is not refined
+/// and keeps its first sample. `contrast`: FirstSamples::contrast of the pixel.
+double squared_error_of_one(double contrast);
+
 /// The refinement of one pixel. The caller adds wanted() samples and asks again until it returns 0.
 class Refinement {
 public:
@@ -36,6 +40,10 @@ public:
 
     /// The standard deviation of the samples, as a colour distance.
     double scatter() const;
+
+    /// The expected squared error of the samples' mean, summed over the colour's components. At
+    /// least 1 sample must have been added.
+    double squared_error() const;
 
     /// The benefit of one more sample, as a colour distance: the square root of the decrease in the
     /// mean's squared error, up to a constant factor. For a given number of samples in a frame, the

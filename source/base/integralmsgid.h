@@ -11,6 +11,7 @@ enum
     kIntegralAttrib_ErrorPicture = 'IgEp', ///< option Integral_Error_Image=: file
     kIntegralAttrib_DepthPicture = 'IgDp', ///< option Integral_Depth_Image=: file
     kIntegralAttrib_Antialiasing = 'IgAa', ///< option Integral_Antialiasing=: light_field or pixels
+    kIntegralAttrib_Reconstruction = 'IgRe', ///< option Integral_Reconstruction=: on or off
     kIntegralAttrib_Sharing = 'IgSh', ///< option Integral_Sharing=: auto, on, off or a number of
                                       ///< patches
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
@@ -57,6 +58,7 @@ enum
         {"Integral_Depth_Image", kIntegralAttrib_DepthPicture, kPOVMSType_UCS2String},             \
         {"Integral_Error_Image", kIntegralAttrib_ErrorPicture, kPOVMSType_UCS2String},             \
         {"Integral_Antialiasing", kIntegralAttrib_Antialiasing, kPOVMSType_UCS2String},            \
+        {"Integral_Reconstruction", kIntegralAttrib_Reconstruction, kPOVMSType_UCS2String},        \
         {"Integral_Sharing", kIntegralAttrib_Sharing, kPOVMSType_UCS2String},                      \
         {"Integral_Quilt", kIntegralAttrib_Quilt, kPOVMSType_UCS2String},                          \
         {"Integral_Rows", kIntegralAttrib_Rows, kPOVMSType_UCS2String},

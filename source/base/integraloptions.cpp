@@ -106,6 +106,14 @@ bool Read_Antialiasing(const std::string& text)
     return text != "pixels";
 }
 
+bool Read_Reconstruction(const std::string& text)
+{
+    const auto on = text.empty() ? std::optional<bool>(true) : Yes_Or_No(text);
+    if (!on)
+        throw std::invalid_argument("Integral_Reconstruction=" + text + " is neither on nor off");
+    return *on;
+}
+
 /// The approximate number of samples that anti-aliasing takes in a pixel with a black and white
 /// edge.
 double Samples_At_Edges(POVMS_Object& options)
@@ -229,6 +237,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
         Check_Depth_Picture(result.depth_picture);
     Read_Rows(text(kIntegralAttrib_Rows), height, result.rows);
     result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
+    result.threshold = options.TryGetFloat(kPOVAttrib_AntialiasThreshold, float(result.threshold));
+    result.reconstruct = Read_Reconstruction(word(kIntegralAttrib_Reconstruction));
     result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize,
                                                       result.block_side)); // POV-Ray's minimum
     if (const int megabytes = options.TryGetInt(kPOVAttrib_MaxImageBufferMem, 128); megabytes > 0)

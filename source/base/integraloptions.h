@@ -63,6 +63,8 @@ struct IntegralRenderOptions
     std::optional<integral::ViewGrid> quilt; ///< Integral_Quilt=; nothing: a frame
     bool antialias = false;                  ///< +A with a method other than 0
     bool light_field = true;                 ///< Integral_Antialiasing=light_field; false: pixels
+    bool reconstruct = true;                 ///< Integral_Reconstruction=
+    double threshold = 0.3;                  ///< of +A
     int block_side = 32;                     ///< width and height of a block, pixels
     std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< +MI: limit for an image
                                                                        ///< in main memory, bytes

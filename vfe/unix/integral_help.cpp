@@ -23,6 +23,7 @@ void PrintIntegralHelp()
         "    Integral_Error_Image=FILE        write a picture of the local error\n"
         "    Integral_Depth_Image=FILE.exr    write each pixel's distance from the sheet, mm\n"
         "    Integral_Antialiasing=light_field|pixels   what +A does; pixels: as POV-Ray does\n"
+        "    Integral_Reconstruction=on|off             whether +A's pixels help each other\n"
         "    Integral_Sharing=auto|on|off|N   whether rays share the shading of surfaces\n"
         "    Integral_Rows=FIRST,LAST         the rows that count; others are only neighbours\n"
         "    Integral_Seed=N                  seed of the random numbers\n"

@@ -86,6 +86,10 @@ static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
     Make_Vector(camera.Location, eye.x, eye.y, eye.z);
 }
 
+/// The error of a colour's component, relative to +A's threshold, that is not worth the time to
+/// reduce it.
+static constexpr double least_error_of_threshold = 0.01;
+
 /// A quilt's rays are those of perspective cameras: what shares, samples and estimates the light of
 /// lenses does not go with them.
 static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width, int height)
@@ -132,7 +136,8 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
                 *view->optics, Patches_In_Beam(*view->optics, given));
         if (given.antialias && given.light_field)
             view->sampling = std::make_shared<IntegralSampling>(
-                *view->optics, given.rows, given.block_side, given.most_memory);
+                *view->optics, given.rows, given.block_side, given.most_memory, given.reconstruct,
+                least_error_of_threshold * given.threshold);
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
         // The two halves do not include anti-aliasing's samples and cannot make an error picture.

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Reconstructs an anti-aliased frame: takes the noise out of each pixel with the help of other
+// pixels whose beams meet the same places of the scene.
+//
+// A pixel sees the scene through a beam: at a depth z it covers a patch that is as wide as a lens
+// at the sheet and grows by a pixel's span of slopes. Pixels behind the same lens and behind the
+// neighbouring ones have beams that overlap there, the more the further their patches' centres are
+// from being apart. Between pixels with overlapping beams a frame cannot change quickly, so their
+// mean, weighted by the overlap, has less noise and hardly another value (axis-aligned and sheared
+// filtering of light fields: Egan and others 2011, Mehta and others 2012).
+//
+// Three steps, each for all pixels before the next:
+// 1. set: the mean of the pixel's samples and the variance of that mean;
+// 2. estimate: the pixel's own mean, or one of two overlap-weighted means, narrow and wide: the one
+//    with the least squared error by Stein's unbiased risk estimate (1981) over the pixels around;
+// 3. reconstructed: an overlap-weighted mean that counts a pixel less the more its first estimate
+//    differs, compared with the noise. It keeps outlines, reflections and highlights, which do not
+//    move as the overlap says.
+#ifndef INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
+#define INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
+
+#include "integral/lightfield/first_samples.h"
+
+#include <optional>
+#include <vector>
+
+namespace integral {
+
+/// The distance in rows of the samples on which a reconstructed pixel depends.
+int rows_reconstructed_from(const LensSheet& sheet, const Film& film);
+
+/// Different threads may work on different pixels in the same step.
+class Reconstruction {
+public:
+    /// Refers to `camera` and to `first`, whose lenses and depths it uses; both must outlive it.
+    /// `least_error`: the standard error of a colour's component from which on a pixel is worked
+    /// on. `memory`: bytes(camera.film) bytes, all 0, aligned to 4; null: the object allocates its
+    /// own.
+    Reconstruction(const IntegralCamera& camera, const FirstSamples& first, double least_error,
+                   std::shared_ptr<void> memory = nullptr);
+
+    /// Working memory of one thread.
+    using Scratch = std::vector<float>;
+
+    /// Whether frames of a film can be reconstructed: not those of subpixels, whose channels have
+    /// beams of their own.
+    static bool possible(const Film& film);
+
+    /// Bytes of memory for a film, stored row by row from the top.
+    static constexpr std::size_t bytes_a_pixel = 20;
+    static std::size_t bytes(const Film& film);
+
+    /// The mean colour of the pixel's samples and the variance of that mean, summed over the
+    /// colour's components. Colours are clamped to 0 to 8; a pixel beyond that is left alone.
+    void set(int x, int y, const ComparedColour& mean, double variance);
+
+    /// Makes the first estimates of the pixels from (left, top) to (right, bottom), inclusive.
+    void estimate(int left, int top, int right, int bottom);
+
+    /// The reconstructed colour; nothing if the pixel is to be left alone: it is empty, or its error
+    /// is less than least_error.
+    std::optional<ComparedColour> reconstructed(int x, int y, Scratch& scratch) const;
+
+private:
+    struct Pixel {
+        StoredColour mean;
+        float variance; ///< of the mean; below 0: to be left alone; 0 also for an empty pixel
+        StoredColour estimate;
+    };
+    static_assert(sizeof(Pixel) == bytes_a_pixel);
+    /// A neighbouring lens, or the pixel's own.
+    struct Lens {
+        int i, j;  ///< the step to it in the lattice
+        Vec2 step; ///< mm, along (for a lenticular sheet: across) the film's axes
+    };
+    /// How far a beam's patch moves with the film point, for one of two depths, relative to mm on
+    /// the film; and its inverse width, 1/mm.
+    struct Patch {
+        Vec2 move, inverse_width;
+    };
+    /// Distances of patches' centres at the two depths, in patches.
+    using Apart = std::array<float, 2>;
+    /// For one pixel: the two filtered colours and their risks, and the risk of its own mean.
+    struct Trial {
+        bool any = false;
+        std::array<StoredColour, 2> colours{};
+        std::array<float, 2> risks{};
+        float own_risk = 0;
+    };
+
+    std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
+    std::array<Patch, 2> patches(int x, int y) const;
+    float smooth_variance(int x, int y) const;
+    template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
+    std::array<int, 2> range(const Apart& start, const Apart& pace, float width, int centre) const;
+
+    /// Calls visit(const Pixel&, overlaps) for pixels whose beams may overlap with a pixel's; their
+    /// overlaps are 0 to 1, one for each of `widths`, which ascend.
+    template <std::size_t N, class Visit>
+    void for_each_overlap(int x, int y, const std::array<float, N>& widths, Scratch& scratch,
+                          Visit visit) const;
+    template <std::size_t N, class Visit>
+    void visit_lens(int x, int y, const std::array<Patch, 2>& at, const Lens& lens,
+                    FirstSamples::StoredLens other, const std::array<float, N>& widths,
+                    Scratch& scratch, Visit visit) const;
+    template <std::size_t N, class Visit>
+    void visit_line(int x, int y, const std::array<Patch, 2>& at, const Lens& lens,
+                    FirstSamples::StoredLens other, const std::array<float, N>& widths,
+                    Visit visit) const;
+    Trial trial(int x, int y, Scratch& scratch) const;
+
+    const IntegralCamera& camera_;
+    const FirstSamples& first_;
+    int width_, height_, reach_; ///< reach: rows from a pixel to those with overlapping beams
+    int pixels_across_;          ///< the greatest number of pixels across a lens
+    std::array<std::vector<Lens>, 2> lenses_; ///< from an even and from an odd row of lenses
+    float least_variance_;
+    std::shared_ptr<void> memory_;
+    Pixel* pixels_;
+};
+
+} // namespace integral
+
+#endif
