@@ -28,6 +28,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/lens_profile.h \
   integral/lightfield/names.cpp \
   integral/lightfield/names.h \
+  integral/lightfield/pass_schedule.cpp \
+  integral/lightfield/pass_schedule.h \
   integral/lightfield/pixel_sampler.cpp \
   integral/lightfield/pixel_sampler.h \
   integral/lightfield/quilt_name.cpp \

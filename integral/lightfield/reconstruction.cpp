@@ -15,7 +15,6 @@ namespace {
 // the first estimate; the last step uses the wide one. A smaller overlap is not worth the time.
 constexpr float narrow = 0.4f, wide = 0.8f, least_overlap = 0.02f;
 
-constexpr int risk_reach = 2;          // pixels around over which a risk is averaged
 constexpr double furthest_depth = 1e5; // mm; what is further away moves no differently
 
 float fall(float distance, float width) { return std::max(0.0f, 1 - distance / width); }
@@ -71,7 +70,7 @@ struct Sum {
 
 int rows_reconstructed_from(const LensSheet& sheet, const Film& film)
 {
-    return 2 * rows_looked_at(sheet, film) + risk_reach;
+    return 2 * rows_looked_at(sheet, film) + Reconstruction::risk_reach;
 }
 
 bool Reconstruction::possible(const Film& film) { return film.subpixels.order == Subpixels::none; }

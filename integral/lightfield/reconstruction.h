@@ -42,6 +42,8 @@ public:
     /// Working memory of one thread.
     using Scratch = std::vector<float>;
 
+    static constexpr int risk_reach = 2; ///< pixels around over which a risk is averaged
+
     /// Whether frames of a film can be reconstructed: not those of subpixels, whose channels have
     /// beams of their own.
     static bool possible(const Film& film);

@@ -3,6 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integralsampling.h"
+#include "backend/lighting/radiosity.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
@@ -10,6 +11,8 @@
 #include "integral/lightfield/tabulated_curve.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -20,9 +23,8 @@ namespace pov
 namespace
 {
 
-constexpr unsigned int sampled_block = 32, estimated_block = 64; // pixels across and down
 // The shares of the passes in the displayed progress; the rest is the reconstruction's.
-constexpr float first_share = 0.4f, refinement_share = 0.5f;
+constexpr float sampling_share = 0.4f, refinement_share = 0.5f;
 
 /// Converts a colour to the encoding in which anti-aliasing compares colours.
 class ComparedEncoding
@@ -66,7 +68,7 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       colours(reinterpret_cast<Colour *>(memory->Data()))
 {
     if (this->reconstructs)
-        reconstruction.reset(new integral::Reconstruction(
+        reconstructor.reset(new integral::Reconstruction(
             camera, first, least_error,
             Part(sizeof(Colour) + integral::FirstSamples::bytes_a_pixel, camera.film)));
 }
@@ -80,9 +82,10 @@ std::size_t IntegralSampling::Bytes_A_Pixel() const
 std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film,
                                                                    std::size_t most) const
 {
-    const POVRect needed = Needed(POVRect(0, 0, width - 1, height - 1), first_pass);
-    const std::size_t pixels = std::size_t(width) * height, above = std::size_t(width) * needed.top,
-                      below = std::size_t(width) * (needed.bottom + 1);
+    const long long around = side + reach + halo;
+    const std::size_t pixels = std::size_t(width) * height,
+                      above = width * std::size_t(std::max(0LL, rows.first - around)),
+                      below = width * std::size_t(std::min<long long>(height, rows.last + around + 1));
     const bool in_file = Bytes_A_Pixel() * (below - above) > most;
     auto memory = std::make_shared<pov_base::IntegralMemory>(Bytes_A_Pixel() * pixels, in_file);
     std::size_t begin = 0;
@@ -104,56 +107,93 @@ std::shared_ptr<void> IntegralSampling::Part(std::size_t bytes_before,
     return {memory, memory->Data() + bytes_before * film.width * film.height};
 }
 
-POVRect IntegralSampling::Needed(const POVRect& rendered, Pass pass) const
+void IntegralSampling::Begin(ViewData& view)
 {
-    const int top = rendered.top, bottom = rendered.bottom;
-    const auto in_it = [&](int y) { return std::min(std::max(y, top), bottom); };
-    const int first_row = in_it(rows.first - std::min(rows.first, halo)),
-              last_row = in_it(std::min(rows.last, bottom) + halo);
-    POVRect needed = rendered;
-    if (pass == estimation)
-    {
-        needed.top = in_it(rows.first - std::min(rows.first, reach));
-        needed.bottom = in_it(std::min(rows.last, bottom) + reach);
-        return needed;
-    }
-    const int around = pass == first_pass ? reach : 0;
-    needed.top = in_it(top + (first_row - top) / side * side - around);
-    needed.bottom = in_it(top + ((last_row - top) / side + 1) * side - 1 + around);
-    return needed;
+    std::lock_guard<std::mutex> lock(mutex);
+    if (schedule)
+        return;
+    area = view.GetRenderArea();
+    POVRect block;
+    unsigned int serial;
+    while (view.GetNextRectangle(block, serial))
+        serials[{block.left, block.top}] = serial;
+    Make_Schedule();
 }
 
-bool IntegralSampling::Next_Block(const POVRect& area, Pass pass, POVRect& block)
+namespace
 {
-    const unsigned int length = pass == refinement   ? side
-                                : pass == estimation ? estimated_block
-                                                     : sampled_block;
-    const unsigned int across = (area.GetWidth() + length - 1) / length, index = next[pass]++;
-    block.left = area.left + (index % across) * length;
-    block.top = area.top + (index / across) * length;
-    block.right = std::min(block.left + length - 1, area.right);
-    block.bottom = std::min(block.top + length - 1, area.bottom);
-    return block.top <= area.bottom;
+
+/// The rows that are at most `reach` away from one of `rows`.
+std::vector<bool> Around(const std::vector<bool>& rows, int reach)
+{
+    std::vector<bool> result(rows.size());
+    for (int y = 0; y < int(rows.size()); y++)
+        if (rows[y])
+            std::fill(result.begin() + std::max(0, y - reach),
+                      result.begin() + std::min(int(rows.size()), y + reach + 1), true);
+    return result;
 }
 
-float IntegralSampling::Progress(const POVRect& rendered, const POVRect& block) const
+}
+
+/// All rows of the blocks that have one of `of`.
+std::vector<bool> IntegralSampling::Rows_Of_Blocks(const std::vector<bool>& of) const
+{
+    std::vector<bool> result(of.size());
+    for (std::size_t y = 0; y < of.size(); y++)
+        if (of[y])
+        {
+            const std::size_t top = y / side * side;
+            std::fill(result.begin() + top, result.begin() + std::min(of.size(), top + side), true);
+        }
+    return result;
+}
+
+void IntegralSampling::Make_Schedule()
+{
+    std::vector<bool> wanted(area.GetHeight()), counting(area.GetHeight());
+    for (const auto& block : serials)
+        for (int y = block.first.second; y < block.first.second + side && y <= int(area.bottom); y++)
+        {
+            wanted[y - area.top] = true;
+            counting[y - area.top] = rows.Have(y);
+        }
+    // A block is refined as a whole, because a pixel can cause its neighbours to be refined.
+    const std::vector<bool> refined = Rows_Of_Blocks(Around(counting, halo));
+    scheduled = {{Around(refined, reach), 0}, {refined, reach}};
+    if (reconstructs)
+        scheduled.push_back(
+            {Around(counting, reach), reach + integral::Reconstruction::risk_reach});
+    scheduled.push_back({wanted, reconstructs ? reach : 0});
+    schedule.reset(new integral::PassSchedule(
+        {int(area.left), int(area.top), int(area.right), int(area.bottom)}, side, scheduled));
+}
+
+bool IntegralSampling::Is_Wanted(const integral::PictureBlock& block, unsigned int& serial) const
+{
+    const auto found = serials.find({block.left, block.top});
+    if (found == serials.end())
+        return false;
+    serial = found->second;
+    return true;
+}
+
+bool IntegralSampling::Shows(const integral::PictureBlock& block) const
+{
+    const int top = area.top + (block.top - int(area.top)) / side * side;
+    return serials.count({block.left, top}) > 0;
+}
+
+float IntegralSampling::Progress(const integral::PictureBlock& block) const
 {
     const auto part = [&](Pass pass)
     {
-        const POVRect needed = Needed(rendered, pass);
-        const int rows = int(std::min(block.bottom, needed.bottom)) -
-                         int(std::max(block.top, needed.top)) + 1;
-        return float(std::max(0, rows)) / block.GetHeight();
+        const std::vector<bool>& works = scheduled[pass].rows;
+        return float(std::count(works.begin() + (block.top - area.top),
+                                works.begin() + (block.bottom - area.top) + 1, true)) /
+               (block.bottom - block.top + 1);
     };
-    return first_share * part(first_pass) + refinement_share * part(refinement);
-}
-
-int Integral_Passes(const Camera& camera, unsigned int method)
-{
-    IntegralSampling *const sampling = method > 0 ? Sampling_Of(camera) : NULL;
-    if (!sampling)
-        return 0;
-    return sampling->Reconstruction() ? IntegralSampling::passes : IntegralSampling::passes - 1;
+    return sampling_share * part(sampling) + refinement_share * part(refinement);
 }
 
 namespace
@@ -164,25 +204,26 @@ class BlockRefinement
 {
 public:
     BlockRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace,
-                    const IntegralRefinementOptions& options, const ComparedEncoding& compared,
-                    IntegralSampling& sampling)
+                    Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options,
+                    const ComparedEncoding& compared, IntegralSampling& sampling)
         : view(view),
           thread(thread),
           trace(trace),
+          cooperate(cooperate),
           options(options),
           sampling(sampling),
           compared(compared)
     {
     }
 
-    /// Refines the block's pixels. Calls `cooperate` after each.
-    template <class Cooperate> void Run(const POVRect& of, Cooperate cooperate)
+    /// Refines the block's pixels.
+    void Run(const integral::PictureBlock& of)
     {
         block = of;
         waiting.clear();
-        refined.assign(block.GetArea(), false);
-        for (int y = block.top; y <= int(block.bottom); y++)
-            for (int x = block.left; x <= int(block.right); x++)
+        refined.assign(std::size_t(Width()) * (block.bottom - block.top + 1), false);
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++)
             {
                 const double contrast = sampling.First().contrast(x, y);
                 if (contrast >= options.rule.threshold)
@@ -194,22 +235,22 @@ public:
         {
             const int x = waiting[next].first, y = waiting[next].second;
             const bool busy = Refine(x, y);
-            cooperate();
             if (busy) // its neighbours' first samples may have missed the same edge
                 sampling.First().for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
         }
     }
 
 private:
+    int Width() const { return block.right - block.left + 1; }
     std::size_t Index(int x, int y) const
     {
-        return std::size_t(y - block.top) * block.GetWidth() + (x - block.left);
+        return std::size_t(y - block.top) * Width() + (x - block.left);
     }
 
     void Want(int x, int y)
     {
-        if (x < int(block.left) || x > int(block.right) || y < int(block.top) ||
-            y > int(block.bottom) || refined[Index(x, y)])
+        if (x < block.left || x > block.right || y < block.top || y > block.bottom ||
+            refined[Index(x, y)])
             return;
         refined[Index(x, y)] = true;
         waiting.emplace_back(x, y);
@@ -236,6 +277,7 @@ private:
                     refinement.add_none();
                 any = any || trace.Integral().Imaged();
                 thread.Stats()[Number_Of_Samples]++;
+                cooperate();
             }
         if (any)
         {
@@ -255,133 +297,163 @@ private:
     ViewData& view;
     ViewThreadData& thread;
     TracePixel& trace;
+    Trace::CooperateFunctor& cooperate;
     const IntegralRefinementOptions& options;
     IntegralSampling& sampling;
     const ComparedEncoding& compared;
-    POVRect block;
+    integral::PictureBlock block;
     std::vector<bool> refined; ///< true also for pixels in `waiting`
     std::vector<std::pair<int, int>> waiting;
 };
 
-}
-
-IntegralSamplingTask::IntegralSamplingTask(ViewData *view, int pass,
-                                           const IntegralRefinementOptions& options, bool continued)
-    : IntegralTask(view, true),
-      pass(IntegralSampling::Pass(pass)),
-      options(options),
-      continued(continued)
+/// One thread's share of all passes.
+class Antialiasing
 {
-}
-
-/// Takes the first samples of a block. `compared` converts a colour for comparison.
-template <class Compared>
-void IntegralSamplingTask::Sample(const POVRect& block, const Compared& compared)
-{
-    const ViewData& view = *GetViewData();
-    IntegralSampling& sampling = *Sampling_Of(view.GetCamera());
-    for (unsigned int y = block.top; y <= block.bottom; y++)
-        for (unsigned int x = block.left; x <= block.right; x++)
-        {
-            Colour& colour = sampling.At(x, y);
-            trace(x, y, view.GetWidth(), view.GetHeight(), colour);
-            GetViewDataPtr()->Stats()[Number_Of_Pixels]++;
-            if (trace.Integral().Imaged())
-                sampling.First().set(x, y, compared(colour), trace.Integral().Lens(),
-                                     trace.Integral().Depth());
-            Cooperate();
-        }
-}
-
-/// Sends a block as it is now to the display, and adds `share` of it to the progress.
-void IntegralSamplingTask::Show(const POVRect& block, float share)
-{
-    IntegralSampling& sampling = *Sampling_Of(GetViewData()->GetCamera());
-    pixels.clear();
-    for (unsigned int y = block.top; y <= block.bottom; y++)
-        for (unsigned int x = block.left; x <= block.right; x++)
-            pixels.push_back(sampling.At(x, y));
-    if (!continued)
-        GetViewData()->CompletedRectangle(block, 0, pixels, 1, false, share);
-}
-
-void IntegralSamplingTask::Run()
-{
-    ViewData& view = *GetViewData();
-    IntegralSampling& sampling = *Sampling_Of(view.GetCamera());
-    const POVRect area = sampling.Needed(view.GetRenderArea(), pass);
-    const ComparedEncoding compared(options.gamma);
-    BlockRefinement refinement(view, *GetViewDataPtr(), trace, options, compared, sampling);
-    POVRect block;
-    while (sampling.Next_Block(area, pass, block))
+public:
+    Antialiasing(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                 RadiosityFunction& radiosity, Trace::CooperateFunctor& cooperate,
+                 const IntegralRefinementOptions& options, IntegralSampling& sampling)
+        : view(view),
+          thread(thread),
+          trace(trace),
+          radiosity(radiosity),
+          cooperate(cooperate),
+          options(options),
+          sampling(sampling),
+          compared(options.gamma),
+          refinement(view, thread, trace, cooperate, options, compared, sampling)
     {
-        radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left : 0);
-        if (pass == IntegralSampling::first_pass)
-            Sample(block, compared);
-        else if (pass == IntegralSampling::refinement)
-            refinement.Run(block, [this] { Cooperate(); });
-        else
-            sampling.Reconstruction()->estimate(block.left, block.top, block.right, block.bottom);
-        sampling.Done(block);
-        radiosity.AfterTile();
-        GetViewDataPtr()->AfterTile();
-        if (pass == IntegralSampling::first_pass)
-            Show(block, first_share);
-        else if (pass == IntegralSampling::refinement)
-            Show(block, refinement_share);
-        Cooperate();
     }
-    view.SetHighestTraceLevel(trace.GetHighestTraceLevel());
+
+    void Run()
+    {
+        integral::PassSchedule& schedule = sampling.Schedule();
+        while (const auto item = schedule.next())
+        {
+            while (!schedule.is_ready(*item))
+            {
+                cooperate(); // throws if the render is ended
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            }
+            Work(item->pass, item->block);
+            schedule.finish(*item);
+            sampling.Done(item->block);
+            thread.AfterTile();
+            cooperate();
+        }
+    }
+
+private:
+    void Work(int pass, const integral::PictureBlock& block)
+    {
+        if (pass == sampling.Last_Pass())
+            Finish(block);
+        else if (pass == IntegralSampling::estimation)
+            sampling.Reconstruction()->estimate(block.left, block.top, block.right, block.bottom);
+        else
+        {
+            radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left
+                                                      : 0);
+            if (pass == IntegralSampling::sampling)
+                Sample(block);
+            else
+                refinement.Run(block);
+            radiosity.AfterTile();
+            Take(block);
+            const float share = pass == IntegralSampling::sampling ? sampling_share
+                                                                   : refinement_share;
+            if (sampling.Shows(block))
+                view.CompletedRectangle(To_Rect(block), 0, pixels, 1, false, share);
+        }
+    }
+
+    /// Takes the first samples of a block.
+    void Sample(const integral::PictureBlock& block)
+    {
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++)
+            {
+                Colour& colour = sampling.At(x, y);
+                trace(x, y, view.GetWidth(), view.GetHeight(), colour);
+                thread.Stats()[Number_Of_Pixels]++;
+                if (trace.Integral().Imaged())
+                    sampling.First().set(x, y, compared(colour), trace.Integral().Lens(),
+                                         trace.Integral().Depth());
+                cooperate();
+            }
+    }
+
+    /// Hands over a block as it is now, reconstructed if that is wanted.
+    void Finish(const integral::PictureBlock& block)
+    {
+        unsigned int serial;
+        if (!sampling.Is_Wanted(block, serial))
+            return;
+        Take(block);
+        const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
+        if (sampling.Reconstruction())
+        {
+            auto pixel = pixels.begin();
+            for (int y = block.top; y <= block.bottom; y++)
+                for (int x = block.left; x <= block.right; x++, ++pixel)
+                    if (rows.Have(y))
+                        Reconstruct(x, y, *pixel);
+        }
+        // A block without rows that count is never marked final, so that +C may be used with other
+        // rows.
+        view.CompletedRectangle(To_Rect(block), serial, pixels, 1,
+                                options.final && rows.Meet(block.top, block.bottom),
+                                1 - sampling.Progress(block));
+    }
+
+    void Reconstruct(int x, int y, Colour& colour)
+    {
+        const auto reconstructed = sampling.Reconstruction()->reconstructed(x, y, scratch);
+        if (!reconstructed)
+            return;
+        for (int k = 0; k < 3; k++)
+            colour[k] = GammaCurve::Decode(options.gamma, float((*reconstructed)[k]));
+        colour.transm() = float((*reconstructed)[3]);
+    }
+
+    /// Sets `pixels` to the block's colours.
+    void Take(const integral::PictureBlock& block)
+    {
+        pixels.clear();
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++)
+                pixels.push_back(sampling.At(x, y));
+    }
+
+    static POVRect To_Rect(const integral::PictureBlock& block)
+    {
+        return POVRect(block.left, block.top, block.right, block.bottom);
+    }
+
+    ViewData& view;
+    ViewThreadData& thread;
+    TracePixel& trace;
+    RadiosityFunction& radiosity;
+    Trace::CooperateFunctor& cooperate;
+    const IntegralRefinementOptions& options;
+    IntegralSampling& sampling;
+    ComparedEncoding compared;
+    BlockRefinement refinement;
+    std::vector<Colour> pixels;
+    integral::Reconstruction::Scratch scratch;
+};
+
 }
 
-namespace
-{
-
-void Reconstruct(const integral::Reconstruction& reconstruction, const GammaCurvePtr& gamma, int x,
-                 int y, integral::Reconstruction::Scratch& scratch, Colour& colour)
-{
-    const auto reconstructed = reconstruction.reconstructed(x, y, scratch);
-    if (!reconstructed)
-        return;
-    for (int k = 0; k < 3; k++)
-        colour[k] = GammaCurve::Decode(gamma, float((*reconstructed)[k]));
-    colour.transm() = float((*reconstructed)[3]);
-}
-
-}
-
-bool Reconstruct_Integral_View(ViewData& view, ViewThreadData& thread,
-                               Trace::CooperateFunctor& cooperate, const GammaCurvePtr& gamma,
-                               bool final)
+bool Antialias_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                             RadiosityFunction& radiosity, Trace::CooperateFunctor& cooperate,
+                             const IntegralRefinementOptions& options)
 {
     IntegralSampling *const sampling = Sampling_Of(view.GetCamera());
     if (!sampling)
         return false;
-
-    const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
-    integral::Reconstruction::Scratch scratch;
-    POVRect block;
-    unsigned int serial;
-    std::vector<Colour> pixels;
-    while (view.GetNextRectangle(block, serial))
-    {
-        pixels.clear();
-        for (int y = block.top; y <= int(block.bottom); y++)
-            for (int x = block.left; x <= int(block.right); x++)
-            {
-                pixels.push_back(sampling->At(x, y));
-                if (sampling->Reconstruction() && rows.Have(y))
-                    Reconstruct(*sampling->Reconstruction(), gamma, x, y, scratch, pixels.back());
-            }
-        sampling->Done(block);
-        thread.AfterTile();
-        // A block without rows that count is never marked final, so that +C may be used with other
-        // rows.
-        const bool counts = rows.Meet(block.top, block.bottom);
-        view.CompletedRectangle(block, serial, pixels, 1, final && counts,
-                                1 - sampling->Progress(view.GetRenderArea(), block));
-        cooperate();
-    }
+    sampling->Begin(view);
+    Antialiasing(view, thread, trace, radiosity, cooperate, options, *sampling).Run();
     return true;
 }
 

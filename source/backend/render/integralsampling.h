@@ -1,34 +1,39 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Anti-aliases (+A) the frame of an integral camera in passes over all pixels: the first takes one
+// Anti-aliases (+A) the frame of an integral camera in passes over its blocks: the first takes one
 // sample of every pixel; the second takes more samples of pixels that differ from their neighbours
-// in the light field; the third makes first estimates of the pixels from each other. With these the
-// frame is reconstructed block by block.
+// in the light field; the third makes first estimates of the pixels from each other, and the last
+// reconstructs the frame with their help.
 #ifndef POVRAY_BACKEND_INTEGRALSAMPLING_H
 #define POVRAY_BACKEND_INTEGRALSAMPLING_H
 
-#include <atomic>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "backend/frame.h"
-#include "backend/render/integraltask.h"
+#include "backend/render/tracepixel.h"
 #include "base/image/colourspace.h"
 #include "base/integralmemory.h"
 #include "base/integraloptions.h"
+#include "integral/lightfield/pass_schedule.h"
 #include "integral/lightfield/reconstruction.h"
 #include "integral/lightfield/refinement.h"
 
 namespace pov
 {
 
-class Camera;
+class RadiosityFunction;
+class ViewData;
+class ViewThreadData;
 
 /// The anti-aliasing options of a view.
 struct IntegralRefinementOptions
 {
     integral::RefinementRule rule;
     GammaCurvePtr gamma;
-    bool jitter, reproducible;
+    bool jitter, reproducible, final;
 };
 
 /// The results of the passes: 36 bytes per pixel of the rows that need samples, and 20 more with
@@ -39,36 +44,47 @@ class IntegralSampling
 public:
     enum Pass
     {
-        first_pass,
+        sampling,
         refinement,
         estimation,
-        passes
+        reconstruction
     };
 
-    /// `rows`: the rows that count. `side`: width and height of the blocks that are refined,
-    /// pixels. `most_memory`: limit of main memory, bytes. `reconstructs`: whether the frame is to
-    /// be reconstructed, if that is possible; `least_error`: see integral::Reconstruction. Throws
+    /// `rows`: the rows that count. `side`: width and height of the view's blocks, pixels.
+    /// `most_memory`: limit of main memory, bytes. `reconstructs`: whether the frame is to be
+    /// reconstructed, if that is possible; `least_error`: see integral::Reconstruction. Throws
     /// pov_base::Exception if there is no room.
     IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows,
                      int side, std::size_t most_memory, bool reconstructs, double least_error);
 
-    /// The rows that a pass must work on, of the rendered area: for the second pass all blocks with
-    /// rows that count or that the reconstruction of those needs; for the first also the neighbours
-    /// of their pixels; for the third the neighbours of rows that count.
-    POVRect Needed(const POVRect& rendered, Pass pass) const;
+    /// Takes the blocks of the view that are to be rendered, and makes the schedule of all passes.
+    /// Later calls have no effect. Any thread may call it.
+    void Begin(ViewData& view);
+    integral::PassSchedule& Schedule() { return *schedule; }
 
-    /// Sets `block` to the next block of a pass over `area`; false when all has been given out.
-    bool Next_Block(const POVRect& area, Pass pass, POVRect& block);
+    /// Whether a block of the last pass is one of those to be rendered; then sets its serial
+    /// number.
+    bool Is_Wanted(const integral::PictureBlock& block, unsigned int& serial) const;
+
+    /// Whether a block of an earlier pass may be shown: it does not overwrite what an earlier
+    /// render finished (+C).
+    bool Shows(const integral::PictureBlock& block) const;
+
+    int Last_Pass() const { return int(scheduled.size()) - 1; }
+
+    /// The part of a block's progress that the passes before the last report, 0 to 1.
+    float Progress(const integral::PictureBlock& block) const;
 
     /// Reports that a pass is done with a block.
-    void Done(const POVRect& block) { memory->Used(Bytes_A_Pixel() * block.GetArea()); }
-
-    /// The part of a block's progress that the passes have reported already, 0 to 1.
-    float Progress(const POVRect& rendered, const POVRect& block) const;
+    void Done(const integral::PictureBlock& block)
+    {
+        memory->Used(Bytes_A_Pixel() * (block.right - block.left + 1) *
+                     (block.bottom - block.top + 1));
+    }
 
     integral::FirstSamples& First() { return first; }
     /// Null: the frame is not reconstructed.
-    integral::Reconstruction *Reconstruction() const { return reconstruction.get(); }
+    integral::Reconstruction *Reconstruction() const { return reconstructor.get(); }
     Colour& At(int x, int y) { return colours[std::size_t(y) * width + x]; }
 
 private:
@@ -78,46 +94,28 @@ private:
     int reach, halo; ///< rows to a pixel's neighbours, and to those that its reconstruction needs
     std::shared_ptr<pov_base::IntegralMemory> memory; ///< colours, first samples, reconstruction
     integral::FirstSamples first;
-    std::unique_ptr<integral::Reconstruction> reconstruction;
+    std::unique_ptr<integral::Reconstruction> reconstructor;
     Colour *colours;
-    std::atomic<unsigned int> next[passes] = {};
+    std::mutex mutex; ///< of Begin
+    POVRect area;     ///< the rendered part of the frame
+    std::map<std::pair<int, int>, unsigned int> serials; ///< of the blocks to be rendered, by left
+                                                         ///< and top
+    std::unique_ptr<integral::PassSchedule> schedule;
+    std::vector<integral::SchedulePass> scheduled; ///< the passes, as the schedule has them
 
     std::size_t Bytes_A_Pixel() const;
+    std::vector<bool> Rows_Of_Blocks(const std::vector<bool>& rows) const;
+    void Make_Schedule();
     std::shared_ptr<pov_base::IntegralMemory> Memory(const integral::Film& film,
                                                      std::size_t most) const;
     std::shared_ptr<void> Part(std::size_t pixels_before, const integral::Film& film) const;
 };
 
-/// The number of passes that a view must run before its frame is rendered, each with as many tasks
-/// as there are threads, and each after the one before has ended; 0 without +A.
-int Integral_Passes(const Camera& camera, unsigned int method);
-
-/// One thread's share of a pass. The first also sends the frame without anti-aliasing to the
-/// display.
-class IntegralSamplingTask : public IntegralTask
-{
-public:
-    /// `continued`: part of the frame was rendered before (+C); the passes must not overwrite its
-    /// pixels on the display.
-    IntegralSamplingTask(ViewData *view, int pass, const IntegralRefinementOptions& options,
-                         bool continued);
-    virtual void Run();
-
-private:
-    template <class Compared> void Sample(const POVRect& block, const Compared& compared);
-    void Show(const POVRect& block, float share);
-
-    IntegralSampling::Pass pass;
-    IntegralRefinementOptions options;
-    bool continued;
-    std::vector<Colour> pixels;
-};
-
-/// Reconstructs the blocks of a thread's share of the frame and hands them over; `final`: as
-/// finished. Does nothing and returns false if the view has had no passes.
-bool Reconstruct_Integral_View(ViewData& view, ViewThreadData& thread,
-                               Trace::CooperateFunctor& cooperate, const GammaCurvePtr& gamma,
-                               bool final);
+/// Runs one thread's share of the passes. `final`: hand the blocks over as finished. Does nothing
+/// and returns false if the view is not anti-aliased in the light field.
+bool Antialias_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                             RadiosityFunction& radiosity, Trace::CooperateFunctor& cooperate,
+                             const IntegralRefinementOptions& options);
 
 }
 
