@@ -10,7 +10,7 @@
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_files.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/first_samples.h"
+#include "integral/lightfield/reconstruction.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -101,7 +101,7 @@ StripPlan new_plan(const BatchStep& frame, const std::string& inputs, int number
                          ? usual_block_side
                          : std::max(4, std::atoi(given.c_str())); // the renderer takes no less
     const int reach = is_on(said, "Antialiasing")
-                          ? rows_looked_at(rows.metadata->sheet, rows.metadata->film)
+                          ? rows_antialiased_from(rows.metadata->sheet, rows.metadata->film, side)
                           : 0;
     warn_of_randomness(frame, programs, said);
     return {inputs, rows.image.height, row_strips(rows.image.height, number, side, reach)};

@@ -8,7 +8,7 @@
 #include "integral/batch/slurm.h"
 #include "integral/batch/strips.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/first_samples.h"
+#include "integral/lightfield/reconstruction.h"
 
 #include <algorithm>
 #include <chrono>
@@ -84,7 +84,8 @@ public:
         start_ = probe.seconds;
         start_processor_ = probe.processor;
         film_ = probe.metadata.film;
-        reach_ = rows_looked_at(probe.metadata.sheet, film_);
+        reach_ = rows_antialiased_from(probe.metadata.sheet, film_, usual_block_side);
+        refined_ = reach_ - rows_looked_at(probe.metadata.sheet, film_);
         const int blocks = (film_.height + usual_block_side - 1) / usual_block_side;
         bands_ = std::clamp((blocks + blocks_a_band - 1) / blocks_a_band, 1, most_bands);
     }
@@ -97,12 +98,10 @@ public:
         std::vector<ErrorEstimate> errors;
         for (const RowStrip& band : bands(antialias ? reach_ : 0)) {
             const Run part = run(setting, options_of(band, film_.height));
-            // Rows besides its own have their first samples alone, and only so far as is looked.
-            const int beside = std::min(band.above, reach_) + band.below;
             const double own = work_of(part);
             clock_ += std::max(0.0, part.seconds - start_);
             processor_ += own;
-            work += std::max(0.0, own - beside * first_samples_);
+            work += antialias ? work_of_rows(band, own) : own;
             rows += band.rows;
             audited += part.auditing;
             if (part.metadata.render->error)
@@ -149,6 +148,16 @@ private:
         const double rendering = std::max(0.0, part.processor - start_processor_),
                      clock = part.seconds + part.auditing;
         return clock > 0 ? rendering * part.seconds / clock : 0;
+    }
+
+    /// What of a band's work its own rows take. Of the rows beside them the nearer ones are
+    /// refined, too, and the others have their first samples alone.
+    double work_of_rows(const RowStrip& band, double work) const
+    {
+        const double beside = std::min(band.above, reach_) + band.below,
+                     refined = std::min(band.above, refined_) + std::min(band.below, refined_);
+        const double refining = std::max(0.0, work - (band.rows + beside) * first_samples_);
+        return band.rows * (first_samples_ + refining / (band.rows + refined));
     }
 
     /// Bands of one block's rows, spread evenly over the frame's height.
@@ -210,7 +219,8 @@ private:
     std::vector<std::string> options_;
     std::string camera_;
     Film film_;
-    int reach_ = 0, bands_ = 1, rows_ = 0;
+    int reach_ = 0, refined_ = 0; ///< rows beside a band with samples, and those that are refined
+    int bands_ = 1, rows_ = 0;
     /// Seconds of a render of one row: parsing; tracing; everything, of all processors.
     double parsing_ = 0, start_ = 0, start_processor_ = 0;
     double first_samples_ = 0;         ///< processors' seconds of a row with one ray a pixel

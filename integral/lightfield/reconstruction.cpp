@@ -73,6 +73,12 @@ int rows_reconstructed_from(const LensSheet& sheet, const Film& film)
     return 2 * rows_looked_at(sheet, film) + Reconstruction::risk_reach;
 }
 
+int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side)
+{
+    const int blocks = (rows_reconstructed_from(sheet, film) + block_side - 1) / block_side;
+    return blocks * block_side + rows_looked_at(sheet, film);
+}
+
 bool Reconstruction::possible(const Film& film) { return film.subpixels.order == Subpixels::none; }
 
 std::size_t Reconstruction::bytes(const Film& film)

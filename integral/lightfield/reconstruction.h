@@ -26,8 +26,12 @@
 
 namespace integral {
 
-/// The distance in rows of the samples on which a reconstructed pixel depends.
+/// The distance in rows of the refined pixels on which a reconstructed pixel depends.
 int rows_reconstructed_from(const LensSheet& sheet, const Film& film);
+
+/// The distance in rows of all samples on which an anti-aliased row of blocks depends. Refinement
+/// works on whole blocks of `block_side` x `block_side` pixels.
+int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side);
 
 /// Different threads may work on different pixels in the same step.
 class Reconstruction {
