@@ -66,8 +66,10 @@ unit_sources = \
   tests/unit/lightfield_known_sheets.cpp \
   tests/unit/lightfield_lens_profile.cpp \
   tests/unit/lightfield_metadata.cpp \
+  tests/unit/lightfield_pass_schedule.cpp \
   tests/unit/lightfield_pixel_beam.cpp \
   tests/unit/lightfield_pixel_sampler.cpp \
+  tests/unit/lightfield_reconstruction.cpp \
   tests/unit/lightfield_refinement.cpp \
   tests/unit/lightfield_sample_points.cpp \
   tests/unit/lightfield_sample_spread.cpp \

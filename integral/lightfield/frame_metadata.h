@@ -21,7 +21,7 @@ struct RenderRecord {
     LensMapping mapping = LensMapping::automatic;
     int pixel_samples = 1, beam_samples = 1;
     bool pseudoscopic = false, display_prefilter = false;
-    int draft = 1; ///< pixels of the final frame across one of this frame's
+    int draft = 1;                      ///< pixels of the final frame across one of this frame's
     double seconds = 0;                 ///< rendering time; 0 if unknown
     std::optional<ErrorEstimate> error; ///< in the output encoding
 };

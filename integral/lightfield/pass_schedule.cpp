@@ -38,10 +38,10 @@ void PassSchedule::append_row(int pass, int row)
         --last;
     for (int column = 0; column < columns_; ++column) {
         const int x = area_.left + column * side_;
-        items_.push_back({pass,
-                          {x, area_.top + int(first - works.begin()),
-                           std::min(x + side_ - 1, area_.right),
-                           area_.top + int(last - works.begin())}});
+        items_.push_back(
+            {pass,
+             {x, area_.top + int(first - works.begin()), std::min(x + side_ - 1, area_.right),
+              area_.top + int(last - works.begin())}});
     }
     left_[std::size_t(pass)][std::size_t(row)] = columns_;
 }

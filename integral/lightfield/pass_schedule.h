@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The order in which threads work on the blocks of a picture in several passes, each of which needs
 // the results of the pass before around its own block. The passes follow each other down the
-// picture at a distance of a few rows of blocks, so that the first rows are finished long before the
-// last are begun, and no thread waits for others at the end of a pass.
+// picture at a distance of a few rows of blocks, so that the first rows are finished long before
+// the last are begun, and no thread waits for others at the end of a pass.
 #ifndef INTEGRAL_LIGHTFIELD_PASS_SCHEDULE_H
 #define INTEGRAL_LIGHTFIELD_PASS_SCHEDULE_H
 
@@ -52,14 +52,18 @@ public:
 
 private:
     int row_of(const Item& item) const { return (item.block.top - area_.top) / side_; }
-    int blocks_around(int pass) const { return (passes_[std::size_t(pass)].reach + side_ - 1) / side_; }
+    int blocks_around(int pass) const
+    {
+        return (passes_[std::size_t(pass)].reach + side_ - 1) / side_;
+    }
     void append_row(int pass, int row);
 
     PictureBlock area_;
     int side_, rows_, columns_;
     std::vector<SchedulePass> passes_;
     std::vector<Item> items_;
-    std::vector<std::vector<std::atomic<int>>> left_; ///< blocks not finished, [pass][row of blocks]
+    std::vector<std::vector<std::atomic<int>>> left_; ///< blocks not finished, [pass][row of
+                                                      ///< blocks]
     std::atomic<std::size_t> given_{0};
 };
 

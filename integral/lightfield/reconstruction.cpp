@@ -93,8 +93,9 @@ Reconstruction::Reconstruction(const IntegralCamera& camera, const FirstSamples&
       width_(camera.film.width),
       height_(camera.film.height),
       reach_(rows_looked_at(camera.optics.sheet(), camera.film)),
-      pixels_across_(int(std::ceil(camera.optics.sheet().pitch /
-                                   std::min(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y)))),
+      pixels_across_(
+          int(std::ceil(camera.optics.sheet().pitch /
+                        std::min(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y)))),
       least_variance_(float(3 * least_error * least_error)),
       memory_(std::move(memory))
 {

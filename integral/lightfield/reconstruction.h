@@ -63,8 +63,8 @@ public:
     /// Makes the first estimates of the pixels from (left, top) to (right, bottom), inclusive.
     void estimate(int left, int top, int right, int bottom);
 
-    /// The reconstructed colour; nothing if the pixel is to be left alone: it is empty, or its error
-    /// is less than least_error.
+    /// The reconstructed colour; nothing if the pixel is to be left alone: it is empty, or its
+    /// error is less than least_error.
     std::optional<ComparedColour> reconstructed(int x, int y, Scratch& scratch) const;
 
 private:

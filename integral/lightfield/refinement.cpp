@@ -38,7 +38,7 @@ double variance_of(double contrast)
 
 } // namespace
 
-double squared_error_of_one(double contrast) 
+double squared_error_of_one(double contrast)
 {
     return missed_by_samples * variance_of(std::max(0.0, contrast));
 }

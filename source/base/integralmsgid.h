@@ -19,7 +19,7 @@ enum
     kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel in pixels
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
     kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
-    kIntegralAttrib_Quilt = 'IgQu', ///< option Integral_Quilt=: views across and up
+    kIntegralAttrib_Quilt = 'IgQu',      ///< option Integral_Quilt=: views across and up
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
     kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged

@@ -52,8 +52,7 @@ IntegralSampling *Sampling_Of(const Camera& camera)
 
 IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
                                    const pov_base::IntegralRows& rows, int side,
-                                   std::size_t most_memory, bool reconstructs,
-                                   double least_error)
+                                   std::size_t most_memory, bool reconstructs, double least_error)
     : rows(rows),
       width(camera.film.width),
       height(camera.film.height),
@@ -85,12 +84,13 @@ std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integra
     const long long around = side + reach + halo;
     const std::size_t pixels = std::size_t(width) * height,
                       above = width * std::size_t(std::max(0LL, rows.first - around)),
-                      below = width * std::size_t(std::min<long long>(height, rows.last + around + 1));
+                      below = width *
+                              std::size_t(std::min<long long>(height, rows.last + around + 1));
     const bool in_file = Bytes_A_Pixel() * (below - above) > most;
     auto memory = std::make_shared<pov_base::IntegralMemory>(Bytes_A_Pixel() * pixels, in_file);
     std::size_t begin = 0;
-    for (std::size_t bytes :
-         {sizeof(Colour), integral::FirstSamples::bytes_a_pixel, integral::Reconstruction::bytes_a_pixel})
+    for (std::size_t bytes : {sizeof(Colour), integral::FirstSamples::bytes_a_pixel,
+                              integral::Reconstruction::bytes_a_pixel})
     {
         if (begin + bytes > Bytes_A_Pixel())
             break;
@@ -153,7 +153,8 @@ void IntegralSampling::Make_Schedule()
 {
     std::vector<bool> wanted(area.GetHeight()), counting(area.GetHeight());
     for (const auto& block : serials)
-        for (int y = block.first.second; y < block.first.second + side && y <= int(area.bottom); y++)
+        for (int y = block.first.second; y < block.first.second + side && y <= int(area.bottom);
+             y++)
         {
             wanted[y - area.top] = true;
             counting[y - area.top] = rows.Have(y);

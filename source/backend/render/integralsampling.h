@@ -96,8 +96,8 @@ private:
     integral::FirstSamples first;
     std::unique_ptr<integral::Reconstruction> reconstructor;
     Colour *colours;
-    std::mutex mutex; ///< of Begin
-    POVRect area;     ///< the rendered part of the frame
+    std::mutex mutex;                                    ///< of Begin
+    POVRect area;                                        ///< the rendered part of the frame
     std::map<std::pair<int, int>, unsigned int> serials; ///< of the blocks to be rendered, by left
                                                          ///< and top
     std::unique_ptr<integral::PassSchedule> schedule;
