@@ -16,6 +16,7 @@ include $(srcdir)/integral/compare/local.mk
 include $(srcdir)/integral/output/local.mk
 include $(srcdir)/integral/analysis/local.mk
 include $(srcdir)/integral/io/local.mk
+include $(srcdir)/integral/wireframe/local.mk
 include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/cli/local.mk
 

@@ -115,7 +115,8 @@ unit_sources = \
   tests/unit/optics_symmetries.cpp \
   tests/unit/output_print_media.cpp \
   tests/unit/picture_files.h \
-  tests/unit/pixel_origins.h
+  tests/unit/pixel_origins.h \
+  tests/unit/wireframe.cpp
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and
 # a comparer of PNGs.

@@ -35,4 +35,5 @@ build_bin_integral_SOURCES += \
   integral/cli/tune_command.cpp \
   integral/cli/values.cpp \
   integral/cli/values.h \
-  integral/cli/views_command.cpp
+  integral/cli/views_command.cpp \
+  integral/cli/wireframe_command.cpp
