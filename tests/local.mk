@@ -57,6 +57,7 @@ unit_sources = \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
+  tests/unit/fabrication.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
