@@ -28,6 +28,7 @@ build_bin_integral_SOURCES += \
   integral/cli/replay_command.cpp \
   integral/cli/replay_options.cpp \
   integral/cli/replay_options.h \
+  integral/cli/resolve_command.cpp \
   integral/cli/series_options.cpp \
   integral/cli/series_options.h \
   integral/cli/sheet_command.cpp \
