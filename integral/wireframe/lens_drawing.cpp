@@ -79,6 +79,10 @@ LensDrawing::LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 s
     const double distance = optics.aperture().distance, thickness = optics.sheet().thickness;
     foremost_ = request.pseudoscopic ? 0 : -0.999 * distance;
     near_ = optics.model() == LensModel::extended_pinhole ? thickness : 0;
+    const auto rim = tangent_plane(surface_radius(optics.sheet()), 0.5 * optics.sheet().pitch);
+    behind_ = std::max(near_, 1e-6 * thickness);
+    if (refracts_at_surface(optics.model()) && rim)
+        behind_ += rim->height;
     // A pixel may see what is just outside of the aperture, beside what its centre sees.
     aperture_margin_ = 4 * optics.medium().n * distance / thickness *
                        std::max(request.film.pixel_pitch.x, request.film.pixel_pitch.y);
@@ -139,8 +143,8 @@ void LensDrawing::draw(const MeshLine& line)
 {
     const auto& all = request_.mesh.vertices;
     const Vec3 from = all[line.vertex[0]], to = all[line.vertex[1]], way = to - from;
-    const double least = std::max(near_, 1e-6 * request_.optics.sheet().thickness);
-    const bool is_far = (from.z > least && to.z > least) || (from.z < -least && to.z < -least);
+    const double before_lens = std::max(near_, 1e-6 * request_.optics.sheet().thickness);
+    const bool is_far = std::min(from.z, to.z) > behind_ || std::max(from.z, to.z) < -before_lens;
     if (is_far && std::min(from.z, to.z) > foremost_) {
         const auto a = corner(vertices_.of(line.vertex[0]), from.z, line.colour[0]);
         const auto b = a ? corner(vertices_.of(line.vertex[1]), to.z, line.colour[1]) : a;
@@ -150,10 +154,10 @@ void LensDrawing::draw(const MeshLine& line)
     Span seen;
     keep_positive(from.z - foremost_, way.z, seen);
     Span behind = seen, before = seen, beside = seen;
-    keep_positive(from.z - least, way.z, behind);
+    keep_positive(from.z - behind_, way.z, behind);
     keep_in_aperture(from, way, true, behind);
     draw_far(line, behind);
-    keep_positive(-from.z - least, -way.z, before);
+    keep_positive(-from.z - before_lens, -way.z, before);
     keep_in_aperture(from, way, false, before);
     draw_far(line, before);
     if (near_ == 0)
@@ -197,12 +201,27 @@ void LensDrawing::keep_in_aperture(Vec3 from, Vec3 way, bool behind, Span& span)
 
 void LensDrawing::draw_far(const MeshLine& line, Span span)
 {
-    if (span.is_empty())
-        return;
-    const End a = at(line, span.first), b = at(line, span.last);
+    if (!span.is_empty())
+        draw_piece(at(line, span.first), at(line, span.last), 0);
+}
+
+/// A piece whose ends may have no film point: their light would be reflected totally.
+void LensDrawing::draw_piece(const End& a, const End& b, int splits)
+{
     const auto film_a = corner(a), film_b = corner(b);
     if (film_a && film_b)
-        draw_curve(a, *film_a, b, *film_b, 0);
+        return draw_curve(a, *film_a, b, *film_b, splits);
+    constexpr int most_searched = 7;
+    if (splits == most_searched)
+        return;
+    const End middle = half_way(a, b);
+    draw_piece(a, middle, splits + 1);
+    draw_piece(middle, b, splits + 1);
+}
+
+LensDrawing::End LensDrawing::half_way(const End& a, const End& b)
+{
+    return {0.5 * (a.point + b.point), between(a.colour, b.colour, 0.5)};
 }
 
 /// A lens images a straight line as a slightly curved one.
@@ -212,7 +231,7 @@ void LensDrawing::draw_curve(const End& a, const FilmCorner& film_a, const End& 
     const Vec2 chord = film_b.pixel - film_a.pixel;
     const double long_way = length(chord);
     if (long_way > straight && splits < most_splits) {
-        const End middle{0.5 * (a.point + b.point), between(a.colour, b.colour, 0.5)};
+        const End middle = half_way(a, b);
         const auto film = corner(middle);
         if (!film)
             return;

@@ -63,7 +63,9 @@ private:
     bool is_near(double z) const { return std::fabs(z) <= near_; }
     bool is_in_front_of_eye(double z) const { return z > foremost_; }
     void cover(Vec3 point, Colour colour);
+    static End half_way(const End& a, const End& b);
     void draw_far(const MeshLine& line, Span span);
+    void draw_piece(const End& a, const End& b, int splits);
     void draw_near(const MeshLine& line, Span span);
     void keep_in_aperture(Vec3 from, Vec3 way, bool behind, Span& span) const;
     void draw_curve(const End& a, const FilmCorner& film_a, const End& b, const FilmCorner& film_b,
@@ -78,9 +80,10 @@ private:
     const SharpPicture& picture_;
     VertexFilm& vertices_;
     LensRaster& raster_;
-    double foremost_;        ///< z in front of which nothing is seen, mm
-    double near_;            ///< |z| up to which what is next to a lens covers it, mm; 0: never
-    double aperture_margin_; ///< mm
+    double foremost_; ///< z in front of which nothing is seen, mm
+    double near_;     ///< |z| up to which what is next to a lens covers it, mm; 0: never
+    double behind_;   ///< z beyond which a point is behind the lens and its curved surface, mm
+    double aperture_margin_;                     ///< mm
     std::vector<std::optional<BeamRay>> sights_; ///< of the raster's pixels, once faces need them
 };
 

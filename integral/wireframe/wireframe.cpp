@@ -135,7 +135,7 @@ public:
                 for (const int lens : lenses[std::size_t(block)])
                     draw_lens(bins, lens, block, vertices);
                 const std::lock_guard<std::mutex> lock(adding);
-                cost.projections += vertices.projections();
+                cost.projections += vertices.projections() / double(bundles_.size());
             },
             progress);
     }
@@ -214,6 +214,7 @@ std::optional<Image> draw_wireframe(const WireframeRequest& request, int bits, i
         if (!drawing.draw(piece_of(progress, int(k), int(channels.size())), cost))
             return std::nullopt;
     }
+    cost.projections /= double(channels.size());
     return image;
 }
 

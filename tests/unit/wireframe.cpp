@@ -54,7 +54,7 @@ Pixels lit(const Image& image)
 double sum(const Image& image)
 {
     double light = 0;
-    for (const auto &[x, y] : lit(image))
+    for (const auto& [x, y] : lit(image))
         light += stored_pixel(image, x, y).r;
     return light;
 }
@@ -80,7 +80,7 @@ Pixels pixels_of(const WireframeRequest& request, Vec3 point)
             if (const auto ray = lens_of(x, y))
                 lenses.insert({ray->lens.i, ray->lens.j});
     Pixels pixels;
-    for (const auto &[i, j] : lenses) {
+    for (const auto& [i, j] : lenses) {
         const auto at = film_point_imaging(optics, point, {i, j});
         if (!at)
             continue;
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(lines_light_what_their_points_light)
             const Pixels dots = lit(drawn(points));
             const auto far_from = [](const Pixels& of, const Pixels& others) {
                 int far = 0;
-                for (const auto &[x, y] : of) {
+                for (const auto& [x, y] : of) {
                     bool touches = false;
                     for (int dy = -1; dy <= 1; ++dy)
                         for (int dx = -1; dx <= 1; ++dx)
@@ -223,6 +223,27 @@ BOOST_AUTO_TEST_CASE(models_spread_a_point_and_keep_its_light)
     BOOST_TEST(std::fabs(ratio - std::cos(std::atan(4.0))) < 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(lines_that_cross_the_sheet_are_lost_by_pinholes_alone)
+{
+    for (const LensModel model :
+         {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid, LensModel::full}) {
+        WireframeRequest request = request_of(sheet_of(Arrangement::lenticular), model, 600);
+        const Colour white{1, 1, 1, 1};
+        request.mesh.vertices = {{-4.3, -2, -9}, {4.7, 2, 9}};
+        request.mesh.lines = {{{0, 1}, {white, white}}};
+        const Pixels line = lit(drawn(request));
+        std::set<std::int64_t> lenses;
+        for (const auto& [x, y] : line)
+            lenses.insert(
+                request.optics
+                    .map(film_from_pixel(request.film, {x + 0.5, y + 0.5}), request.mapping)
+                    .ray->lens.i);
+        const bool gap = lenses.count(0) == 0; // it crosses lens 0, pole at 0.2, at x = 0.2
+        BOOST_TEST(gap == (model == LensModel::pinhole));
+        BOOST_TEST(lenses.count(-1) + lenses.count(1) == 2u);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(faces_hide_what_is_behind_them)
 {
     for (const auto& s : sheets)
@@ -287,7 +308,7 @@ BOOST_AUTO_TEST_CASE(pseudoscopic_mirrors_what_is_behind)
         const Vec3 point{0.4, 0.3, 20};
         const Pixels pixels = lit(drawn(with_point(request, point)));
         BOOST_TEST(!pixels.empty());
-        for (const auto &[x, y] : pixels) { // the mirrored pixel's ray goes near the point
+        for (const auto& [x, y] : pixels) { // the mirrored pixel's ray goes near the point
             const Vec2 film = film_from_pixel(request.film, {x + 0.5, y + 0.5});
             const auto ray = request.optics.map(film, request.mapping).ray;
             BOOST_REQUIRE(ray.has_value());
