@@ -6,8 +6,9 @@
 namespace integral {
 namespace {
 
-constexpr double straight = 2; // pixels: so short a piece of a line is drawn as a chord
-constexpr double bulge = 0.1;  // pixels by which a longer one may differ from its chord
+constexpr double straight = 2;     // pixels: so short a piece of a line is drawn as a chord
+constexpr double bulge = 0.1;      // pixels by which a longer one may differ from its chord
+constexpr double not_clipped = 20; // pixels: so short a line is drawn without being clipped first
 constexpr int most_splits = 12;
 
 /// Narrows a span to where a + part * slope >= 0.
@@ -148,8 +149,8 @@ void LensDrawing::draw(const MeshLine& line)
     if (is_far && std::min(from.z, to.z) > foremost_) {
         const auto a = corner(vertices_.of(line.vertex[0]), from.z, line.colour[0]);
         const auto b = a ? corner(vertices_.of(line.vertex[1]), to.z, line.colour[1]) : a;
-        if (a && b && length(b->pixel - a->pixel) <= straight)
-            return raster_.draw_line(*a, *b);
+        if (a && b && length(b->pixel - a->pixel) <= not_clipped)
+            return draw_curve({from, line.colour[0]}, *a, {to, line.colour[1]}, *b, 0);
     }
     Span seen;
     keep_positive(from.z - foremost_, way.z, seen);
