@@ -70,12 +70,13 @@ PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
     Interval px, py, ax, ay;
     double spread = 0;
     int sides = 0;
+    const double next_to = 1e-6 * optics.sheet().thickness;
     for (const std::uint32_t vertex : triangle.vertex) {
         const Vec3 s = request_.mesh.vertices[vertex];
         const Vec2* film = vertices_.of(vertex);
         if (!film || !is_in_front_of_eye(s.z))
             return raster_.box();
-        sides |= s.z > 0 ? 1 : s.z < 0 ? 2 : 3;
+        sides |= s.z > next_to ? 1 : s.z < -next_to ? 2 : 3;
         const Vec2 p = leaving_point(optics, s, lens_), a = p + (d / s.z) * (p - Vec2{s.x, s.y});
         px.add(p.x);
         py.add(p.y);

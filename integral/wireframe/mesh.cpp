@@ -2,6 +2,7 @@
 #include "integral/wireframe/mesh.h"
 
 #include "integral/base/constants.h"
+#include "integral/base/number_text.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -54,8 +55,14 @@ void place(Mesh& mesh, const MeshPlace& place)
         scale = {std::copysign(1.0, scale.x), std::copysign(1.0, scale.y),
                  std::copysign(1.0, scale.z)};
     }
-    for (Vec3& v : mesh.vertices)
+    for (Vec3& v : mesh.vertices) {
         v = turned(times(scale, v), place.turn) + place.move;
+        const double far = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+        if (!(far <= farthest_vertex))
+            throw std::invalid_argument("a vertex is " + with_digits(far, 3) +
+                                        " mm from the sheet; 1000000 mm are the limit, and --fit "
+                                        "brings a mesh of any unit there");
+    }
 }
 
 } // namespace integral

@@ -44,8 +44,10 @@ struct MeshPlace {
     Vec3 move; ///< mm
 };
 
+constexpr double farthest_vertex = 1e6; ///< mm from the sheet's centre, along each axis
+
 /// Moves the mesh's vertices. Throws std::invalid_argument where `fit` is asked of a mesh that has
-/// no extent.
+/// no extent, and where a vertex is farther than farthest_vertex.
 void place(Mesh& mesh, const MeshPlace& place);
 
 } // namespace integral
