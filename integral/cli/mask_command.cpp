@@ -177,11 +177,12 @@ const Command mask_command = {
     "greyscale masks and height maps from which lens sheets are made",
     "-o MASK.png --print WxH --dpi D [--shape aspheric] [--response FILE.csv] | --relief ... | "
     "--lens | --spinning | --calibrate FILE.csv [-o FOUND.csv]",
-    "Makes the greyscale mask by which a sheet of lenses is photo-sculpted (thesis appendix C):\n"
-    "each pixel's grey exposes the resist to the depth of the lens there. --response is what the\n"
-    "whole process answers to a grey, as measured, and --calibrate finds that of a simulated one\n"
-    "by the loop of appendix C: a ramp is sculpted, measured, and corrected by. --relief writes\n"
-    "heights instead, for printers that build lenses up.\n",
+    "Makes the greyscale mask by which a sheet of lenses is photo-sculpted (thesis\n"
+    "appendix C): each pixel's grey exposes the resist to the depth of the lens\n"
+    "there. --response is what the whole process answers to a grey, as measured, and\n"
+    "--calibrate finds that of a simulated one by the loop of appendix C: a ramp is\n"
+    "sculpted, measured, and corrected by. --relief writes heights instead, for\n"
+    "printers that build lenses up.\n",
     0,
     0,
     described<MaskOptions>,

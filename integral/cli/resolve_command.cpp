@@ -105,10 +105,11 @@ const Command resolve_command = {
     "resolve",
     "what detail survives at what depth: the thesis's resolution experiment",
     "[--depths MM,...] [--pitch MM --thickness MM --ior N] [--dpi D] [--json]",
-    "Renders charts of bars in front of a sheet by povray-integral, replays the frames on a\n"
-    "diffusing screen at the chart's place and to an eye, and prints the bars' modulation\n"
-    "(thesis 4.3.7). Without a sheet's options it does so for the thesis's two sheets, and prints\n"
-    "tables 4-2 and 4-3 beside. doc/resolution.md is the protocol.\n",
+    "Renders charts of bars in front of a sheet by povray-integral, replays the\n"
+    "frames on a diffusing screen at the chart's place and to an eye, and prints the\n"
+    "bars' modulation (thesis 4.3.7). Without a sheet's options it does so for the\n"
+    "thesis's two sheets, and prints tables 4-2 and 4-3 beside. doc/resolution.md is\n"
+    "the protocol.\n",
     0,
     0,
     described<ResolveOptions>,

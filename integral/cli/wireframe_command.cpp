@@ -292,15 +292,17 @@ const Command wireframe_command = {
     "wireframe",
     "points, lines and faces as a frame, without a scene to render",
     "MESH.obj -o FRAME [--fit MM] [--faces hidden] [--print WxH] [--lens-model MODEL] ...",
-    "Draws the points, lines and faces of a Wavefront OBJ file as a frame, by projecting each\n"
-    "vertex through every lens that can image it (thesis 3.4). It takes less than a second, so\n"
-    "that things can be placed before they are traced. Its film points are those of\n"
-    "povray-integral's rays; integral replay and print take the frame as any other.\n"
+    "Draws the points, lines and faces of a Wavefront OBJ file as a frame, by\n"
+    "projecting each vertex through every lens that can image it (thesis 3.4). It\n"
+    "takes less than a second, so that things can be placed before they are traced.\n"
+    "Its film points are those of povray-integral's rays; integral replay and print\n"
+    "take the frame as any other.\n"
     "\n"
-    "The file's coordinates are millimetres from the sheet's centre: x to the right, y up, z\n"
-    "into the picture; negative z comes out of it. Colours are those of v X Y Z R G B, or\n"
-    "usemtl's Kd. Next to the sheet, within its thickness, points and lines cover their lens;\n"
-    "with --lens-model pinhole they vanish between the lenses (figure 3-13).\n",
+    "The file's coordinates are millimetres from the sheet's centre: x to the right,\n"
+    "y up, z into the picture; negative z comes out of it. Colours are those of v X Y\n"
+    "Z R G B, or usemtl's Kd. Next to the sheet, within its thickness, points and\n"
+    "lines cover their lens; with --lens-model pinhole they vanish between the lenses\n"
+    "(figure 3-13).\n",
     1,
     1,
     described<WireframeOptions>,
