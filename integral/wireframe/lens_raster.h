@@ -6,6 +6,7 @@
 #include "integral/lightfield/image.h"
 #include "integral/wireframe/lens_pixels.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace integral {
@@ -44,9 +45,10 @@ public:
     std::size_t size() const { return depth_.size(); }
     template <class Visit> void for_each_pixel_in(const PixelBox& box, Visit visit) const
     {
-        for (const LensRun* run = begin_; run != end_; ++run) {
-            if (run->row < box.top || run->row >= box.bottom)
-                continue;
+        const int top = std::max(box.top, box_.top), bottom = std::min(box.bottom, box_.bottom);
+        if (top >= bottom)
+            return;
+        for (const LensRun* run = first_of_row(top); run != end_ && run->row < bottom; ++run) {
             const int from = std::max(run->first, box.left), to = std::min(run->end, box.right);
             for (int x = from; x < to; ++x)
                 visit(index_of(*run, x), x, run->row);
