@@ -62,7 +62,8 @@ void LensDrawing::see_faces()
 
 /// Pixels that may see the triangle. The line from a scene point through the pole leaves the lens
 /// at P and meets the aperture plane at A, its slope is (P - A)/d, and over a triangle on one side
-/// of the sheet P and A have their extremes at the corners.
+/// of the sheet P and A have their extremes at the corners. Where a triangle crosses the sheet, A
+/// is only known to be within the aperture.
 PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
 {
     const SheetOptics& optics = request_.optics;
@@ -86,8 +87,16 @@ PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
             if (const auto pole = film_point_imaging(optics, s, lens_))
                 spread = std::max(spread, 2 * length(*film - *pole));
     }
-    if (sides == 3 || request_.pseudoscopic)
+    if (request_.pseudoscopic)
         return raster_.box();
+    if (sides == 3) {
+        const Vec2 half{0.5 * optics.aperture().width + aperture_margin_,
+                        0.5 * optics.aperture().height + aperture_margin_};
+        if (refracts_at_surface(optics.model()) || !std::isfinite(half.x + half.y))
+            return raster_.box();
+        ax = {-half.x, half.x};
+        ay = {-half.y, half.y};
+    }
     const Interval slope_x{(px.least - ax.most) / d, (px.most - ax.least) / d},
         slope_y{(py.least - ay.most) / d, (py.most - ay.least) / d};
     const Interval x = film_offsets(optics.medium(), slope_x, slope_y),
