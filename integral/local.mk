@@ -15,8 +15,11 @@ include $(srcdir)/integral/replay/local.mk
 include $(srcdir)/integral/compare/local.mk
 include $(srcdir)/integral/output/local.mk
 include $(srcdir)/integral/analysis/local.mk
+include $(srcdir)/integral/fabrication/local.mk
 include $(srcdir)/integral/io/local.mk
+include $(srcdir)/integral/wireframe/local.mk
 include $(srcdir)/integral/batch/local.mk
+include $(srcdir)/integral/resolution/local.mk
 include $(srcdir)/integral/cli/local.mk
 
 # Its man page says what its parser knows.

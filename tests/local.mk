@@ -57,6 +57,7 @@ unit_sources = \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
+  tests/unit/fabrication.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
@@ -117,7 +118,8 @@ unit_sources = \
   tests/unit/optics_symmetries.cpp \
   tests/unit/output_print_media.cpp \
   tests/unit/picture_files.h \
-  tests/unit/pixel_origins.h
+  tests/unit/pixel_origins.h \
+  tests/unit/wireframe.cpp
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and
 # a comparer of PNGs.

@@ -16,6 +16,7 @@ build_bin_integral_SOURCES += \
   integral/cli/lcd_options.cpp \
   integral/cli/lcd_options.h \
   integral/cli/main.cpp \
+  integral/cli/mask_command.cpp \
   integral/cli/print_chart.cpp \
   integral/cli/print_chart.h \
   integral/cli/print_command.cpp \
@@ -27,6 +28,7 @@ build_bin_integral_SOURCES += \
   integral/cli/replay_command.cpp \
   integral/cli/replay_options.cpp \
   integral/cli/replay_options.h \
+  integral/cli/resolve_command.cpp \
   integral/cli/series_options.cpp \
   integral/cli/series_options.h \
   integral/cli/sheet_command.cpp \
@@ -35,4 +37,5 @@ build_bin_integral_SOURCES += \
   integral/cli/tune_command.cpp \
   integral/cli/values.cpp \
   integral/cli/values.h \
-  integral/cli/views_command.cpp
+  integral/cli/views_command.cpp \
+  integral/cli/wireframe_command.cpp

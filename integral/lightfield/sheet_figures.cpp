@@ -27,6 +27,13 @@ std::optional<double> greatest_angle(const LensSheet& sheet)
     return refracted_angle(sheet, sheet.pitch / 2);
 }
 
+std::optional<double> half_lost_angle(const LensSheet& sheet)
+{
+    return refracted_angle(sheet, sheet.pitch / 4);
+}
+
+double field_lens_focus(const LensSheet& sheet) { return sheet.thickness / 2; }
+
 double pinhole_spread(const LensSheet& sheet, double distance, double width)
 {
     return sheet.thickness * width / distance;

@@ -15,6 +15,16 @@ namespace integral {
 /// twice this is the viewing angle. Empty: such rays are totally reflected, which limits the view.
 std::optional<double> greatest_angle(const LensSheet& sheet);
 
+/// Two such sheets back to back, their lenses' foci in common (thesis 2.4.1), send light that meets
+/// the axis at an angle out through the lens opposite as far as it gets there; the rest comes out
+/// in a side lobe. Returns the angle at which half of the light does, arcsin(n sin(atan(p/4t))):
+/// any angle loses some, and from greatest_angle on all. Empty: it is totally reflected.
+std::optional<double> half_lost_angle(const LensSheet& sheet);
+
+/// The focal length, mm in the sheet's medium, of lenses in those foci's plane that image each lens
+/// onto the one opposite (figure 2-11). With them no light is lost up to greatest_angle.
+double field_lens_focus(const LensSheet& sheet);
+
 /// (3-8): micro-image width by the simple pinhole, t w / d.
 double pinhole_spread(const LensSheet& sheet, double distance, double width);
 

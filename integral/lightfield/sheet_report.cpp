@@ -47,7 +47,8 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
     std::optional<WholePicture> whole;
     if (filling && width)
         whole = whole_picture(d, *filling, *width);
-    const char *sheet = "Sheet", *film = "Film", *view = "Viewer and aperture", *depth = "Depth";
+    const char *sheet = "Sheet", *pair = "Two of it back to back", *film = "Film",
+               *view = "Viewer and aperture", *depth = "Depth";
     return {
         {sheet, "lenses_per_inch", "lenses per inch", mm_per_inch / s.pitch, "", ""},
         {sheet, "surface_radius_mm", "radius of the lens surface", surface_radius(s), "mm",
@@ -56,6 +57,11 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
          "(2-1)"},
         {sheet, "viewing_angle_degrees", "viewing angle", times(2, greatest_angle(s)), "deg",
          "2 x (2-1)"},
+        {pair, "afocal_half_lost_degrees", "half of the light is in side lobes at",
+         half_lost_angle(s), "deg", "2.4.1"},
+        {pair, "afocal_all_lost_degrees", "  all of it from", greatest_angle(s), "deg", "(2-1)"},
+        {pair, "field_lens_focus_mm", "field lenses against that, focal length",
+         field_lens_focus(s), "mm", "figure 2-11"},
         {film, "pixel_pitch_mm", "pixel pitch", c.pixel, "mm", "(4-3)"},
         {film, "pixels_per_lens", "pixels per lens", c.period / c.pixel, "", ""},
         {film, "film_width_mm", "width of the film", width, "mm", ""},

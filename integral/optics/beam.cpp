@@ -50,7 +50,31 @@ BeamRay make_ray(Vec2 point, double height, Vec3 refracted, double way, Vec2 ape
     return {{point.x, point.y, height}, (1 / way) * refracted, aperture_point};
 }
 
+Vec2 leaving_point(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
+                   const LensPoint& point, const Exit& exit)
+{
+    const Vec2 from = optics.lattice().pole(lens) + point.offset;
+    if (!is_lenticular(optics))
+        return from;
+    const Slit& slit = optics.slit();
+    const double behind = scene_point.z - exit.plane.height,
+                 before = slit.distance + exit.plane.height, way = scene_point.z + slit.distance,
+                 eta = signed_height(slit, point.slit) + dot(slit.normal, exit.beside);
+    const double across_slit = (eta * behind +
+                                dot(slit.normal, Vec2{scene_point.x, scene_point.y}) * before) /
+                               way;
+    return from +
+           ((across_slit - dot(slit.normal, from)) / dot(slit.normal, slit.axis)) * slit.axis;
+}
+
 } // namespace
+
+Vec2 leaving_point(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
+                   const LensPoint& point)
+{
+    const auto exit = exit_at(optics, point.offset);
+    return leaving_point(optics, scene_point, lens, point, exit ? *exit : Exit{});
+}
 
 std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, LensIndex lens,
                                 const LensPoint& point)
@@ -97,18 +121,7 @@ std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_poi
         return std::nullopt;
     const Vec2 scene{scene_point.x, scene_point.y};
     const double behind = scene_point.z - exit->plane.height;
-    Vec2 from = optics.lattice().pole(lens) + point.offset;
-    if (is_lenticular(optics)) {
-        // The light may leave anywhere along the axis' direction: find the place from which a
-        // straight line meets both the slit and the scene point.
-        const Slit& slit = optics.slit();
-        const double eta = signed_height(slit, point.slit) + dot(slit.normal, exit->beside);
-        const double before = slit.distance + exit->plane.height,
-                     way = scene_point.z + slit.distance;
-        const double across_slit = (eta * behind + dot(slit.normal, scene) * before) / way;
-        from = from +
-               ((across_slit - dot(slit.normal, from)) / dot(slit.normal, slit.axis)) * slit.axis;
-    }
+    const Vec2 from = leaving_point(optics, scene_point, lens, point, *exit);
 
     const Vec2 lateral = scene - from;
     const double largest = std::max(

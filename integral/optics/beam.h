@@ -36,6 +36,12 @@ inline BeamRay pole_beam(const LensRay& ray)
 std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, LensIndex lens,
                                 const LensPoint& point);
 
+/// Where on z = height of the lens's point the light leaves that goes through `point` of a lens and
+/// through `scene_point`: the lens's point itself; on a lenticular lens the one place of the line
+/// through it, parallel to the axis, from which a straight line meets both slit and scene point.
+Vec2 leaving_point(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
+                   const LensPoint& point = {});
+
 /// Inverse: the film point whose light passes through `point` of a lens and through `scene_point`.
 /// The scene point may be anywhere in the sheet frame but at the z of the lens's point and, with a
 /// lenticular sheet, in the plane of the slit. Nothing where no light from the film goes that way,

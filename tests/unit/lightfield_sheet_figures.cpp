@@ -2,6 +2,7 @@
 // Compares figures of sheets with those that the thesis prints (optics.md section 6).
 #include "integral/lightfield/sheet_figures.h"
 
+#include "integral/base/constants.h"
 #include "integral/optics/film.h"
 
 #include <boost/test/unit_test.hpp>
@@ -43,6 +44,36 @@ BOOST_AUTO_TEST_CASE(equation_2_1_greatest_angle_of_micro_field_lenses)
 {
     // section 2.4.1 prints the formula's value at n 1.6
     check_printed(*greatest_angle(sheet()), 18.85, 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(afocal_pair_and_its_field_lenses_by_tracing)
+{
+    // Thin lenses of focal length t in the medium, 2t apart, field lenses half way; every ray of a
+    // parallel beam that fills a lens.
+    const LensSheet pair = sheet();
+    const double t = pair.thickness, p = pair.pitch;
+    const auto kept = [&](double degrees, double field_focus) {
+        const double inside = std::tan(
+            std::asin(std::sin(degrees * radians_per_degree) / pair.ior));
+        int through = 0;
+        constexpr int rays = 10000;
+        for (int k = 0; k < rays; ++k) {
+            const double x = ((k + 0.5) / rays - 0.5) * p;
+            double slope = inside - x / t, at = x + t * slope;
+            const double middle = p * std::round(at / p); // of the field lens there
+            slope -= (at - middle) / field_focus;
+            at += t * slope;
+            through += std::fabs(at) <= p / 2;
+        }
+        return double(through) / rays;
+    };
+    const double none = 1e12;
+    BOOST_TEST(std::fabs(kept(*half_lost_angle(pair), none) - 0.5) < 1e-3);
+    BOOST_TEST(kept(*greatest_angle(pair) * 1.0001, none) < 1e-3);
+    BOOST_TEST(kept(1, none) < 0.96); // any angle loses some
+    BOOST_TEST(kept(*greatest_angle(pair) * 0.999, field_lens_focus(pair)) == 1);
+    BOOST_TEST(kept(*greatest_angle(pair) * 1.001, field_lens_focus(pair)) == 0);
+    BOOST_TEST(kept(10, 1.1 * field_lens_focus(pair)) < 1); // no other focus would do
 }
 
 BOOST_AUTO_TEST_CASE(equation_3_5_filling_distance)

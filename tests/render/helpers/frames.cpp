@@ -49,6 +49,9 @@
 //                          (A1 - ORACLE1)(A2 - ORACLE2) must be within 4 of its own standard errors
 //                          of 0; empty pixels must be black in A1 and A2. Pixels must be linear
 //                          (File_Gamma=1). CHANNEL (0, 1, 2): only this channel is compared
+// frames lit-around A B FRACTION
+//                          every pixel that is lit in B is lit in A, and of A's at most FRACTION
+//                          are farther than two pixels from those of B. Prints how many are
 // Exit status: 0 yes, 1 no, 2 unreadable or wrong usage.
 #include "frames.h"
 
@@ -116,6 +119,8 @@ bool run(const std::vector<std::string>& w)
         b.pixels = y;
         return near(a, b, std::stod(w[4]), std::stod(w[5]));
     }
+    if (is("lit-around", 3))
+        return lit_around(frame(1), frame(2), std::stod(w[3]));
     if (is("near", 4))
         return near(frame(1), frame(2), std::stod(w[3]), std::stod(w[4]));
     if (is("alike", 3))

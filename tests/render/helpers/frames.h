@@ -58,6 +58,9 @@ void need_same_size(const Frame& a, const Frame& b);
 bool all_equal(const Frame& b, const std::function<Pixel(int, int)>& of);
 /// Whether at least `fraction` of the pixels differ by no more than `within`/255 in any channel.
 bool near(const Frame& a, const Frame& b, double within, double fraction);
+/// Whether B's lit pixels are lit in A, and at most `fraction` of A's are farther than two pixels
+/// from those of B.
+bool lit_around(const Frame& a, const Frame& b, double fraction);
 /// Whether the root mean square difference is at most `limit`/255.
 bool alike(const Frame& a, const Frame& b, double limit);
 /// The same over the imaged pixels.

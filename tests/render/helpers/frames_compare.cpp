@@ -51,6 +51,28 @@ bool near(const Frame& a, const Frame& b, double within, double fraction)
     return good >= fraction * a.pixels.size();
 }
 
+bool lit_around(const Frame& a, const Frame& b, double fraction)
+{
+    need_same_size(a, b);
+    const auto lit = [](const Frame& f, int i, int j) {
+        return i >= 0 && j >= 0 && i < f.width && j < f.height && f.at(i, j)[0] > 0;
+    };
+    int points = 0, dark = 0, all = 0, alone = 0;
+    for (int j = 0; j < a.height; ++j)
+        for (int i = 0; i < a.width; ++i) {
+            points += lit(b, i, j);
+            all += lit(a, i, j);
+            dark += lit(b, i, j) && !lit(a, i, j);
+            bool found = !lit(a, i, j);
+            for (int n = 0; n < 25 && !found; ++n)
+                found = lit(b, i + n % 5 - 2, j + n / 5 - 2);
+            alone += !found;
+        }
+    std::cout << points << " lit, " << dark << " dark in the other, " << alone << " of its "
+              << all << " alone\n";
+    return points > 0 && dark == 0 && alone <= fraction * all;
+}
+
 bool alike(const Frame& a, const Frame& b, double limit)
 {
     need_same_size(a, b);

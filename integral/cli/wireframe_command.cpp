@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral wireframe: a mesh as a micro-image frame, by geometric projection.
+#include "integral/base/number_text.h"
+#include "integral/cli/command.h"
+#include "integral/cli/geometry_options.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/thread_options.h"
+#include "integral/cli/values.h"
+#include "integral/io/image_file.h"
+#include "integral/lightfield/names.h"
+#include "integral/wireframe/obj_file.h"
+#include "integral/wireframe/wireframe.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <iostream>
+
+#ifndef PACKAGE_VERSION
+#error "PACKAGE_VERSION must be defined, as configure does"
+#endif
+
+namespace integral {
+namespace {
+
+constexpr const char* default_print = "152.4x101.6"; // mm: 6 x 4 inches
+constexpr int most_samples = 4096;
+
+struct WireframeOptions : CommonOptions {
+    SheetOptions sheet;
+    FilmOptions film;
+    ApertureOptions aperture;
+    std::optional<std::string> start, print, model, mapping, faces, colour, background, light, fit,
+        scale, turn, move, output;
+    std::optional<int> samples, bits;
+    bool in_scene = false, plain = false, pseudoscopic = false, json = false;
+    ThreadOptions threads;
+};
+
+void declare_mesh(options::options_description& all, WireframeOptions& o)
+{
+    all.add_options()(
+        "fit", fills(o.fit, "MM"),
+        "put the mesh's middle into the sheet's centre and make its largest extent so "
+        "long, whatever its unit");
+    all.add_options()("scale", fills(o.scale, "K[,K,K]"),
+                      "mm for a unit of the file, or one for each axis; negative mirrors (1,1,-1 "
+                      "for files whose z comes towards the viewer; default 1)");
+    all.add_options()("turn", fills(o.turn, "X,Y,Z"),
+                      "degrees about x, then y, then z, as POV-Ray's rotate");
+    all.add_options()("move", fills(o.move, "X,Y,Z"),
+                      "mm to the right, up and into the sheet; negative Z comes out of it");
+    all.add_options()("in-scene", sets(o.in_scene),
+                      "the mesh's coordinates are those of the scene of --sheet FRAME");
+    all.add_options()("faces", fills(o.faces, "STYLE"),
+                      "wire: all edges; hidden: without those behind a face; flat: filled, shaded "
+                      "(default wire)");
+    all.add_options()("colour", fills(o.colour, "R,G,B"),
+                      "of what has none in the file, 0 to 1 (default 1,1,1)");
+    all.add_options()("background", fills(o.background, "R,G,B"), "(default 0,0,0)");
+    all.add_options()("plain", sets(o.plain), "ignore the file's colours");
+    all.add_options()("light", fills(o.light, "X,Y,Z"),
+                      "where the light of flat faces is (default -1,1,-1: left above the viewer)");
+}
+
+void declare(options::options_description& all, WireframeOptions& o)
+{
+    all.add_options()("output,o", fills(o.output, "FRAME"), "the frame: .png, .exr or .tiff");
+    declare_mesh(all, o);
+    all.add_options()("lens-model", fills(o.model, "MODEL"),
+                      "extended_pinhole, pinhole, hybrid or full (default extended_pinhole)");
+    all.add_options()("samples", fills(o.samples, "N"),
+                      "rays for each lens (full), or points of a point's spread (hybrid; default "
+                      "32)");
+    all.add_options()("lens-mapping", fills(o.mapping, "RULE"),
+                      "auto, closest, accurate or exhaustive (default auto)");
+    all.add_options()(
+        "pseudoscopic", sets(o.pseudoscopic),
+        "what a single-stage capture records: only what is behind the sheet, inverted "
+        "in depth");
+    declare(all, o.sheet);
+    declare(all, o.film);
+    all.add_options()("print", fills(o.print, "WxH"),
+                      "size of the frame in mm, instead of --size (default 152.4x101.6)");
+    declare(all, o.aperture);
+    all.add_options()("sheet", fills(o.start, "FILE.json"),
+                      "start from this geometry: a JSON document, or a frame");
+    all.add_options()("bits", fills(o.bits, "N"), "8 or 16 for PNG and TIFF (default 8)");
+    all.add_options()("json", sets(o.json), "print what was drawn and at what cost");
+    declare(all, o.threads);
+}
+
+template <class Kind>
+void read_kind(const char* option, const std::optional<std::string>& text, Kind& kind)
+{
+    if (!text)
+        return;
+    const auto named = kind_named<Kind>(*text);
+    if (!named)
+        throw UsageError(std::string("--") + option + " " + *text + ": " + legal_names<Kind>() +
+                         " is expected");
+    kind = *named;
+}
+
+void read_vector(const char* option, const std::optional<std::string>& text, Vec3& value)
+{
+    if (!text)
+        return;
+    const auto v = parse_numbers(option, *text, "X,Y,Z", 3, 3);
+    value = {v[0], v[1], v[2]};
+}
+
+void read_colour(const char* option, const std::optional<std::string>& text, Colour& colour)
+{
+    if (!text)
+        return;
+    const auto v = parse_numbers(option, *text, "R,G,B", 3, 3);
+    for (const double c : v)
+        if (!(c >= 0 && c <= 1))
+            throw UsageError(std::string("--") + option + " " + *text +
+                             ": three numbers from 0 to 1 are expected");
+    const Encoding srgb;
+    colour = {float(decode(srgb, v[0])), float(decode(srgb, v[1])), float(decode(srgb, v[2])), 1};
+}
+
+FaceStyle face_style(const WireframeOptions& o)
+{
+    const std::string style = o.faces.value_or("wire");
+    if (style == "wire")
+        return FaceStyle::wire;
+    if (style == "hidden")
+        return FaceStyle::hidden;
+    if (style == "flat")
+        return FaceStyle::flat;
+    throw UsageError("--faces " + style + ": wire, hidden or flat is expected");
+}
+
+MeshPlace place_of(const WireframeOptions& o)
+{
+    MeshPlace place;
+    if (o.scale) {
+        const auto v = parse_numbers("scale", *o.scale, "K or K,K,K", 1, 3);
+        if (v.size() == 2 || v[0] == 0 || v.back() == 0 || (v.size() == 3 && v[1] == 0))
+            throw UsageError("--scale " + *o.scale + ": K or K,K,K is expected, none of them 0");
+        place.scale = {v[0], v.size() == 3 ? v[1] : v[0], v.back()};
+    }
+    if (o.fit) {
+        place.fit = parse_number("fit", *o.fit, "a length in mm");
+        if (!(place.fit > 0))
+            throw UsageError("--fit " + *o.fit + ": it must be greater than 0");
+    }
+    read_vector("turn", o.turn, place.turn);
+    read_vector("move", o.move, place.move);
+    return place;
+}
+
+/// The frame's geometry that the line says.
+FrameMetadata geometry_of(const WireframeOptions& o)
+{
+    FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
+    change_sheet(o.sheet, geometry.sheet);
+    change_film(o.film, geometry.film);
+    if (o.print && o.film.size)
+        throw UsageError("--print and --size say the same; give one of them");
+    if (o.print || geometry.film.width < 1)
+        set_film_size("print", o.print.value_or(default_print), geometry.film);
+    check_geometry(geometry);
+    change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
+    geometry.quilt.reset();
+    return geometry;
+}
+
+/// What the frame's document says of its drawing.
+RenderRecord record_of(const WireframeOptions& o, const FrameMetadata& geometry)
+{
+    RenderRecord record;
+    if (geometry.render) { // of --sheet FRAME
+        record.model = geometry.render->model;
+        record.mapping = geometry.render->mapping;
+        record.pseudoscopic = geometry.render->pseudoscopic;
+    }
+    record.program = "integral wireframe " PACKAGE_VERSION;
+    const std::string& mesh = o.inputs[0];
+    record.scene = mesh == "-" ? "" : mesh.substr(mesh.find_last_of('/') + 1);
+    read_kind("lens-model", o.model, record.model);
+    read_kind("lens-mapping", o.mapping, record.mapping);
+    record.pseudoscopic = record.pseudoscopic || o.pseudoscopic;
+    if (refracts_at_surface(record.model)) {
+        record.beam_samples = o.samples ? in_range("samples", *o.samples, 1, most_samples) : 32;
+    } else if (o.samples)
+        throw UsageError("--samples is for --lens-model full and hybrid");
+    return record;
+}
+
+/// The mesh, in the sheet frame.
+Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
+{
+    ObjReading how;
+    read_colour("colour", o.colour, how.plain);
+    how.ignore_colours = o.plain;
+    const MeshPlace at = place_of(o);
+    if (o.in_scene && (o.fit || o.scale || o.turn || o.move))
+        throw UsageError("--in-scene takes the mesh as it stands in the scene; --fit, --scale, "
+                         "--turn and --move do not go with it");
+    if (o.in_scene && !geometry.placement)
+        throw UsageError("--in-scene needs --sheet FRAME, a frame that povray-integral has "
+                         "rendered");
+    Mesh mesh = read_obj(o.inputs[0], how);
+    if (o.in_scene)
+        for (Vec3& v : mesh.vertices)
+            v = sheet_from_scene(*geometry.placement, v);
+    try {
+        place(mesh, at);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(o.inputs[0] + ": " + error.what());
+    }
+    return mesh;
+}
+
+void report(bool json, const WireframeRequest& request, const WireframeCost& cost, double seconds)
+{
+    const double vertices = double(request.mesh.vertices.size());
+    if (!json) {
+        say("wireframe", with_digits(vertices, 9) + " vertices through " +
+                             with_decimals(cost.projections / std::max(vertices, 1.0), 1) + " of " +
+                             std::to_string(cost.lenses) +
+                             " lenses each: " + with_digits(cost.projections, 9) +
+                             " projections, " + with_decimals(seconds, 2) + " s");
+        return;
+    }
+    const Mesh& mesh = request.mesh;
+    const nlohmann::ordered_json figures = {
+        {"vertices", mesh.vertices.size()},   {"points", mesh.points.size()},
+        {"lines", mesh.lines.size()},         {"face_edges", mesh.face_edges.size()},
+        {"triangles", mesh.triangles.size()}, {"lenses", cost.lenses},
+        {"projections", cost.projections},    {"seconds", seconds}};
+    std::cout << figures.dump(2) << "\n";
+}
+
+int run(const WireframeOptions& o)
+{
+    const std::string output = o.output.value_or("");
+    if (output.empty())
+        throw UsageError("-o FRAME is missing");
+    const bool floats = format_for(output) == ImageFormat::exr;
+    const int bits = o.bits.value_or(floats ? 32 : 8);
+    if (bits != 8 && bits != 16 && !(floats && bits == 32))
+        throw UsageError("--bits " + std::to_string(bits) + ": 8 or 16 is expected");
+    check_writable(output);
+    FrameMetadata geometry = geometry_of(o);
+    const RenderRecord record = record_of(o, geometry);
+    if (refracts_at_surface(record.model) && !has_surface(geometry.sheet))
+        throw UsageError("--lens-model " + std::string(name_of(record.model)) +
+                         " needs lenses whose surface reaches their edge; extended_pinhole works "
+                         "for any");
+    WireframeRequest request{mesh_of(o, geometry),
+                             SheetOptics(geometry.sheet, geometry.aperture, record.model),
+                             geometry.film, record.mapping};
+    request.faces = face_style(o);
+    request.samples = record.beam_samples;
+    request.pseudoscopic = record.pseudoscopic;
+    read_colour("background", o.background, request.background);
+    read_vector("light", o.light, request.light);
+    if (!(length(request.light) > 0))
+        throw UsageError("--light 0,0,0 is no direction");
+
+    const auto start = std::chrono::steady_clock::now();
+    WireframeCost cost;
+    std::optional<Image> image;
+    try {
+        image = draw_wireframe(request, floats ? 32 : bits, o.threads.count(),
+                               progress_bar("wireframe"), cost);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(o.start.value_or("the geometry") + ": " + error.what());
+    }
+    if (!image)
+        throw Interrupted();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+                               .count();
+    geometry.render = record;
+    geometry.render->seconds = seconds;
+    Frame frame{std::move(*image), std::nullopt};
+    set_metadata(frame, geometry);
+    write_frame(output, std::move(frame));
+    report(o.json, request, cost, seconds);
+    return exit_done;
+}
+
+} // namespace
+
+const Command wireframe_command = {
+    "wireframe",
+    "points, lines and faces as a frame, without a scene to render",
+    "MESH.obj -o FRAME [--fit MM] [--faces hidden] [--print WxH] [--lens-model MODEL] ...",
+    "Draws the points, lines and faces of a Wavefront OBJ file as a frame, by\n"
+    "projecting each vertex through every lens that can image it (thesis 3.4). It\n"
+    "takes less than a second, so that things can be placed before they are traced.\n"
+    "Its film points are those of povray-integral's rays; integral replay and print\n"
+    "take the frame as any other.\n"
+    "\n"
+    "The file's coordinates are millimetres from the sheet's centre: x to the right,\n"
+    "y up, z into the picture; negative z comes out of it. Colours are those of v X Y\n"
+    "Z R G B, or usemtl's Kd. Next to the sheet, within its thickness, points and\n"
+    "lines cover their lens; with --lens-model pinhole they vanish between the lenses\n"
+    "(figure 3-13).\n",
+    1,
+    1,
+    described<WireframeOptions>,
+    run_with<WireframeOptions, run>};
+
+} // namespace integral

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Pictures from which lens sheets are made: masks for photo-sculpting, height maps for printing.
+#ifndef INTEGRAL_FABRICATION_MASK_PICTURE_H
+#define INTEGRAL_FABRICATION_MASK_PICTURE_H
+
+#include "integral/base/parallel.h"
+#include "integral/fabrication/lens_shape.h"
+#include "integral/fabrication/response.h"
+#include "integral/lightfield/image.h"
+#include "integral/optics/film.h"
+
+#include <optional>
+
+namespace integral {
+
+enum class MaskKind {
+    greyscale, ///< grey by the response: white is exposed most, and sculpted deepest
+    relief,    ///< a height map: white is highest, black the cells' deepest corners
+    spinning   ///< of one lens: black and white, whose mean over a turn about the pole is the mask
+};
+
+struct MaskRequest {
+    LensSheet sheet;
+    LensShape shape;
+    MaskKind kind = MaskKind::greyscale;
+    Film film;             ///< the picture's pixels; in the sheet frame, as a frame's film
+    double from_depth = 0; ///< mm: depth of the poles in the process
+    std::optional<Response> response; ///< none: linear, from the poles to the deepest corners
+    bool negative = false;            ///< black and white exchanged
+    int bits = 16;                    ///< 8 or 16
+};
+
+/// Grey (0 to 1) of the mask at a depth (mm) below the poles. Throws std::invalid_argument where
+/// the response does not reach the cells' corners.
+class MaskGrey {
+public:
+    explicit MaskGrey(const MaskRequest& request);
+    double at(Vec2 point) const; ///< of the sheet frame
+    const SheetRelief& relief() const { return relief_; }
+
+private:
+    double grey_of(double depth) const;
+
+    const MaskRequest& request_;
+    SheetRelief relief_;
+    Response response_;
+    Vec2 pole_;
+};
+
+/// The picture, whose samples are the greys themselves. Nothing if `progress` stopped the work.
+/// Throws as MaskGrey does.
+std::optional<Image> mask_picture(const MaskRequest& request, int threads,
+                                  const Progress& progress);
+
+} // namespace integral
+
+#endif

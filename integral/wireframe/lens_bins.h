@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Which lenses can image what, so that no other lens is visited.
+#ifndef INTEGRAL_WIREFRAME_LENS_BINS_H
+#define INTEGRAL_WIREFRAME_LENS_BINS_H
+
+#include "integral/optics/lens_mapping.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace integral {
+
+/// Lenses i to last_i of rows j to last_j.
+struct LensRange {
+    std::int32_t i = 0, j = 0, last_i = -1, last_j = -1;
+    bool contains(LensIndex lens) const
+    {
+        return lens.i >= i && lens.i <= last_i && lens.j >= j && lens.j <= last_j;
+    }
+};
+
+/// The lenses through which the aperture may see any point of the convex hull of some scene points.
+/// `window`: the lenses that there are.
+class LensReach {
+public:
+    /// `pictures_reach`: mm from its pole up to which a lens's points are looked through.
+    LensReach(const SheetOptics& optics, const LensRange& window, double pictures_reach);
+    LensRange of(const Vec3* points, std::size_t count) const;
+
+private:
+    const SheetOptics& optics_;
+    LensRange window_;
+    double reach_;
+    Vec2 half_aperture_; ///< mm, along the lens rows and across them
+};
+
+/// Things by the lenses that may image them. Lenses are taken together in square blocks, so that
+/// what spans hundreds of lenses is stored some ten times.
+class LensBins {
+public:
+    /// `ranges`: of each thing. `block`: lenses along a block's side.
+    LensBins(const std::vector<LensRange>& ranges, const LensRange& window, int block);
+
+    int blocks() const { return columns_ * rows_; }
+    int block_of(LensIndex lens) const
+    {
+        return int(lens.j - window_.j) / block_ * columns_ + int(lens.i - window_.i) / block_;
+    }
+    /// The things that some lens of a block may image: [begin, end), in their order.
+    const std::uint32_t* begin(int block) const
+    {
+        return entries_.data() + start_[std::size_t(block)];
+    }
+    const std::uint32_t* end(int block) const
+    {
+        return entries_.data() + start_[std::size_t(block) + 1];
+    }
+
+private:
+    template <class Visit> void for_each_block(const LensRange& range, Visit visit) const;
+
+    LensRange window_;
+    int block_, columns_, rows_;
+    std::vector<std::size_t> start_;
+    std::vector<std::uint32_t> entries_;
+};
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/wireframe/lens_drawing.h"
+
+#include <algorithm>
+
+namespace integral {
+namespace {
+
+constexpr double straight = 2;     // pixels: so short a piece of a line is drawn as a chord
+constexpr double bulge = 0.1;      // pixels by which a longer one may differ from its chord
+constexpr double not_clipped = 20; // pixels: so short a line is drawn without being clipped first
+constexpr int most_splits = 12;
+
+/// Narrows a span to where a + part * slope >= 0.
+template <class Span> void keep_positive(double a, double slope, Span& span)
+{
+    if (slope > 0)
+        span.first = std::max(span.first, -a / slope);
+    else if (slope < 0)
+        span.last = std::min(span.last, -a / slope);
+    else if (a < 0)
+        span.last = -1;
+}
+
+Colour between(Colour a, Colour b, double t)
+{
+    const float u = float(t), v = 1 - u;
+    return {v * a.r + u * b.r, v * a.g + u * b.g, v * a.b + u * b.b, 1};
+}
+
+} // namespace
+
+void VertexFilm::begin(LensIndex lens, const std::vector<LensPoint>& rays)
+{
+    lens_ = lens;
+    rays_ = &rays;
+    state_.resize(request_.mesh.vertices.size());
+    film_.resize(state_.size() * rays.size());
+    ++generation_;
+}
+
+bool VertexFilm::project(Vec3 point, Vec2* film) const
+{
+    for (const LensPoint& ray : *rays_) {
+        const auto at = film_point_imaging(request_.optics, point, lens_, ray);
+        if (!at)
+            return false;
+        *film++ = request_.pseudoscopic ? mirrored_in_lens(request_.optics, *at, lens_) : *at;
+    }
+    return true;
+}
+
+const Vec2* VertexFilm::of(std::uint32_t vertex)
+{
+    Vec2* film = &film_[vertex * rays_->size()];
+    std::uint32_t& state = state_[vertex];
+    if (state / 2 != generation_) {
+        state = 2 * generation_ + project(request_.mesh.vertices[vertex], film);
+        ++projections_;
+    }
+    return state % 2 ? film : nullptr;
+}
+
+const Vec2* VertexFilm::of_point(Vec3 point)
+{
+    return project(point, single_.data()) ? single_.data() : nullptr;
+}
+
+LensDrawing::LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 shift,
+                         const SharpPicture& picture, VertexFilm& vertices, LensRaster& raster)
+    : request_(request),
+      lens_(lens),
+      shift_(shift),
+      pole_(request.optics.lattice().pole(lens)),
+      picture_(picture),
+      vertices_(vertices),
+      raster_(raster)
+{
+    const SheetOptics& optics = request.optics;
+    const double distance = optics.aperture().distance, thickness = optics.sheet().thickness;
+    foremost_ = request.pseudoscopic ? 0 : -0.999 * distance;
+    near_ = optics.model() == LensModel::extended_pinhole ? thickness : 0;
+    const auto rim = tangent_plane(surface_radius(optics.sheet()), 0.5 * optics.sheet().pitch);
+    behind_ = std::max(near_, 1e-6 * thickness);
+    if (refracts_at_surface(optics.model()) && rim)
+        behind_ += rim->height;
+    // A pixel may see what is just outside of the aperture, beside what its centre sees.
+    aperture_margin_ = 4 * optics.medium().n * distance / thickness *
+                       std::max(request.film.pixel_pitch.x, request.film.pixel_pitch.y);
+}
+
+std::optional<FilmCorner> LensDrawing::corner(const Vec2* film, double depth, Colour colour) const
+{
+    if (!film)
+        return std::nullopt;
+    Vec2 at;
+    for (std::size_t k = 0; k < picture_.share.size(); ++k)
+        if (picture_.share[k] != 0)
+            at = at + picture_.share[k] * film[k];
+    return FilmCorner{pixel_from_film(request_.film, at) - shift_, depth, colour};
+}
+
+std::optional<FilmCorner> LensDrawing::corner(const End& end) const
+{
+    return corner(vertices_.of_point(end.point), end.point.z, end.colour);
+}
+
+LensDrawing::End LensDrawing::at(const MeshLine& line, double part) const
+{
+    const auto& all = request_.mesh.vertices;
+    const Vec3 from = all[line.vertex[0]], to = all[line.vertex[1]];
+    return {from + part * (to - from), between(line.colour[0], line.colour[1], part)};
+}
+
+/// What is so near to a lens that it cannot be focused covers the lens: of a lenticular one, the
+/// row at its height.
+void LensDrawing::cover(Vec3 point, Colour colour)
+{
+    const SheetOptics& optics = request_.optics;
+    if (optics.lattice().nearest({point.x, point.y}) != lens_)
+        return;
+    if (optics.sheet().arrangement != Arrangement::lenticular)
+        return raster_.fill(point.z, colour);
+    const double apart = 1e-6 * near_; // in the plane of the poles, points have no film point
+    Vec3 imaged = point;
+    if (std::fabs(imaged.z) < apart)
+        imaged.z = apart;
+    if (const auto film = corner({imaged, colour}))
+        raster_.fill_row(int(std::floor(film->pixel.y)), point.z, colour);
+}
+
+void LensDrawing::draw(const MeshPoint& point)
+{
+    const Vec3 at = request_.mesh.vertices[point.vertex];
+    if (!is_in_front_of_eye(at.z))
+        return;
+    if (is_near(at.z))
+        return cover(at, point.colour);
+    if (const auto film = corner(vertices_.of(point.vertex), at.z, point.colour))
+        raster_.draw_point(*film);
+}
+
+void LensDrawing::draw(const MeshLine& line)
+{
+    const auto& all = request_.mesh.vertices;
+    const Vec3 from = all[line.vertex[0]], to = all[line.vertex[1]], way = to - from;
+    const double before_lens = std::max(near_, 1e-6 * request_.optics.sheet().thickness);
+    const bool is_far = std::min(from.z, to.z) > behind_ || std::max(from.z, to.z) < -before_lens;
+    if (is_far && std::min(from.z, to.z) > foremost_) {
+        const auto a = corner(vertices_.of(line.vertex[0]), from.z, line.colour[0]);
+        const auto b = a ? corner(vertices_.of(line.vertex[1]), to.z, line.colour[1]) : a;
+        if (a && b && length(b->pixel - a->pixel) <= not_clipped)
+            return draw_curve({from, line.colour[0]}, *a, {to, line.colour[1]}, *b, 0);
+    }
+    Span seen;
+    keep_positive(from.z - foremost_, way.z, seen);
+    Span behind = seen, before = seen, beside = seen;
+    keep_positive(from.z - behind_, way.z, behind);
+    keep_in_aperture(from, way, true, behind);
+    draw_far(line, behind);
+    keep_positive(-from.z - before_lens, -way.z, before);
+    keep_in_aperture(from, way, false, before);
+    draw_far(line, before);
+    if (near_ == 0)
+        return;
+    keep_positive(near_ - from.z, -way.z, beside);
+    keep_positive(near_ + from.z, way.z, beside);
+    draw_near(line, beside);
+}
+
+/// Keeps what the aperture may see through the lens. The line from a scene point S through the
+/// pole's coordinate p meets the aperture plane at p + (p - S) d/z, so that |p (z + d) - d S| is at
+/// most |z| times the aperture's half extent: a bound that is linear along the line. The extent is
+/// taken a little larger, as the pixels themselves decide.
+void LensDrawing::keep_in_aperture(Vec3 from, Vec3 way, bool behind, Span& span) const
+{
+    if (request_.pseudoscopic)
+        return;
+    const SheetOptics& optics = request_.optics;
+    const Aperture& aperture = optics.aperture();
+    const double d = aperture.distance, cell = cell_circumradius(optics.sheet()),
+                 sign = behind ? 1 : -1;
+    const auto keep = [&](Vec2 axis, double half) {
+        if (!std::isfinite(half))
+            return;
+        const double wide = half + aperture_margin_ + cell, p = dot(axis, pole_);
+        const auto excess = [&](Vec3 s) { return p * (s.z + d) - d * dot(axis, Vec2{s.x, s.y}); };
+        const double g = excess(from), slope = excess(from + way) - g;
+        const double bound = wide * sign * from.z + cell * d, growth = wide * sign * way.z;
+        keep_positive(bound - g, growth - slope, span);
+        keep_positive(bound + g, growth + slope, span);
+    };
+    const double x = 0.5 * aperture.width, y = 0.5 * aperture.height;
+    if (optics.sheet().arrangement == Arrangement::lenticular) {
+        const Vec2 across = optics.lattice().across();
+        keep(across, std::fabs(across.x) * x + std::fabs(across.y) * y);
+        return;
+    }
+    keep({1, 0}, x);
+    keep({0, 1}, y);
+}
+
+void LensDrawing::draw_far(const MeshLine& line, Span span)
+{
+    if (!span.is_empty())
+        draw_piece(at(line, span.first), at(line, span.last), 0);
+}
+
+/// A piece whose ends may have no film point: their light would be reflected totally.
+void LensDrawing::draw_piece(const End& a, const End& b, int splits)
+{
+    const auto film_a = corner(a), film_b = corner(b);
+    if (film_a && film_b)
+        return draw_curve(a, *film_a, b, *film_b, splits);
+    constexpr int most_searched = 7;
+    if (splits == most_searched)
+        return;
+    const End middle = half_way(a, b);
+    draw_piece(a, middle, splits + 1);
+    draw_piece(middle, b, splits + 1);
+}
+
+LensDrawing::End LensDrawing::half_way(const End& a, const End& b)
+{
+    return {0.5 * (a.point + b.point), between(a.colour, b.colour, 0.5)};
+}
+
+/// A lens images a straight line as a slightly curved one.
+void LensDrawing::draw_curve(const End& a, const FilmCorner& film_a, const End& b,
+                             const FilmCorner& film_b, int splits)
+{
+    const Vec2 chord = film_b.pixel - film_a.pixel;
+    const double long_way = length(chord);
+    if (long_way > straight && splits < most_splits) {
+        const End middle = half_way(a, b);
+        const auto film = corner(middle);
+        if (!film)
+            return;
+        const Vec2 off = film->pixel - film_a.pixel;
+        const double beside = std::fabs(chord.x * off.y - chord.y * off.x) / long_way,
+                     along = dot(chord, off) / (long_way * long_way);
+        // The middle of a line in depth is not the middle of its image: halves much unlike need
+        // their own depths.
+        if (beside > bulge || std::fabs(along - 0.5) > 0.1) {
+            draw_curve(a, film_a, middle, *film, splits + 1);
+            return draw_curve(middle, *film, b, film_b, splits + 1);
+        }
+    }
+    raster_.draw_line(film_a, film_b);
+}
+
+void LensDrawing::draw_near(const MeshLine& line, Span span)
+{
+    const SheetOptics& optics = request_.optics;
+    const End from = at(line, 0), to = at(line, 1);
+    const Vec3 way = to.point - from.point;
+    const double cell = cell_circumradius(optics.sheet());
+    const auto keep = [&](Vec2 axis) {
+        const double off = dot(axis, Vec2{from.point.x, from.point.y} - pole_),
+                     slope = dot(axis, Vec2{way.x, way.y});
+        keep_positive(cell - off, -slope, span);
+        keep_positive(cell + off, slope, span);
+    };
+    keep(optics.lattice().across());
+    if (optics.sheet().arrangement != Arrangement::lenticular)
+        keep(optics.lattice().along());
+    if (span.is_empty())
+        return;
+    const double pixel = std::min(request_.film.pixel_pitch.x, request_.film.pixel_pitch.y);
+    const double long_way = (span.last - span.first) * length(Vec2{way.x, way.y});
+    const int steps = int(std::clamp(std::ceil(2 * long_way / pixel), 1.0, 1e6));
+    for (int k = 0; k <= steps; ++k) {
+        const End end = at(line, span.first + (span.last - span.first) * k / steps);
+        cover(end.point, end.colour);
+    }
+}
+
+} // namespace integral

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/wireframe: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/wireframe/lens_bins.cpp \
+  integral/wireframe/lens_bins.h \
+  integral/wireframe/lens_drawing.cpp \
+  integral/wireframe/lens_drawing.h \
+  integral/wireframe/lens_faces.cpp \
+  integral/wireframe/lens_pixels.cpp \
+  integral/wireframe/lens_pixels.h \
+  integral/wireframe/lens_raster.cpp \
+  integral/wireframe/lens_raster.h \
+  integral/wireframe/lens_rays.cpp \
+  integral/wireframe/lens_rays.h \
+  integral/wireframe/mesh.cpp \
+  integral/wireframe/mesh.h \
+  integral/wireframe/obj_file.cpp \
+  integral/wireframe/obj_file.h \
+  integral/wireframe/wireframe.cpp \
+  integral/wireframe/wireframe.h

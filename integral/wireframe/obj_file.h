@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Reads meshes from Wavefront OBJ files.
+#ifndef INTEGRAL_WIREFRAME_OBJ_FILE_H
+#define INTEGRAL_WIREFRAME_OBJ_FILE_H
+
+#include "integral/wireframe/mesh.h"
+
+#include <string>
+
+namespace integral {
+
+struct ObjReading {
+    Colour plain{1, 1, 1, 1};    ///< linear light; of what has no colour of its own
+    bool ignore_colours = false; ///< everything is plain, and no material file is read
+};
+
+/// Reads v (with or without r g b), p, l, f, usemtl and mtllib (whose Kd are the colours); skips
+/// vt, vn, o, g, s and comments. "-" is standard input. Colours in the file are taken as sRGB
+/// values, as programs show them. A vertex's colour goes before the material's. Faces are cut into
+/// triangles that share their first vertex, which suits convex ones.
+///
+/// Throws InputError with the line's number for any other word, a malformed number, a vertex that
+/// does not exist, and a file without points, lines and faces.
+Mesh read_obj(const std::string& path, const ObjReading& how);
+
+} // namespace integral
+
+#endif
