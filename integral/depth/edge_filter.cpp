@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/edge_filter.h"
 
+#include "integral/depth/row_loops.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,13 +48,10 @@ void filter(const float* from, float* to, const std::vector<std::vector<float>>&
         if (off >= count)
             break;
         const float* weight = weights[k - 1].data();
-        for (std::size_t i = 0; i < count - off; ++i)
-            to[i] += weight[i] * from[i + off];
-        for (std::size_t i = off; i < count; ++i)
-            to[i] += weight[i - off] * from[i - off];
+        add_product(to, weight, from + off, int(count - off));
+        add_product(to + off, weight, from, int(count - off));
     }
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] *= norm[i];
+    multiply(to, norm.data(), int(count));
 }
 
 } // namespace

@@ -15,6 +15,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/frame_views.cpp \
   integral/depth/multibaseline.cpp \
   integral/depth/multibaseline.h \
+  integral/depth/row_loops.cpp \
+  integral/depth/row_loops.h \
   integral/depth/view_set.cpp \
   integral/depth/view_set.h \
   integral/depth/votes.cpp \

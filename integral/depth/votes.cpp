@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/votes.h"
 
+#include "integral/depth/row_loops.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,22 +29,19 @@ struct Shift {
     float weight[4];
 };
 
-/// Pixels [first, last) of a row of `size` that have all their neighbours after the shift.
-struct Span {
-    Span(const Shift& shift, int size)
-        : first(std::max(0, shift.before() - shift.whole)),
-          last(std::min(size, size - shift.after() - shift.whole))
-    {
-    }
-    int first, last;
-};
+/// Those of `size` pixels that have all their neighbours after the shift.
+PixelRange range_after(const Shift& shift, int size)
+{
+    return {std::max(0, shift.before() - shift.whole),
+            std::min(size, size - shift.after() - shift.whole)};
+}
 
 } // namespace
 
 /// One row's sums, of all views and of four halves of them. Votes and their number.
 struct Votes::Sums {
     static constexpr int kinds = 5;
-    explicit Sums(int width) : width(width), tall(std::size_t(width) + 4), wide(3 * tall.size())
+    explicit Sums(int width) : between(3 * std::size_t(width))
     {
         for (auto& v : votes)
             v.resize(std::size_t(width));
@@ -57,13 +56,15 @@ struct Votes::Sums {
         for (auto& n : number)
             std::fill(n.begin(), n.end(), 0.0f);
     }
-    int width;
     std::vector<float> votes[kinds], number[kinds], vote;
-    std::vector<float> tall, wide; ///< a row between rows, and between columns
+    std::vector<float> between; ///< a row of each channel, between the view's rows
 };
 
 Votes::Votes(const ViewSet& views, const VoteSettings& settings)
-    : views_(views), settings_(settings), sharpness_(views.pixels())
+    : views_(views),
+      settings_(settings),
+      sharpness_(views.pixels()),
+      ones_(std::size_t(views.width), 1)
 {
     const int width = views.width, height = views.height;
     Vec2 share{1e-9, 1e-9}; // of the shifts that are across, and down
@@ -101,78 +102,62 @@ Votes::Votes(const ViewSet& views, const VoteSettings& settings)
         }
 }
 
-namespace {
-
-/// A row of a channel, shifted by fractions of a pixel: pixels [span.first, span.last) of `to`.
-void shift_row(const std::vector<float>& channel, int width, int y, const Shift& across,
-               const Shift& down, const Span& span, float* tall, float* to)
-{
-    const int first = span.first + across.whole - across.before(),
-              last = span.last + across.whole + across.after();
-    const float* row = channel.data() + std::ptrdiff_t(y + down.whole) * width;
-    if (!down.is_whole) {
-        const float *a = row - width, *b = row + width, *c = b + width;
-        const float w0 = down.weight[0], w1 = down.weight[1], w2 = down.weight[2],
-                    w3 = down.weight[3];
-        for (int x = first; x < last; ++x)
-            tall[x] = w0 * a[x] + w1 * row[x] + w2 * b[x] + w3 * c[x];
-        row = tall;
-    }
-    const float* from = row + across.whole;
-    if (across.is_whole) {
-        std::copy(from + span.first, from + span.last, to + span.first);
-        return;
-    }
-    const float w0 = across.weight[0], w1 = across.weight[1], w2 = across.weight[2],
-                w3 = across.weight[3];
-    for (int x = span.first; x < span.last; ++x)
-        to[x] = w0 * from[x - 1] + w1 * from[x] + w2 * from[x + 1] + w3 * from[x + 2];
-}
-
-} // namespace
-
-void Votes::add_view(const DepthView& view, double disparity, int y, Sums& sums) const
+void Votes::vote(const DepthView& view, double disparity, int y, const PixelRange& columns,
+                 Sums& sums) const
 {
     const int width = views_.width;
     const Shift across(disparity * view.shift.x), down(disparity * view.shift.y);
-    const Span rows(down, views_.height), span(across, width);
-    if (y < rows.first || y >= rows.last || span.first >= span.last)
-        return;
-    for (std::size_t c = 0; c < 3; ++c)
-        shift_row(view.channels[c], width, y, across, down, span, sums.tall.data(),
-                  sums.wide.data() + c * sums.tall.size());
-    const std::size_t row = std::size_t(y) * width;
-    const float *r = sums.wide.data(), *g = r + sums.tall.size(), *b = g + sums.tall.size();
-    const float *r0 = views_.middle.channels[0].data() + row,
-                *g0 = views_.middle.channels[1].data() + row,
-                *b0 = views_.middle.channels[2].data() + row, *sharpness = sharpness_.data() + row;
-    float* vote = sums.vote.data();
-    for (int x = span.first; x < span.last; ++x) {
-        const float dr = r[x] - r0[x], dg = g[x] - g0[x], db = b[x] - b0[x];
-        vote[x] = std::max(0.0f, 1 - sharpness[x] * (dr * dr + dg * dg + db * db));
+    const int first = columns.first + across.whole - across.before(),
+              last = columns.last + across.whole + across.after();
+    RowsToCompare rows{};
+    const std::size_t own = std::size_t(y) * width + columns.first;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const float* row = view.channels[c].data() + std::ptrdiff_t(y + down.whole) * width;
+        if (!down.is_whole) {
+            float* between = sums.between.data() + c * std::size_t(width);
+            mix_rows(between + first, row - width + first, row + first, row + width + first,
+                     row + 2 * width + first, down.weight, last - first);
+            row = between;
+        }
+        rows.view[c] = row + columns.first + across.whole;
+        rows.middle[c] = views_.middle.channels[c].data() + own;
     }
-    const float* lit = view.lit.empty()
-                           ? nullptr
-                           : view.lit.data() +
-                                 std::size_t(y + int(std::lround(disparity * view.shift.y))) *
-                                     width +
-                                 std::lround(disparity * view.shift.x);
+    rows.sharpness = sharpness_.data() + own;
+    float* vote = sums.vote.data() + columns.first;
+    if (across.is_whole)
+        vote_for(vote, rows, columns.last - columns.first);
+    else
+        vote_between(vote, rows, across.weight, columns.last - columns.first);
+}
+
+void Votes::add_view(const DepthView& view, double disparity, int y, Sums& sums) const
+{
+    const Vec2 shift = disparity * view.shift;
+    const PixelRange rows = range_after(Shift(shift.y), views_.height),
+                     columns = range_after(Shift(shift.x), views_.width);
+    if (y < rows.first || y >= rows.last || columns.first >= columns.last)
+        return;
+    vote(view, disparity, y, columns, sums);
+    const int count = columns.last - columns.first;
+    const float* vote = sums.vote.data() + columns.first;
+    const float* lit = nullptr;
+    if (!view.lit.empty())
+        lit = view.lit.data() + std::ptrdiff_t(y + std::lround(shift.y)) * views_.width +
+              std::lround(shift.x) + columns.first;
     const bool in_half[Sums::kinds] = {true, view.shift.x > 0, view.shift.x<0, view.shift.y> 0,
                                        view.shift.y < 0};
     for (int kind = 0; kind < (settings_.halves ? Sums::kinds : 1); ++kind) {
         if (!in_half[kind])
             continue;
-        float *votes = sums.votes[kind].data(), *number = sums.number[kind].data();
-        if (lit)
-            for (int x = span.first; x < span.last; ++x) {
-                votes[x] += lit[x] * vote[x];
-                number[x] += lit[x];
-            }
-        else
-            for (int x = span.first; x < span.last; ++x) {
-                votes[x] += vote[x];
-                number[x] += 1;
-            }
+        float *votes = sums.votes[kind].data() + columns.first,
+              *number = sums.number[kind].data() + columns.first;
+        if (lit) {
+            add_product(votes, lit, vote, count);
+            add(number, lit, count);
+        } else {
+            add(votes, vote, count);
+            add(number, ones_.data(), count);
+        }
     }
 }
 

@@ -15,6 +15,11 @@ struct VoteSettings {
                         ///< agrees best, as an edge hides a point from the others
 };
 
+/// Pixels [first, last) of a row or a column.
+struct PixelRange {
+    int first, last;
+};
+
 /// Counts votes. A view votes for a disparity of a pixel if it has, where the point would then be,
 /// nearly the pixel's colour: its vote falls from 1 for the same colour to 0 for one that differs
 /// by what the settings allow. Views that do not show that place, or have no light there, do not
@@ -30,12 +35,15 @@ public:
 
 private:
     struct Sums;
+    void vote(const DepthView& view, double disparity, int y, const PixelRange& columns,
+              Sums& sums) const;
     void add_view(const DepthView& view, double disparity, int y, Sums& sums) const;
     void finish_row(const Sums& sums, float* mean) const;
 
     const ViewSet& views_;
     VoteSettings settings_;
     std::vector<float> sharpness_; ///< 1 / squared difference that is allowed, of each pixel
+    std::vector<float> ones_;      ///< a row of them
 };
 
 } // namespace integral
