@@ -141,8 +141,7 @@ UprightMap upright_map(const ViewSet& views, const DepthMap& map, double width_m
             upright.disparity.push_back(corners ? depth_between(map.disparity, *corners) : NAN);
             upright.confidence.push_back(corners ? between(map.confidence, *corners) : 0);
             for (std::size_t c = 0; c < 3; ++c)
-                upright.colour[c].push_back(corners ? between(views.middle.channels[c], *corners)
-                                                    : 0);
+                upright.colour[c].push_back(corners ? between(views.colours[c], *corners) : 0);
         }
     return upright;
 }

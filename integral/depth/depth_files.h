@@ -17,7 +17,7 @@ struct UprightMap {
     std::optional<DepthScale> scale; ///< nothing: disparities are all that is known
     std::vector<float> disparity;    ///< NaN: nothing is known here
     std::vector<float> confidence;   ///< 0 to 1
-    std::array<std::vector<float>, 3> colour; ///< stored values; 1 is full scale
+    ColourPlanes colour;             ///< stored values; 1 is full scale
 
     /// Millimetres behind the sheet, negative in front; or the disparities if no scale is known.
     std::vector<float> depths() const;

@@ -81,12 +81,16 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
 DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthRequest& request,
                             int threads, const Progress& progress)
 {
+    std::optional<Frame> frame;
     if (inputs.size() == 1 && !is_mpo(inputs[0])) {
         FrameReader reader(inputs[0], request.sheet);
         if (reader.frame().metadata)
-            return of_frame(reader.whole(), threads, progress);
+            frame = reader.whole();
     }
-    return of_views(inputs, request, threads, progress);
+    DepthInput input = frame ? of_frame(*frame, threads, progress)
+                             : of_views(inputs, request, threads, progress);
+    soften(input.views, threads);
+    return input;
 }
 
 } // namespace integral

@@ -25,13 +25,13 @@ bool is_near_step(const std::vector<float>& values, int width, int height, int x
 
 /// How much a shift of a pixel changes the colours of the 5 x 5 pixels around one: root of the mean
 /// square of the change, in the direction in which it is greater.
-double texture_at(const DepthView& view, int width, int height, int x, int y, bool also_down)
+double texture_at(const ColourPlanes& colours, int width, int height, int x, int y, bool also_down)
 {
     double across = 0, down = 0;
     int count = 0;
     for (int j = std::max(1, y - 2); j <= std::min(height - 2, y + 2); ++j)
         for (int i = std::max(1, x - 2); i <= std::min(width - 2, x + 2); ++i, ++count)
-            for (const auto& c : view.channels) {
+            for (const auto& c : colours) {
                 const std::size_t at = std::size_t(j) * width + i;
                 const double dx = 0.5 * (c[at + 1] - c[at - 1]),
                              dy = 0.5 * (c[at + std::size_t(width)] - c[at - std::size_t(width)]);
@@ -105,7 +105,7 @@ DepthScores depth_scores(const ViewSet& views, const std::vector<float>& dispari
             all.push_back(error);
             if (is_near_step(truth, views.width, views.height, x, y, edge_reach, edge_step))
                 edges.push_back(error);
-            else if (texture_at(views.middle, views.width, views.height, x, y, also_down) >
+            else if (texture_at(views.colours, views.width, views.height, x, y, also_down) >
                      least_texture)
                 texture.push_back(error);
         }

@@ -9,10 +9,10 @@
 namespace integral {
 namespace {
 
-float squared_difference(const DepthView& view, std::size_t a, std::size_t b)
+float squared_difference(const ColourPlanes& colours, std::size_t a, std::size_t b)
 {
     float sum = 0;
-    for (const auto& channel : view.channels) {
+    for (const auto& channel : colours) {
         const float d = channel[a] - channel[b];
         sum += d * d;
     }
@@ -86,7 +86,7 @@ void EdgeFilter::weigh(const ViewSet& views, int first, int step_x, int step_y, 
                 weights[std::size_t(y) * width_ + x] = float(spatial) *
                                                        std::exp(
                                                            -sharpness *
-                                                           squared_difference(views.middle, a, b));
+                                                           squared_difference(views.colours, a, b));
         }
 }
 
@@ -116,7 +116,7 @@ void weighted_median(const ViewSet& views, const std::vector<float>& values,
                     const float w = weight[other];
                     if (!(w > 0))
                         continue;
-                    const float d = sharpness * squared_difference(views.middle, at, other);
+                    const float d = sharpness * squared_difference(views.colours, at, other);
                     if (d > 9)
                         continue;
                     near.emplace_back(values[other], w / (1 + d * d));

@@ -250,6 +250,7 @@ ViewSet view_set(const Frame& frame, int threads, const Progress& progress)
     };
     if (!for_each_row(set.height, threads, row, piece_of(progress, 1, 2)))
         throw Interrupted();
+    set.colours = set.middle.channels;
     return set;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/multibaseline.h"
 
+#include "integral/depth/spread.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -129,7 +131,7 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
 {
     constexpr double widest = 4, step = 0.08;
     constexpr int rows_apart = 12, rows_at_once = 2;
-    constexpr float least_confidence = 0.3f;
+    constexpr float least_confidence = 0.3f, least_change = 0.03f;
     VoteSettings rough = settings; // a coarse step needs more tolerance
     rough.tolerance = std::max(settings.tolerance, 0.5 * step * farthest_shift(views));
     const Votes votes(views, rough);
@@ -141,9 +143,17 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
         const int first = first_row(piece);
         search.rows(first, std::min(views.height, first + rows_at_once), map);
     });
-    std::vector<float> sure;
-    for (std::size_t i = 0; i < map.confidence.size(); ++i)
-        if (map.confidence[i] > least_confidence)
+    const auto change = [&](std::size_t i) { // of the colour from one pixel to the next
+        float sum = 0;
+        for (const auto& channel : views.colours)
+            sum += std::fabs(channel[i + 1] - channel[i]);
+        return sum;
+    };
+    std::vector<float> sure; // where there is texture and the next pixel says the same
+    for (std::size_t i = 0; i + 1 < map.confidence.size(); ++i)
+        if (map.confidence[i] > least_confidence && map.confidence[i + 1] > least_confidence &&
+            change(i) > least_change &&
+            std::fabs(map.disparity[i] - map.disparity[i + 1]) < 0.25 * step)
             sure.push_back(map.disparity[i]);
     if (sure.size() < 20)
         return {-widest, widest};
@@ -174,6 +184,8 @@ std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineS
             blocks, threads, [&](int k) { search.rows(k * rows_of_a_block, end_of(k), map); },
             progress))
         return std::nullopt;
+    if (settings.reach > 0)
+        spread_from_sure_pixels(views, settings.reach, threads, map.disparity, map.confidence);
     std::vector<float> smooth(map.disparity.size());
     for_each_row(blocks, threads, [&](int k) {
         weighted_median(views, map.disparity, map.confidence, settings.median, k * rows_of_a_block,

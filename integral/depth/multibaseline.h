@@ -19,6 +19,7 @@ struct MultibaselineSettings {
     double step = 0.16; ///< between disparities that are tried: pixels of the farthest view
     VoteSettings votes;
     EdgeFilterSettings filter, median;
+    double reach = 40; ///< pixels within a surface over which sure pixels tell unsure ones; 0: none
 };
 
 /// The depth of the middle view of a set, row by row.

@@ -48,7 +48,46 @@ void check(const std::vector<Image>& views)
             throw std::invalid_argument("its views differ in size");
 }
 
+/// Mixes each lit pixel with its lit neighbours `step` values away on both sides. `before(i)` and
+/// `after(i)`: whether pixel i has one.
+template <class Before, class After>
+void mix_neighbours(DepthView& view, std::size_t step, Before before, After after)
+{
+    constexpr float part = 0.15f;
+    const auto lit = [&](std::size_t i) { return view.lit.empty() || view.lit[i] > 0; };
+    for (auto& channel : view.channels) {
+        const std::vector<float> old = channel;
+        for (std::size_t i = 0; i < old.size(); ++i) {
+            if (!lit(i))
+                continue;
+            if (before(i) && lit(i - step))
+                channel[i] += part * (old[i - step] - old[i]);
+            if (after(i) && lit(i + step))
+                channel[i] += part * (old[i + step] - old[i]);
+        }
+    }
+}
+
+void soften(DepthView& view, std::size_t width)
+{
+    mix_neighbours(
+        view, 1, [&](std::size_t i) { return i % width > 0; },
+        [&](std::size_t i) { return i % width < width - 1; });
+    const std::size_t count = view.channels[0].size();
+    mix_neighbours(
+        view, width, [&](std::size_t i) { return i >= width; },
+        [&](std::size_t i) { return i + width < count; });
+}
+
 } // namespace
+
+void soften(ViewSet& views, int threads)
+{
+    views.colours = views.middle.channels;
+    for_each_row(int(views.others.size()) + 1, threads, [&](int k) {
+        soften(k == 0 ? views.middle : views.others[std::size_t(k - 1)], std::size_t(views.width));
+    });
+}
 
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
                  const std::optional<ViewEyes>& eyes)
@@ -77,6 +116,7 @@ ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
             else
                 set.others.push_back(std::move(view));
         }
+    set.colours = set.middle.channels;
     return set;
 }
 

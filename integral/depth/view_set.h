@@ -18,11 +18,14 @@
 
 namespace integral {
 
-/// A view as planes of floats, row by row from the top left.
+/// R, G and B as planes, row by row from the top left: stored values; 1 is full scale.
+using ColourPlanes = std::array<std::vector<float>, 3>;
+
+/// A view to compare with others.
 struct DepthView {
     Vec2 shift; ///< pixels to the right and down that a disparity of 1 moves a point, from where
                 ///< the middle view has it
-    std::array<std::vector<float>, 3> channels; ///< stored values; 1 is full scale
+    ColourPlanes channels;
     std::vector<float> lit; ///< 1, or 0 for a pixel without light; empty: all have some
 };
 
@@ -50,12 +53,18 @@ struct ViewSet {
     int width = 0, height = 0; ///< pixels of each view
     DepthView middle;          ///< whose depth is measured; its shift is 0
     std::vector<DepthView> others;
+    ColourPlanes colours; ///< of the middle view before soften()
     PixelPlaces places;
     std::optional<DepthScale> scale; ///< nothing: millimetres are not known
 
     std::size_t pixels() const { return std::size_t(width) * height; }
     bool is_lit(std::size_t pixel) const { return middle.lit.empty() || middle.lit[pixel] > 0; }
 };
+
+/// Softens all views a little, each pixel with its neighbours that are lit, so that they can be
+/// compared between their pixels too: an edge that is a pixel wide differs there from itself. Keeps
+/// `colours` as they were.
+void soften(ViewSet& views, int threads);
 
 /// Where views were taken from, for ones that do not carry it. In mm.
 struct ViewEyes {
