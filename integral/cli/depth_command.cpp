@@ -8,6 +8,7 @@
 #include "integral/cli/values.h"
 #include "integral/depth/depth_files.h"
 #include "integral/depth/depth_input.h"
+#include "integral/depth/depth_quality.h"
 #include "integral/depth/depth_scores.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr int largest_map_side = 32768; // pixels
 
 struct DepthOptions : CommonOptions {
-    std::optional<std::string> output, views, eyes, range, truth, sheet;
+    std::optional<std::string> output, quality, views, eyes, range, truth, sheet;
     std::optional<int> width, border;
     bool top_first = false, json = false;
     ThreadOptions threads;
@@ -35,6 +36,9 @@ void declare(options::options_description& all, DepthOptions& o)
     all.add_options()("output,o", fills(o.output, "FILE"),
                       "the depth map: .png (in colours, with a scale), .exr or .pfm (mm behind the "
                       "sheet; disparities where mm are not known), .ply (a cloud of points)");
+    all.add_options()("quality", fills(o.quality, "draft|good|best"),
+                      "draft compares the views in a cross about the middle one, coarsely; good "
+                      "(the default) also those on the diagonals; best all");
     all.add_options()("width", fills(o.width, "PIXELS"),
                       "pixels of the map across (default: about as many as the views have)");
     all.add_options()("range", fills(o.range, "FAR,NEAR"),
@@ -79,9 +83,17 @@ DepthRequest request_of(const DepthOptions& o)
     return request;
 }
 
+DepthQuality quality_of(const DepthOptions& o)
+{
+    const auto quality = depth_quality(o.quality.value_or("good"));
+    if (!quality)
+        throw UsageError("--quality " + *o.quality + ": draft, good or best is expected");
+    return *quality;
+}
+
 MultibaselineSettings settings_of(const DepthOptions& o)
 {
-    MultibaselineSettings settings;
+    MultibaselineSettings settings = settings_for(quality_of(o));
     if (o.range) {
         const auto ends = parse_numbers("range", *o.range, "FAR,NEAR", 2, 2);
         constexpr double widest = 100;
@@ -181,7 +193,8 @@ int run(const DepthOptions& o)
     const DepthRequest request = request_of(o);
     const Progress bar = progress_bar("depth");
     try {
-        const DepthInput input = read_depth_input(o.inputs, request, threads, piece_of(bar, 0, 4));
+        DepthInput input = read_depth_input(o.inputs, request, threads, piece_of(bar, 0, 2));
+        keep_views(input.views, quality_of(o));
         const auto start = std::chrono::steady_clock::now();
         const auto map = multibaseline(input.views, settings, threads, piece_of(bar, 1, 2));
         if (!map)

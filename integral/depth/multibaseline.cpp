@@ -115,6 +115,16 @@ private:
     Labels labels_;
 };
 
+/// The filter for pixels that are wider than they are high, as behind lenticular sheets: it then
+/// reaches farther down.
+EdgeFilterSettings stretched(EdgeFilterSettings filter, const ViewSet& views)
+{
+    constexpr double most = 4;
+    const double wide = length(views.places.right) / length(views.places.down);
+    filter.down = int(std::lround(filter.down * std::clamp(wide, 1.0, most)));
+    return filter;
+}
+
 DepthMap blank_map(const ViewSet& views)
 {
     DepthMap map;
@@ -172,7 +182,7 @@ std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineS
     const DisparityRange range = settings.range ? *settings.range
                                                 : find_range(views, settings.votes, threads);
     const Votes votes(views, settings.votes);
-    const Search search(views, votes, settings.filter,
+    const Search search(views, votes, stretched(settings.filter, views),
                         Labels(range, settings.step / std::max(1.0, farthest_shift(views))));
     DepthMap map = blank_map(views);
     map.range = range;
@@ -186,9 +196,10 @@ std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineS
         return std::nullopt;
     if (settings.reach > 0)
         spread_from_sure_pixels(views, settings.reach, threads, map.disparity, map.confidence);
+    const EdgeFilterSettings median = stretched(settings.median, views);
     std::vector<float> smooth(map.disparity.size());
     for_each_row(blocks, threads, [&](int k) {
-        weighted_median(views, map.disparity, map.confidence, settings.median, k * rows_of_a_block,
+        weighted_median(views, map.disparity, map.confidence, median, k * rows_of_a_block,
                         end_of(k), smooth);
     });
     map.disparity = std::move(smooth);
