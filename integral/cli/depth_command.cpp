@@ -10,6 +10,7 @@
 #include "integral/depth/depth_input.h"
 #include "integral/depth/depth_quality.h"
 #include "integral/depth/depth_scores.h"
+#include "integral/depth/ray_trace.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
 
@@ -25,9 +26,9 @@ namespace {
 constexpr int largest_map_side = 32768; // pixels
 
 struct DepthOptions : CommonOptions {
-    std::optional<std::string> output, quality, views, eyes, range, truth, sheet;
+    std::optional<std::string> output, method, quality, views, eyes, range, truth, sheet;
     std::optional<int> width, border;
-    bool top_first = false, json = false;
+    bool top_first = false, rgbd = false, json = false;
     ThreadOptions threads;
 };
 
@@ -36,6 +37,13 @@ void declare(options::options_description& all, DepthOptions& o)
     all.add_options()("output,o", fills(o.output, "FILE"),
                       "the depth map: .png (in colours, with a scale), .exr or .pfm (mm behind the "
                       "sheet; disparities where mm are not known), .ply (a cloud of points)");
+    all.add_options()("rgbd", sets(o.rgbd),
+                      "write the middle view and, to its right, its depth in greys, near white: "
+                      "for programs that make views of the two; .png or .tiff");
+    all.add_options()("method", fills(o.method, "multibaseline|raytrace"),
+                      "multibaseline (the default) searches the depth at which most views agree "
+                      "(thesis 5.4.4); raytrace counts where rays of like colours meet (5.4.3): "
+                      "coarse, with false points near the sheet, to compare");
     all.add_options()("quality", fills(o.quality, "draft|good|best"),
                       "draft compares the views in a cross about the middle one, coarsely; good "
                       "(the default) also those on the diagonals; best all");
@@ -177,12 +185,41 @@ void check_options(const DepthOptions& o)
 {
     if (!o.output && !o.truth)
         throw UsageError("-o FILE is missing");
-    if (o.output && !is_depth_file(*o.output))
+    if (o.method && *o.method != "multibaseline" && *o.method != "raytrace")
+        throw UsageError("--method " + *o.method + ": multibaseline or raytrace is expected");
+    if (o.method == "raytrace" && o.quality)
+        throw UsageError("--quality is for multibaseline, not for --method raytrace");
+    if (o.rgbd && (!o.output || format_for(*o.output) == ImageFormat::exr))
+        throw UsageError("--rgbd needs -o FILE.png or .tiff");
+    if (o.output && !o.rgbd && !is_depth_file(*o.output))
         throw UsageError("-o " + *o.output + ": a depth map is .png, .exr, .pfm or .ply");
     if (o.width)
         in_range("width", *o.width, 1, largest_map_side);
     if (o.output)
         check_writable(*o.output);
+}
+
+std::optional<DepthMap> measured(const DepthOptions& o, const ViewSet& views,
+                                 const MultibaselineSettings& settings, int threads,
+                                 const Progress& bar)
+{
+    if (o.method != "raytrace")
+        return multibaseline(views, settings, threads, bar);
+    RayTraceSettings of_rays;
+    of_rays.range = settings.range ? *settings.range : find_range(views, settings.votes, threads);
+    return ray_trace(views, of_rays, threads, bar);
+}
+
+void write(const DepthOptions& o, const UprightMap& map)
+{
+    if (!o.rgbd)
+        return write_depth(*o.output, map);
+    const DisparityRange range = write_rgbd(*o.output, map);
+    const auto text = [&](double disparity) {
+        return map.scale ? with_decimals(map.scale->mm(disparity), 1) + " mm behind the sheet"
+                         : "disparity " + with_decimals(disparity, 2);
+    };
+    say("depth", "white is " + text(range.greatest) + ", black " + text(range.least));
 }
 
 int run(const DepthOptions& o)
@@ -196,13 +233,13 @@ int run(const DepthOptions& o)
         DepthInput input = read_depth_input(o.inputs, request, threads, piece_of(bar, 0, 2));
         keep_views(input.views, quality_of(o));
         const auto start = std::chrono::steady_clock::now();
-        const auto map = multibaseline(input.views, settings, threads, piece_of(bar, 1, 2));
+        const auto map = measured(o, input.views, settings, threads, piece_of(bar, 1, 2));
         if (!map)
             throw Interrupted();
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         if (o.output)
-            write_depth(*o.output, upright_map(input.views, *map, input.width, input.height,
-                                               o.width.value_or(0)));
+            write(o,
+                  upright_map(input.views, *map, input.width, input.height, o.width.value_or(0)));
         print_figures(o, input, *map, seconds.count());
     } catch (const std::invalid_argument& error) {
         throw UsageError(o.inputs[0] + ": " + error.what());

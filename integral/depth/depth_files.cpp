@@ -4,6 +4,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/depth/depth_picture_scale.h"
 #include "integral/io/codecs.h"
+#include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
 
 #include <algorithm>
@@ -163,6 +164,28 @@ void write_depth(const std::string& path, const UprightMap& map)
         write_file(path, ply_of(map));
     else
         write_file(path, encode_png({depth_picture_with_scale(map), "", std::nullopt}));
+}
+
+DisparityRange write_rgbd(const std::string& path, const UprightMap& map)
+{
+    DisparityRange range{HUGE_VAL, -HUGE_VAL};
+    for (const float d : map.disparity)
+        if (std::isfinite(d)) {
+            range.least = std::min(range.least, double(d));
+            range.greatest = std::max(range.greatest, double(d));
+        }
+    const double span = std::max(1e-6, range.greatest - range.least);
+    Image both = make_image<std::uint16_t>(2 * map.width, map.height, 3, Encoding());
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const std::size_t at = std::size_t(y) * map.width + x;
+            store_pixel(both, x, y, {map.colour[0][at], map.colour[1][at], map.colour[2][at], 1});
+            const double part = (map.disparity[at] - range.least) / span;
+            const float grey = std::isfinite(part) ? float(part) : 0;
+            store_pixel(both, map.width + x, y, {grey, grey, grey, 1});
+        }
+    write_frame(path, Frame{std::move(both), std::nullopt});
+    return range;
 }
 
 } // namespace integral

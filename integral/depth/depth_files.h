@@ -35,6 +35,12 @@ UprightMap upright_map(const ViewSet& views, const DepthMap& map, double width_m
 /// std::invalid_argument for points of a map without millimetres.
 void write_depth(const std::string& path, const UprightMap& map);
 
+/// Writes colours and, to their right, depths as greys: white at the nearest pixel, black at the
+/// farthest and where nothing is known, equal steps for equal steps of parallax, as
+/// rgbd_picture (replay/rgbd.h) has them. Returns the disparities of black and white. Throws
+/// OutputError.
+DisparityRange write_rgbd(const std::string& path, const UprightMap& map);
+
 /// Whether write_depth knows the name's ending.
 bool is_depth_file(const std::string& path);
 

@@ -17,6 +17,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/frame_views.cpp \
   integral/depth/multibaseline.cpp \
   integral/depth/multibaseline.h \
+  integral/depth/ray_trace.cpp \
+  integral/depth/ray_trace.h \
   integral/depth/row_loops.cpp \
   integral/depth/row_loops.h \
   integral/depth/spread.cpp \

@@ -3,6 +3,7 @@
 #include "integral/depth/depth_files.h"
 #include "integral/depth/depth_scores.h"
 #include "integral/depth/multibaseline.h"
+#include "integral/depth/ray_trace.h"
 #include "integral/optics/lens_mapping.h"
 #include "tests/unit/replay_frames.h"
 
@@ -126,6 +127,21 @@ BOOST_AUTO_TEST_CASE(planes_on_both_sides_and_their_edges)
             BOOST_TEST(map->range.greatest > scene.front);
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(reversed_rays_meet_on_planes_of_whole_pixels_and_at_ghosts_else)
+{
+    const auto bad = [](const TwoPlanes& scene, bool by_rays) {
+        ViewSet views = scene.views();
+        soften(views, 2);
+        const auto map = by_rays ? ray_trace(views, {}, 2, {}) : multibaseline(views, {}, 2, {});
+        BOOST_REQUIRE(map);
+        return depth_scores(views, map->disparity, scene.truth(), 8).all.bad[0];
+    };
+    BOOST_TEST(bad({-1, 0.5}, true) < 5);
+    const TwoPlanes between{-0.83, 0.37};
+    BOOST_TEST(bad(between, true) > 20);
+    BOOST_TEST(bad(between, false) < 3);
 }
 
 BOOST_AUTO_TEST_CASE(frames_of_all_sheets)
