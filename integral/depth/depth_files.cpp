@@ -166,15 +166,26 @@ void write_depth(const std::string& path, const UprightMap& map)
         write_file(path, encode_png({depth_picture_with_scale(map), "", std::nullopt}));
 }
 
+DisparityRange shown_range(const UprightMap& map)
+{
+    std::vector<float> known;
+    for (const float d : map.disparity)
+        if (std::isfinite(d))
+            known.push_back(d);
+    if (known.empty())
+        return {-1, 1};
+    std::sort(known.begin(), known.end());
+    const auto part = [&](double p) {
+        return double(known[std::size_t(p * (known.size() - 1.0))]);
+    };
+    const double least = part(0.005), greatest = part(0.995);
+    return {least, std::max(greatest, least + 1e-3)};
+}
+
 DisparityRange write_rgbd(const std::string& path, const UprightMap& map)
 {
-    DisparityRange range{HUGE_VAL, -HUGE_VAL};
-    for (const float d : map.disparity)
-        if (std::isfinite(d)) {
-            range.least = std::min(range.least, double(d));
-            range.greatest = std::max(range.greatest, double(d));
-        }
-    const double span = std::max(1e-6, range.greatest - range.least);
+    const DisparityRange range = shown_range(map);
+    const double span = range.greatest - range.least;
     Image both = make_image<std::uint16_t>(2 * map.width, map.height, 3, Encoding());
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) {

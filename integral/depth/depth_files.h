@@ -29,14 +29,17 @@ struct UprightMap {
 UprightMap upright_map(const ViewSet& views, const DepthMap& map, double width_mm, double height_mm,
                        int columns);
 
+/// The disparities between which all but a hundredth of a map's pixels are.
+DisparityRange shown_range(const UprightMap& map);
+
 /// Writes a map by its name: .pfm (depths(); NaN where nothing is known), .exr (channels Z:
 /// depths(), A: 1 or 0 where nothing is known, disparity, confidence), .png (coloured, with a
 /// scale), .ply (points in mm with colours; x right, y up, z behind the sheet). Throws OutputError;
 /// std::invalid_argument for points of a map without millimetres.
 void write_depth(const std::string& path, const UprightMap& map);
 
-/// Writes colours and, to their right, depths as greys: white at the nearest pixel, black at the
-/// farthest and where nothing is known, equal steps for equal steps of parallax, as
+/// Writes colours and, to their right, depths as greys: white at the near end of shown_range(),
+/// black at the far one and where nothing is known, equal steps for equal steps of parallax, as
 /// rgbd_picture (replay/rgbd.h) has them. Returns the disparities of black and white. Throws
 /// OutputError.
 DisparityRange write_rgbd(const std::string& path, const UprightMap& map);

@@ -27,23 +27,6 @@ PlotInk colour_of(double part)
             mix(stops[low].blue, stops[low + 1].blue)};
 }
 
-/// The disparities between which nearly all pixels are.
-DisparityRange shown_range(const std::vector<float>& disparity)
-{
-    std::vector<float> known;
-    for (const float d : disparity)
-        if (std::isfinite(d))
-            known.push_back(d);
-    if (known.empty())
-        return {-1, 1};
-    std::sort(known.begin(), known.end());
-    const auto part = [&](double p) {
-        return double(known[std::size_t(p * (known.size() - 1.0))]);
-    };
-    const double least = part(0.005), greatest = part(0.995);
-    return {least, std::max(greatest, least + 1e-3)};
-}
-
 /// The scale: colours with the numbers beside them, near at the top.
 Image scale_picture(const UprightMap& map, DisparityRange range, int height)
 {
@@ -75,7 +58,7 @@ Image scale_picture(const UprightMap& map, DisparityRange range, int height)
 
 Image depth_picture_with_scale(const UprightMap& map)
 {
-    const DisparityRange range = shown_range(map.disparity);
+    const DisparityRange range = shown_range(map);
     constexpr int least_height = 120;
     const Image scale = scale_picture(map, range, std::max(map.height, least_height));
     Image picture = make_image<std::uint8_t>(map.width + scale.width, scale.height, 3, Encoding());

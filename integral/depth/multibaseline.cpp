@@ -140,14 +140,15 @@ DepthMap blank_map(const ViewSet& views)
 DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, int threads)
 {
     constexpr double widest = 4, step = 0.08;
-    constexpr int rows_apart = 12, rows_at_once = 2;
+    constexpr int rows_apart = 12, rows_at_once = 2, least_pieces = 40;
     constexpr float least_confidence = 0.3f, least_change = 0.03f;
     VoteSettings rough = settings; // a coarse step needs more tolerance
     rough.tolerance = std::max(settings.tolerance, 0.5 * step * farthest_shift(views));
     const Votes votes(views, rough);
     const Search search(views, votes, {3, 1, 0.06}, Labels({-widest, widest}, step));
     DepthMap map = blank_map(views);
-    const int pieces = std::max(1, views.height / rows_apart);
+    const int pieces = std::max(
+        {1, views.height / rows_apart, std::min(least_pieces, views.height / rows_at_once)});
     const auto first_row = [&](int piece) { return piece * views.height / pieces; };
     for_each_row(pieces, threads, [&](int piece) {
         const int first = first_row(piece);
