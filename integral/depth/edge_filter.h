@@ -10,7 +10,7 @@ namespace integral {
 
 struct EdgeFilterSettings {
     int across = 4, down = 4; ///< how far it reaches, pixels; >= 0
-    double colour = 0.06;     ///< difference of colour (distance in R, G, B of full scale 1) at
+    double colour = 0.12;     ///< difference of colour (distance in R, G, B of full scale 1) at
                               ///< which a neighbour's weight has fallen to 1/e
 };
 

@@ -29,6 +29,14 @@ struct Shift {
     float weight[4];
 };
 
+/// Whether a view belongs to a kind of sum: 0, of all views, or 1 to 4, of a half of them.
+bool is_in_half(const DepthView& view, int kind)
+{
+    const bool in_half[] = {true, view.shift.x > 0, view.shift.x<0, view.shift.y> 0,
+                            view.shift.y < 0};
+    return in_half[kind];
+}
+
 /// Those of `size` pixels that have all their neighbours after the shift.
 PixelRange range_after(const Shift& shift, int size)
 {
@@ -69,6 +77,8 @@ Votes::Votes(const ViewSet& views, const VoteSettings& settings)
     const int width = views.width, height = views.height;
     Vec2 share{1e-9, 1e-9}; // of the shifts that are across, and down
     for (const DepthView& view : views.others) {
+        for (int kind = 1; kind < Sums::kinds; ++kind)
+            views_in_half_[kind - 1] += is_in_half(view, kind);
         share.x += view.shift.x * view.shift.x;
         share.y += view.shift.y * view.shift.y;
     }
@@ -147,7 +157,7 @@ void Votes::add_view(const DepthView& view, double disparity, int y, Sums& sums)
     const bool in_half[Sums::kinds] = {true, view.shift.x > 0, view.shift.x<0, view.shift.y> 0,
                                        view.shift.y < 0};
     for (int kind = 0; kind < (settings_.halves ? Sums::kinds : 1); ++kind) {
-        if (!in_half[kind])
+        if (!is_in_half(view, kind))
             continue;
         float *votes = sums.votes[kind].data() + columns.first,
               *number = sums.number[kind].data() + columns.first;
@@ -163,14 +173,14 @@ void Votes::add_view(const DepthView& view, double disparity, int y, Sums& sums)
 
 void Votes::finish_row(const Sums& sums, float* mean) const
 {
-    // A half has seen less than all views: it takes some more to believe it.
-    constexpr float trust = 0.9f;
     const float least = 0.15f * float(views_.others.size());
     for (int x = 0; x < views_.width; ++x)
         mean[x] = sums.votes[0][std::size_t(x)] / std::max(least, sums.number[0][std::size_t(x)]);
     if (!settings_.halves)
         return;
     for (int kind = 1; kind < Sums::kinds; ++kind) {
+        // The fewer views a half has, the easier it agrees by chance.
+        const float trust = std::max(0.0f, 1 - 2.0f / float(views_in_half_[kind - 1]));
         const float *votes = sums.votes[kind].data(), *number = sums.number[kind].data();
         for (int x = 0; x < views_.width; ++x)
             mean[x] = std::max(mean[x], trust * votes[x] / std::max(least, number[x]));

@@ -42,6 +42,7 @@ private:
 
     const ViewSet& views_;
     VoteSettings settings_;
+    int views_in_half_[4] = {};
     std::vector<float> sharpness_; ///< 1 / squared difference that is allowed, of each pixel
     std::vector<float> ones_;      ///< a row of them
 };
