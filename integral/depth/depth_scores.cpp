@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/depth_scores.h"
 
+#include "integral/depth/texture.h"
 #include "integral/optics/lens_mapping.h"
 
 #include <algorithm>
@@ -21,24 +22,6 @@ bool is_near_step(const std::vector<float>& values, int width, int height, int x
             if (std::fabs(values[std::size_t(j) * width + i] - own) > step)
                 return true;
     return false;
-}
-
-/// How much a shift of a pixel changes the colours of the 5 x 5 pixels around one: root of the mean
-/// square of the change, in the direction in which it is greater.
-double texture_at(const ColourPlanes& colours, int width, int height, int x, int y, bool also_down)
-{
-    double across = 0, down = 0;
-    int count = 0;
-    for (int j = std::max(1, y - 2); j <= std::min(height - 2, y + 2); ++j)
-        for (int i = std::max(1, x - 2); i <= std::min(width - 2, x + 2); ++i, ++count)
-            for (const auto& c : colours) {
-                const std::size_t at = std::size_t(j) * width + i;
-                const double dx = 0.5 * (c[at + 1] - c[at - 1]),
-                             dy = 0.5 * (c[at + std::size_t(width)] - c[at - std::size_t(width)]);
-                across += dx * dx;
-                down += also_down ? dy * dy : 0;
-            }
-    return count ? std::sqrt(std::max(across, down) / (3 * count)) : 0;
 }
 
 RegionScores scores_of(std::vector<float>& errors)
@@ -92,9 +75,7 @@ DepthScores depth_scores(const ViewSet& views, const std::vector<float>& dispari
     constexpr int edge_reach = 3;
     constexpr float edge_step = 0.1f;
     constexpr double least_texture = 0.02;
-    bool also_down = false;
-    for (const DepthView& view : views.others)
-        also_down = also_down || view.shift.y != 0;
+    const Texture texture_of(views);
     std::vector<float> all, edges, texture;
     for (int y = border; y < views.height - border; ++y)
         for (int x = border; x < views.width - border; ++x) {
@@ -105,8 +86,7 @@ DepthScores depth_scores(const ViewSet& views, const std::vector<float>& dispari
             all.push_back(error);
             if (is_near_step(truth, views.width, views.height, x, y, edge_reach, edge_step))
                 edges.push_back(error);
-            else if (texture_at(views.colours, views.width, views.height, x, y, also_down) >
-                     least_texture)
+            else if (texture_of.at(x, y) > least_texture)
                 texture.push_back(error);
         }
     return {scores_of(all), scores_of(edges), scores_of(texture)};

@@ -23,6 +23,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/row_loops.h \
   integral/depth/spread.cpp \
   integral/depth/spread.h \
+  integral/depth/texture.cpp \
+  integral/depth/texture.h \
   integral/depth/view_set.cpp \
   integral/depth/view_set.h \
   integral/depth/votes.cpp \

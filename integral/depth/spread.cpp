@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/spread.h"
 
+#include "integral/depth/texture.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,14 @@ namespace {
 constexpr int passes = 3;
 constexpr double even_colour = 0.05; ///< sum of differences in R, G and B over which the mean
                                      ///< reaches e times less far
-constexpr float unsure = 0.03f, sure = 0.15f; ///< confidences
+constexpr float unsure = 0.05f, sure = 0.25f; ///< confidences
+constexpr float no_texture = 0.006f, some_texture = 0.016f;
+/// How far a value is on the way from `low` to `high`: 0 to 1.
+float part_of(float value, float low, float high)
+{
+    return std::clamp((value - low) / (high - low), 0.0f, 1.0f);
+}
+
 /// The distances between neighbouring pixels, made longer by their difference of colour, in pixels.
 std::vector<float> distances(const ViewSet& views, double reach, std::size_t step)
 {
@@ -73,11 +82,17 @@ void spread_from_sure_pixels(const ViewSet& views, double reach, int threads,
             filter_line(value, weight, carried, std::size_t(x), width, views.height);
         });
     }
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const float trust = std::clamp((confidence[i] - unsure) / (sure - unsure), 0.0f, 1.0f);
-        if (views.is_lit(i) && weight[i] > 0)
-            disparity[i] += (1 - trust) * (value[i] / weight[i] - disparity[i]);
-    }
+    const Texture texture(views);
+    for_each_row(views.height, threads, [&](int y) {
+        for (int x = 0; x < views.width; ++x) {
+            const std::size_t i = width * std::size_t(y) + std::size_t(x);
+            const float trust = std::max(
+                part_of(confidence[i], unsure, sure),
+                part_of(float(texture.at(x, y)), no_texture, some_texture));
+            if (views.is_lit(i) && weight[i] > 0)
+                disparity[i] += (1 - trust) * (value[i] / weight[i] - disparity[i]);
+        }
+    });
 }
 
 } // namespace integral

@@ -7,10 +7,10 @@
 
 namespace integral {
 
-/// Where the confidence is low, replaces the disparity by a mean over the surroundings that sure
-/// pixels count most in. The mean reaches about `reach` pixels (> 0) over even colours, and stops
-/// at edges of colour: the recursive domain transform of Gastal and Oliveira (2011). All planes are
-/// of the middle view; disparities without light may be NaN.
+/// Where the confidence is low and there is no texture, replaces the disparity by a mean over the
+/// surroundings that sure pixels count most in. The mean reaches about `reach` pixels (> 0) over
+/// even colours, and stops at edges of colour: the recursive domain transform of Gastal and
+/// Oliveira (2011). All planes are of the middle view; disparities without light may be NaN.
 void spread_from_sure_pixels(const ViewSet& views, double reach, int threads,
                              std::vector<float>& disparity, const std::vector<float>& confidence);
 
