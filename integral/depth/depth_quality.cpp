@@ -33,14 +33,13 @@ MultibaselineSettings settings_for(DepthQuality quality)
 
 void keep_views(ViewSet& views, DepthQuality quality)
 {
-    constexpr double half = 0.5 + 1e-3; // of even grids the nearest to the middle are so far off
     if (quality == DepthQuality::best)
         return;
     const auto is_left_out = [&](const DepthView& view) {
-        const double x = std::fabs(view.shift.x), y = std::fabs(view.shift.y);
-        const bool on_cross = std::min(x, y) < half,
-                   on_diagonal = std::fabs(x - y) < half && quality == DepthQuality::good;
-        return !on_cross && !on_diagonal;
+        const bool on_diagonal = quality == DepthQuality::good &&
+                                 std::fabs(std::fabs(view.shift.x) - std::fabs(view.shift.y)) <
+                                     0.51;
+        return !is_in_cross(view) && !on_diagonal;
     };
     views.others.erase(std::remove_if(views.others.begin(), views.others.end(), is_left_out),
                        views.others.end());

@@ -144,6 +144,7 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
     constexpr float least_confidence = 0.3f, least_change = 0.03f;
     VoteSettings rough = settings; // a coarse step needs more tolerance
     rough.tolerance = std::max(settings.tolerance, 0.5 * step * farthest_shift(views));
+    rough.cross = true; // views farther off add time, and aliases where there are few pixels
     const Votes votes(views, rough);
     const Search search(views, votes, {3, 1, 0.06}, Labels({-widest, widest}, step));
     DepthMap map = blank_map(views);

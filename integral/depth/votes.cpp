@@ -46,6 +46,11 @@ PixelRange range_after(const Shift& shift, int size)
 
 } // namespace
 
+bool is_in_cross(const DepthView& view)
+{
+    return std::min(std::fabs(view.shift.x), std::fabs(view.shift.y)) < 0.51;
+}
+
 /// One row's sums, of all views and of four halves of them. Votes and their number.
 struct Votes::Sums {
     static constexpr int kinds = 5;
@@ -77,6 +82,9 @@ Votes::Votes(const ViewSet& views, const VoteSettings& settings)
     const int width = views.width, height = views.height;
     Vec2 share{1e-9, 1e-9}; // of the shifts that are across, and down
     for (const DepthView& view : views.others) {
+        if (settings.cross && !is_in_cross(view))
+            continue;
+        ++views_used_;
         for (int kind = 1; kind < Sums::kinds; ++kind)
             views_in_half_[kind - 1] += is_in_half(view, kind);
         share.x += view.shift.x * view.shift.x;
@@ -173,14 +181,14 @@ void Votes::add_view(const DepthView& view, double disparity, int y, Sums& sums)
 
 void Votes::finish_row(const Sums& sums, float* mean) const
 {
-    const float least = 0.15f * float(views_.others.size());
+    const float least = 0.15f * float(views_used_);
     for (int x = 0; x < views_.width; ++x)
         mean[x] = sums.votes[0][std::size_t(x)] / std::max(least, sums.number[0][std::size_t(x)]);
     if (!settings_.halves)
         return;
     for (int kind = 1; kind < Sums::kinds; ++kind) {
         // The fewer views a half has, the easier it agrees by chance.
-        const float trust = std::max(0.0f, 1 - 2.0f / float(views_in_half_[kind - 1]));
+        const float trust = std::max(0.0f, 1 - 2.0f / float(std::max(1, views_in_half_[kind - 1])));
         const float *votes = sums.votes[kind].data(), *number = sums.number[kind].data();
         for (int x = 0; x < views_.width; ++x)
             mean[x] = std::max(mean[x], trust * votes[x] / std::max(least, number[x]));
@@ -193,7 +201,8 @@ void Votes::count(double disparity, int first, int rows, float* mean) const
     for (int y = first; y < first + rows; ++y, mean += views_.width) {
         sums.clear();
         for (const DepthView& view : views_.others)
-            add_view(view, disparity, y, sums);
+            if (!settings_.cross || is_in_cross(view))
+                add_view(view, disparity, y, sums);
         finish_row(sums, mean);
     }
 }

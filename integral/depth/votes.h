@@ -13,7 +13,12 @@ struct VoteSettings {
     double noise = 0.006;   ///< ... and by that, as a distance in R, G, B of full scale 1
     bool halves = true; ///< of the views to the left, right, above and below, count the half that
                         ///< agrees best, as an edge hides a point from the others
+    bool cross = false; ///< only views (about) to the left, right, above and below vote
 };
+
+/// Whether a view is in the cross of those: its eye less than one step from the middle's row or
+/// column (half a step, in grids with no eye in the middle).
+bool is_in_cross(const DepthView& view);
 
 /// Pixels [first, last) of a row or a column.
 struct PixelRange {
@@ -42,7 +47,7 @@ private:
 
     const ViewSet& views_;
     VoteSettings settings_;
-    int views_in_half_[4] = {};
+    int views_used_ = 0, views_in_half_[4] = {};
     std::vector<float> sharpness_; ///< 1 / squared difference that is allowed, of each pixel
     std::vector<float> ones_;      ///< a row of them
 };
