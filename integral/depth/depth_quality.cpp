@@ -27,6 +27,7 @@ MultibaselineSettings settings_for(DepthQuality quality)
         settings.median = {2, 2, 0.12};
     } else if (quality == DepthQuality::best) {
         settings.step = 0.12;
+        settings.votes.tolerance = 0.2; // views far from the middle one differ more
     }
     return settings;
 }
