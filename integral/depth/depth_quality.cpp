@@ -22,12 +22,10 @@ MultibaselineSettings settings_for(DepthQuality quality)
     MultibaselineSettings settings;
     if (quality == DepthQuality::draft) {
         settings.step = 0.3;
-        settings.votes.tolerance = 0.2;
         settings.filter = {3, 3, 0.12};
         settings.median = {2, 2, 0.12};
     } else if (quality == DepthQuality::best) {
         settings.step = 0.12;
-        settings.votes.tolerance = 0.2; // views far from the middle one differ more
     }
     return settings;
 }

@@ -8,12 +8,12 @@
 namespace integral {
 
 struct VoteSettings {
-    double tolerance = 0.15; ///< pixels: a view's colour may differ by what the texture changes
-                             ///< over so much of a shift ...
-    double noise = 0.006; ///< ... and by that, as a distance in R, G, B of full scale 1
-    bool halves = true;   ///< of the views to the left, right, above and below, count the half that
-                          ///< agrees best, as an edge hides a point from the others
-    bool cross = false;   ///< only views (about) to the left, right, above and below vote
+    double tolerance = 0.2; ///< pixels: a view's colour may differ by what the texture changes
+                            ///< over so much of a shift ...
+    double noise = 0.006;   ///< ... and by that, as a distance in R, G, B of full scale 1
+    bool halves = true; ///< of the views to the left, right, above and below, count the half that
+                        ///< agrees best, as an edge hides a point from the others
+    bool cross = false; ///< only views (about) to the left, right, above and below vote
 };
 
 /// Whether a view is in the cross of those: its eye less than one step from the middle's row or
