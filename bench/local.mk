@@ -34,6 +34,15 @@ panel-tables: all pristine build/bench/quilt_use
 	build/bench/quilt_use
 	$(srcdir)/bench/native_against_quilt
 
+# How well integral depth measures rendered scenes (doc/depth.md). Takes some 20 minutes.
+EXTRA_PROGRAMS += build/bench/depth_truth
+build_bench_depth_truth_SOURCES = bench/depth_truth.cpp
+build_bench_depth_truth_LDADD = $(LIBINTEGRAL_LIBS)
+
+.PHONY: depth-scores
+depth-scores: all pristine build/bench/depth_truth
+	$(srcdir)/bench/depth_scores
+
 .PHONY: bench
 bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed
 	build/bench/optics_rays

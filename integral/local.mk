@@ -15,6 +15,7 @@ include $(srcdir)/integral/replay/local.mk
 include $(srcdir)/integral/compare/local.mk
 include $(srcdir)/integral/output/local.mk
 include $(srcdir)/integral/analysis/local.mk
+include $(srcdir)/integral/depth/local.mk
 include $(srcdir)/integral/fabrication/local.mk
 include $(srcdir)/integral/io/local.mk
 include $(srcdir)/integral/wireframe/local.mk

@@ -57,8 +57,10 @@ unit_sources = \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
+  tests/unit/depth_multibaseline.cpp \
   tests/unit/fabrication.cpp \
   tests/unit/io_image_files.cpp \
+  tests/unit/io_pfm.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
   tests/unit/lightfield_depth_range.cpp \

@@ -68,8 +68,8 @@ struct Command {
     int (*run)(const Command& command, const Words& words);
 };
 
-extern const Command sheet_command, replay_command, views_command, print_command, lcd_command,
-    wireframe_command, mask_command, resolve_command, compare_command, rectify_command,
+extern const Command sheet_command, replay_command, views_command, depth_command, print_command,
+    lcd_command, wireframe_command, mask_command, resolve_command, compare_command, rectify_command,
     tune_command, batch_command;
 
 /// Every command, in the order in which `integral help` lists them.

@@ -10,6 +10,7 @@ build_bin_integral_SOURCES += \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/compare_command.cpp \
+  integral/cli/depth_command.cpp \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
   integral/cli/lcd_command.cpp \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Readers and writers of the image formats PNG, OpenEXR, TIFF and JPEG, row by row or as whole
 // files in memory. To be included only by image_file.cpp, printed pages, the strips of a frame, the
-// replay's page and the tests; others use image_file.h.
+// replay's page, depth maps and the tests; others use image_file.h.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
@@ -92,6 +92,17 @@ struct DecodedDepths {
 
 /// Reads a depth frame from the bytes of an OpenEXR file. Throws as read_exr does.
 DecodedDepths decode_depths(const std::string& bytes);
+
+/// A channel of floats, row by row from the top left, and its name in an OpenEXR file.
+struct NamedFloats {
+    const char* name;
+    const std::vector<float>* values;
+};
+
+/// An OpenEXR file of such channels, each of width x height values. An empty document is not
+/// written. Throws std::runtime_error.
+std::string encode_floats(int width, int height, const std::vector<NamedFloats>& channels,
+                          const std::string& document);
 
 /// Writes a picture row by row, from the top.
 class RowWriter {

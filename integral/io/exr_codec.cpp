@@ -315,6 +315,33 @@ DecodedDepths decode_depths(const std::string& bytes)
     return guarded([&] { return decode_z(InputFile::of_bytes(bytes)); });
 }
 
+std::string encode_floats(int width, int height, const std::vector<NamedFloats>& channels,
+                          const std::string& document)
+{
+    return guarded([&] {
+        Imf::Header header(width, height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        if (!document.empty())
+            header.insert(attribute, Imf::StringAttribute(document));
+        Imf::FrameBuffer source;
+        const std::size_t step = sizeof(float);
+        for (const NamedFloats& channel : channels) {
+            header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+            source.insert(channel.name,
+                          Imf::Slice::Make(Imf::FLOAT, channel.values->data(), header.dataWindow(),
+                                           step, step * std::size_t(width)));
+        }
+        ByteString bytes;
+        {
+            ExrSink sink(bytes);
+            Imf::OutputFile file(sink, header);
+            file.setFrameBuffer(source);
+            file.writePixels(height);
+        }
+        return bytes.bytes;
+    });
+}
+
 std::unique_ptr<RowWriter> write_exr(ByteSink& sink, const DecodedImage& head)
 {
     return std::make_unique<ExrWriter>(sink, head);

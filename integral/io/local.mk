@@ -26,6 +26,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/picture_series.h \
   integral/io/pdf_file.cpp \
   integral/io/pdf_file.h \
+  integral/io/pfm_file.cpp \
+  integral/io/pfm_file.h \
   integral/io/plot.cpp \
   integral/io/plot.h \
   integral/io/plot_axis.cpp \

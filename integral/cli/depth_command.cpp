@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral depth: how far off everything is that a frame, or a set of views, shows.
+#include "integral/base/json.h"
+#include "integral/base/number_text.h"
+#include "integral/cli/command.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/thread_options.h"
+#include "integral/cli/values.h"
+#include "integral/depth/depth_files.h"
+#include "integral/depth/depth_input.h"
+#include "integral/depth/depth_quality.h"
+#include "integral/depth/depth_scores.h"
+#include "integral/depth/ray_trace.h"
+#include "integral/io/image_file.h"
+#include "integral/io/pfm_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+namespace integral {
+namespace {
+
+constexpr int largest_map_side = 32768; // pixels
+
+struct DepthOptions : CommonOptions {
+    std::optional<std::string> output, method, quality, views, eyes, range, truth, sheet;
+    std::optional<int> width, border;
+    bool top_first = false, rgbd = false, json = false;
+    ThreadOptions threads;
+};
+
+void declare(options::options_description& all, DepthOptions& o)
+{
+    all.add_options()("output,o", fills(o.output, "FILE"),
+                      "the depth map: .png (in colours, with a scale), .exr or .pfm (mm behind the "
+                      "sheet; disparities where mm are not known), .ply (a cloud of points)");
+    all.add_options()("rgbd", sets(o.rgbd),
+                      "write the middle view and, to its right, its depth in greys, near white: "
+                      "for programs that make views of the two; .png or .tiff");
+    all.add_options()("method", fills(o.method, "multibaseline|raytrace"),
+                      "multibaseline (the default) searches the depth at which most views agree "
+                      "(thesis 5.4.4); raytrace counts where rays of like colours meet (5.4.3): "
+                      "coarse, with false points near the sheet, to compare");
+    all.add_options()("quality", fills(o.quality, "draft|good|best"),
+                      "draft compares the views in a cross about the middle one, coarsely; good "
+                      "(the default) also those on the diagonals; best all");
+    all.add_options()("width", fills(o.width, "PIXELS"),
+                      "pixels of the map across (default: about as many as the views have)");
+    all.add_options()("range", fills(o.range, "FAR,NEAR"),
+                      "disparities to search: pixels from one view to the next, less than 0 "
+                      "behind the sheet (default: found, between -4 and 4)");
+    all.add_options()("views", fills(o.views, "CxR"),
+                      "how many views there are across and up, where a quilt's name or files do "
+                      "not say it");
+    all.add_options()("top-first", sets(o.top_first),
+                      "the views' first row is the one from above, as in the HCI light-field "
+                      "benchmark, in place of the one from below, as in quilts");
+    all.add_options()("eyes", fills(o.eyes, "SPACING,DISTANCE,WIDTH"),
+                      "where views were taken from that do not say it, in mm: between "
+                      "neighbouring eyes, from there to the plane without parallax, and how wide a "
+                      "view is there. Without it depth is in disparities");
+    all.add_options()("truth", fills(o.truth, "FILE"),
+                      "score the map against the frame's depth frame (.exr, "
+                      "Integral_Depth_Image) or true disparities (.pfm)");
+    all.add_options()("border", fills(o.border, "PIXELS (=0)"),
+                      "leave so many out at each side of the map when scoring (the HCI toolkit: "
+                      "15)");
+    all.add_options()("json", sets(o.json), "print the figures as JSON");
+    all.add_options()("sheet", fills(o.sheet, "FILE.json"),
+                      "geometry for a frame that carries none, or instead of its own");
+    declare(all, o.threads);
+}
+
+DepthRequest request_of(const DepthOptions& o)
+{
+    DepthRequest request;
+    if (o.views)
+        request.grid = parse_view_grid(*o.views);
+    request.top_first = o.top_first;
+    request.sheet = o.sheet.value_or("");
+    if (o.eyes) {
+        const auto mm = parse_numbers("eyes", *o.eyes, "SPACING,DISTANCE,WIDTH", 3, 3);
+        for (const double length : mm)
+            if (!(length > 0))
+                throw UsageError("--eyes " + *o.eyes + ": lengths greater than 0 are expected");
+        request.eyes = ViewEyes{{mm[0], mm[0]}, mm[1], mm[2]};
+    }
+    return request;
+}
+
+DepthQuality quality_of(const DepthOptions& o)
+{
+    const auto quality = depth_quality(o.quality.value_or("good"));
+    if (!quality)
+        throw UsageError("--quality " + *o.quality + ": draft, good or best is expected");
+    return *quality;
+}
+
+MultibaselineSettings settings_of(const DepthOptions& o)
+{
+    MultibaselineSettings settings = settings_for(quality_of(o));
+    if (o.range) {
+        const auto ends = parse_numbers("range", *o.range, "FAR,NEAR", 2, 2);
+        constexpr double widest = 100;
+        if (!(ends[0] < ends[1] && ends[0] >= -widest && ends[1] <= widest))
+            throw UsageError("--range " + *o.range +
+                             ": FAR less than NEAR, from -100 to 100, is "
+                             "expected");
+        settings.range = DisparityRange{ends[0], ends[1]};
+    }
+    return settings;
+}
+
+/// The true disparities of a file. Throws UsageError, InputError.
+std::vector<float> truth_of(const std::string& path, const DepthInput& input)
+{
+    const std::string extension = extension_of(path);
+    if (extension == "exr") {
+        if (!input.frame)
+            throw UsageError("--truth " + path + ": a depth frame is for a frame; views need .pfm");
+        try {
+            return true_disparities(input.views, *input.frame, read_depths(path));
+        } catch (const std::invalid_argument& error) {
+            throw UsageError("--truth " + path + ": " + error.what());
+        }
+    }
+    FloatMap map = read_pfm(path);
+    if (map.width != input.views.width || map.height != input.views.height)
+        throw UsageError("--truth " + path + ": it has " + size_text(map.width, map.height) +
+                         " pixels, and a view " + size_text(input.views.width, input.views.height));
+    return std::move(map.values);
+}
+
+nlohmann::json as_json(const RegionScores& scores)
+{
+    return {{"pixels", scores.pixels},   {"bad_0.07", scores.bad[0]}, {"bad_0.03", scores.bad[1]},
+            {"bad_0.01", scores.bad[2]}, {"mse_x_100", scores.mse},   {"q25", scores.lower}};
+}
+
+std::string line_of(const char* name, const RegionScores& s)
+{
+    if (s.pixels == 0)
+        return std::string(name) + "none\n";
+    std::string line = name;
+    for (int k = 0; k < 3; ++k)
+        line += with_decimals(s.bad[k], 2) + "% ";
+    return line + " MSE x 100 " + with_decimals(s.mse, 3) + "  Q25 " + with_decimals(s.lower, 3) +
+           "  of " + counted((long long)s.pixels, "pixel") + "\n";
+}
+
+void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMap& map,
+                   double seconds)
+{
+    std::optional<DepthScores> scores;
+    if (o.truth) {
+        const int border = in_range("border", o.border.value_or(0), 0, 10000);
+        scores = depth_scores(input.views, map.disparity, truth_of(*o.truth, input), border);
+    }
+    const std::size_t views = input.views.others.size() + 1;
+    if (o.json) {
+        nlohmann::json figures = {
+            {"views", views},         {"width", map.width},         {"height", map.height},
+            {"far", map.range.least}, {"near", map.range.greatest}, {"seconds", seconds}};
+        if (scores)
+            figures["scores"] = {{"all", as_json(scores->all)},
+                                 {"edges", as_json(scores->edges)},
+                                 {"texture", as_json(scores->texture)}};
+        std::cout << figures.dump(2) << '\n';
+        return;
+    }
+    std::cout << views << " views of " << size_text(map.width, map.height)
+              << " pixels, disparities from " << with_decimals(map.range.least, 2) << " to "
+              << with_decimals(map.range.greatest, 2) << ", " << with_decimals(seconds, 2)
+              << " s\n";
+    if (scores)
+        std::cout << "bad beyond 0.07, 0.03, 0.01:\n"
+                  << line_of("  all      ", scores->all) << line_of("  edges    ", scores->edges)
+                  << line_of("  texture  ", scores->texture);
+}
+
+void check_options(const DepthOptions& o)
+{
+    if (!o.output && !o.truth)
+        throw UsageError("-o FILE is missing");
+    if (o.method && *o.method != "multibaseline" && *o.method != "raytrace")
+        throw UsageError("--method " + *o.method + ": multibaseline or raytrace is expected");
+    if (o.method == "raytrace" && o.quality)
+        throw UsageError("--quality is for multibaseline, not for --method raytrace");
+    if (o.rgbd && (!o.output || format_for(*o.output) == ImageFormat::exr))
+        throw UsageError("--rgbd needs -o FILE.png or .tiff");
+    if (o.output && !o.rgbd && !is_depth_file(*o.output))
+        throw UsageError("-o " + *o.output + ": a depth map is .png, .exr, .pfm or .ply");
+    if (o.width)
+        in_range("width", *o.width, 1, largest_map_side);
+    if (o.output)
+        check_writable(*o.output);
+}
+
+std::optional<DepthMap> measured(const DepthOptions& o, const ViewSet& views,
+                                 const MultibaselineSettings& settings, int threads,
+                                 const Progress& bar)
+{
+    if (o.method != "raytrace")
+        return multibaseline(views, settings, threads, bar);
+    RayTraceSettings of_rays;
+    of_rays.range = settings.range ? *settings.range : find_range(views, settings.votes, threads);
+    return ray_trace(views, of_rays, threads, bar);
+}
+
+void write(const DepthOptions& o, const UprightMap& map)
+{
+    if (!o.rgbd)
+        return write_depth(*o.output, map);
+    const DisparityRange range = write_rgbd(*o.output, map);
+    const auto text = [&](double disparity) {
+        return map.scale ? with_decimals(map.scale->mm(disparity), 1) + " mm behind the sheet"
+                         : "disparity " + with_decimals(disparity, 2);
+    };
+    say("depth", "white is " + text(range.greatest) + ", black " + text(range.least));
+}
+
+int run(const DepthOptions& o)
+{
+    check_options(o);
+    const int threads = o.threads.count();
+    const MultibaselineSettings settings = settings_of(o);
+    const DepthRequest request = request_of(o);
+    const Progress bar = progress_bar("depth");
+    try {
+        DepthInput input = read_depth_input(o.inputs, request, threads, piece_of(bar, 0, 2));
+        keep_views(input.views, quality_of(o));
+        const auto start = std::chrono::steady_clock::now();
+        const auto map = measured(o, input.views, settings, threads, piece_of(bar, 1, 2));
+        if (!map)
+            throw Interrupted();
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        if (o.output)
+            write(o,
+                  upright_map(input.views, *map, input.width, input.height, o.width.value_or(0)));
+        print_figures(o, input, *map, seconds.count());
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(o.inputs[0] + ": " + error.what());
+    }
+    return exit_done;
+}
+
+} // namespace
+
+const Command depth_command = {
+    "depth",
+    "the depth of what a frame or a set of views shows, as a map or points",
+    "FRAME -o DEPTH | VIEWS... -o DEPTH [--views CxR] [--eyes SPACING,DISTANCE,WIDTH]",
+    "Measures how far behind or in front of the sheet everything is that a frame shows (thesis\n"
+    "5.4.4), from the many views that its lenses give: a point that is nearer or farther stands\n"
+    "elsewhere in each of them. It also takes a quilt, or the files of views. The map shows what\n"
+    "the eye at the aperture's centre, or the middle view, sees.\n",
+    1,
+    most_views_a_side* most_views_a_side,
+    described<DepthOptions>,
+    run_with<DepthOptions, run>};
+
+} // namespace integral

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/depth_input.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/io/image_file.h"
+#include "integral/output/given_views.h"
+#include "integral/replay/parallel_views.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+DepthInput of_frame(const Frame& frame, int threads, const Progress& progress)
+{
+    const Vec2 size = size_of(frame.metadata->film);
+    return {view_set(frame, threads, progress), size.x, size.y, frame.metadata};
+}
+
+/// The rows of views in the other order, the lowest first.
+void turn_over(std::vector<Image>& views, ViewGrid grid)
+{
+    for (int low = 0, high = grid.rows - 1; low < high; ++low, --high)
+        for (int column = 0; column < grid.columns; ++column)
+            std::swap(views[std::size_t(low * grid.columns + column)],
+                      views[std::size_t(high * grid.columns + column)]);
+}
+
+/// Where a frame's perspective views were taken from.
+ViewEyes eyes_of(const FrameMetadata& metadata, ViewGrid grid)
+{
+    const EyeGrid& eyes = *metadata.quilt->eyes;
+    return {{eyes.zone.x / grid.columns, eyes.zone.y / grid.rows},
+            eyes.distance,
+            size_of(metadata.film).x};
+}
+
+/// The frame that parallel views were taken of.
+Frame frame_of(const GivenViews& given, ViewGrid grid, int threads, const Progress& progress)
+{
+    FrameMetadata metadata = *given.metadata;
+    auto image = frame_from_views(given.views, metadata, grid, threads, progress);
+    if (!image)
+        throw Interrupted();
+    metadata.quilt.reset();
+    Frame frame{std::move(*image), std::nullopt};
+    set_metadata(frame, metadata);
+    return frame;
+}
+
+DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& request,
+                    int threads, const Progress& progress)
+{
+    ViewsRequest wanted;
+    wanted.grid = request.grid;
+    wanted.needs_geometry = false;
+    wanted.of_eyes = true;
+    GivenViews given = read_given_views(inputs, wanted);
+    ViewGrid grid = given.grid;
+    std::optional<ViewEyes> eyes = request.eyes;
+    if (given.metadata) {
+        grid = directions_of(grid, given.metadata->sheet);
+        if (!given.metadata->quilt->eyes)
+            return of_frame(frame_of(given, grid, threads, progress), threads, progress);
+        if (!eyes)
+            eyes = eyes_of(*given.metadata, grid);
+    }
+    if (request.top_first)
+        turn_over(given.views, grid);
+    DepthInput input;
+    input.views = view_set(given.views, grid, eyes);
+    const PixelPlaces& places = input.views.places;
+    input.width = input.views.width * places.right.x;
+    input.height = input.views.height * -places.down.y;
+    return input;
+}
+
+} // namespace
+
+DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthRequest& request,
+                            int threads, const Progress& progress)
+{
+    std::optional<Frame> frame;
+    if (inputs.size() == 1 && !is_mpo(inputs[0])) {
+        FrameReader reader(inputs[0], request.sheet);
+        if (reader.frame().metadata)
+            frame = reader.whole();
+    }
+    DepthInput input = frame ? of_frame(*frame, threads, progress)
+                             : of_views(inputs, request, threads, progress);
+    soften(input.views, threads);
+    return input;
+}
+
+} // namespace integral

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Settings of measuring depth, from quick to exact.
+#ifndef INTEGRAL_DEPTH_DEPTH_QUALITY_H
+#define INTEGRAL_DEPTH_DEPTH_QUALITY_H
+
+#include "integral/depth/multibaseline.h"
+
+#include <string>
+
+namespace integral {
+
+enum class DepthQuality { draft, good, best };
+
+/// The quality of that name; nothing for another name.
+std::optional<DepthQuality> depth_quality(const std::string& name);
+
+MultibaselineSettings settings_for(DepthQuality quality);
+
+/// Leaves out views: draft keeps those to the left, right, above and below of the middle one, good
+/// also those on the diagonals, best all. Views that all stand in one row are kept.
+void keep_views(ViewSet& views, DepthQuality quality);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/depth_scores.h"
+
+#include "integral/depth/texture.h"
+#include "integral/optics/lens_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace integral {
+namespace {
+
+/// Whether any value within `reach` pixels differs from the pixel's own by more than `step`.
+bool is_near_step(const std::vector<float>& values, int width, int height, int x, int y, int reach,
+                  float step)
+{
+    const float own = values[std::size_t(y) * width + x];
+    for (int j = std::max(0, y - reach); j <= std::min(height - 1, y + reach); ++j)
+        for (int i = std::max(0, x - reach); i <= std::min(width - 1, x + reach); ++i)
+            if (std::fabs(values[std::size_t(j) * width + i] - own) > step)
+                return true;
+    return false;
+}
+
+RegionScores scores_of(std::vector<float>& errors)
+{
+    RegionScores scores;
+    scores.pixels = errors.size();
+    if (errors.empty())
+        return scores;
+    const double share = 100.0 / double(errors.size());
+    for (const float error : errors) {
+        scores.mse += share * error * error;
+        for (int k = 0; k < 3; ++k)
+            scores.bad[k] += error > bad_limits[k] ? share : 0;
+    }
+    const auto quarter = errors.begin() + std::ptrdiff_t((errors.size() - 1) / 4);
+    std::nth_element(errors.begin(), quarter, errors.end());
+    scores.lower = 100 * *quarter;
+    return scores;
+}
+
+} // namespace
+
+std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& frame,
+                                    const DepthFrame& depths)
+{
+    const Film& film = frame.film;
+    if (film.width != depths.metadata.film.width || film.height != depths.metadata.film.height)
+        throw std::invalid_argument("it is of a frame of " +
+                                    std::to_string(depths.metadata.film.width) + "x" +
+                                    std::to_string(depths.metadata.film.height) + " pixels");
+    const SheetOptics optics(frame.sheet, frame.aperture);
+    std::vector<float> truth;
+    for (int y = 0; y < views.height; ++y)
+        for (int x = 0; x < views.width; ++x) {
+            const Vec2 point = views.places.at(x, y);
+            const Vec3 to_eye{-point.x, -point.y, -frame.aperture.distance};
+            const Vec2 at = pixel_from_film(film, optics.film_point_seen(point, to_eye));
+            const int i = int(std::floor(at.x)), j = int(std::floor(at.y));
+            const bool inside = i >= 0 && j >= 0 && i < film.width && j < film.height;
+            const std::size_t k = inside ? std::size_t(j) * film.width + i : 0;
+            truth.push_back(inside && depths.imaged[k] > 0 && std::isfinite(depths.depth[k])
+                                ? float(views.scale->disparity(depths.depth[k]))
+                                : NAN);
+        }
+    return truth;
+}
+
+DepthScores depth_scores(const ViewSet& views, const std::vector<float>& disparity,
+                         const std::vector<float>& truth, int border)
+{
+    constexpr int edge_reach = 3;
+    constexpr float edge_step = 0.1f;
+    constexpr double least_texture = 0.02;
+    const Texture texture_of(views);
+    std::vector<float> all, edges, texture;
+    for (int y = border; y < views.height - border; ++y)
+        for (int x = border; x < views.width - border; ++x) {
+            const std::size_t at = std::size_t(y) * views.width + x;
+            const float error = std::fabs(disparity[at] - truth[at]);
+            if (!std::isfinite(error))
+                continue;
+            all.push_back(error);
+            if (is_near_step(truth, views.width, views.height, x, y, edge_reach, edge_step))
+                edges.push_back(error);
+            else if (texture_of.at(x, y) > least_texture)
+                texture.push_back(error);
+        }
+    return {scores_of(all), scores_of(edges), scores_of(texture)};
+}
+
+} // namespace integral

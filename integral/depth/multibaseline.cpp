@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/multibaseline.h"
+
+#include "integral/depth/spread.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+constexpr int rows_of_a_block = 32;
+
+double farthest_shift(const ViewSet& views)
+{
+    double farthest = 0;
+    for (const DepthView& view : views.others)
+        farthest = std::max({farthest, std::fabs(view.shift.x), std::fabs(view.shift.y)});
+    return farthest;
+}
+
+/// The disparities that are tried.
+struct Labels {
+    Labels(DisparityRange range, double wanted_step)
+        : first(range.least),
+          count(std::max(3, int(std::ceil((range.greatest - range.least) / wanted_step)) + 1)),
+          step((range.greatest - range.least) / (count - 1))
+    {
+    }
+    double at(double label) const { return first + label * step; }
+    double first;
+    int count;
+    double step;
+};
+
+/// The best label of each pixel so far, and the means beside it.
+class Winners {
+public:
+    explicit Winners(std::size_t pixels)
+        : label_(pixels, 0),
+          best_(pixels, -1),
+          before_(pixels, 0),
+          after_(pixels, 0),
+          last_(pixels, 0),
+          sum_(pixels, 0)
+    {
+    }
+    /// Takes the means of the next label.
+    void add(int label, const float* mean)
+    {
+        for (std::size_t i = 0; i < best_.size(); ++i) {
+            if (label_[i] == label - 1)
+                after_[i] = mean[i];
+            if (mean[i] > best_[i]) {
+                best_[i] = mean[i];
+                label_[i] = label;
+                before_[i] = after_[i] = last_[i];
+            }
+            last_[i] = mean[i];
+            sum_[i] += mean[i];
+        }
+    }
+    /// The place of the top of the parabola through the three means; whole at the ends.
+    double label(std::size_t i, int count) const
+    {
+        if (label_[i] == 0 || label_[i] == count - 1)
+            return label_[i];
+        const double bend = 2 * best_[i] - before_[i] - after_[i];
+        return bend > 0 ? label_[i] + 0.5 * (after_[i] - before_[i]) / bend : label_[i];
+    }
+    float confidence(std::size_t i, int count) const
+    {
+        return std::clamp(best_[i] - sum_[i] / float(count), 0.0f, 1.0f);
+    }
+
+private:
+    std::vector<int> label_;
+    std::vector<float> best_, before_, after_, last_, sum_;
+};
+
+/// Finds the best disparities of rows [first, last).
+class Search {
+public:
+    Search(const ViewSet& views, const Votes& votes, const EdgeFilterSettings& filter,
+           const Labels& labels)
+        : views_(views), votes_(votes), filter_(filter), labels_(labels)
+    {
+    }
+
+    void rows(int first, int last, DepthMap& map) const
+    {
+        const int top = std::max(0, first - filter_.down),
+                  bottom = std::min(views_.height, last + filter_.down), rows = bottom - top;
+        const std::size_t width = std::size_t(views_.width), count = width * (last - first);
+        const EdgeFilter filter(views_, top, rows, filter_);
+        std::vector<float> mean(width * rows), other(mean.size());
+        Winners winners(count);
+        for (int label = 0; label < labels_.count; ++label) {
+            votes_.count(labels_.at(label), top, rows, mean.data());
+            filter.apply(mean.data(), other.data());
+            winners.add(label, mean.data() + width * (first - top));
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t at = width * first + i;
+            const bool lit = views_.is_lit(at);
+            map.disparity[at] = lit ? float(labels_.at(winners.label(i, labels_.count))) : NAN;
+            map.confidence[at] = lit ? winners.confidence(i, labels_.count) : 0;
+        }
+    }
+
+private:
+    const ViewSet& views_;
+    const Votes& votes_;
+    EdgeFilterSettings filter_;
+    Labels labels_;
+};
+
+/// The filter for pixels that are wider than they are high, as behind lenticular sheets: it then
+/// reaches farther down.
+EdgeFilterSettings stretched(EdgeFilterSettings filter, const ViewSet& views)
+{
+    constexpr double most = 4;
+    const double wide = length(views.places.right) / length(views.places.down);
+    filter.down = int(std::lround(filter.down * std::clamp(wide, 1.0, most)));
+    return filter;
+}
+
+DepthMap blank_map(const ViewSet& views)
+{
+    DepthMap map;
+    map.width = views.width;
+    map.height = views.height;
+    map.disparity.resize(views.pixels());
+    map.confidence.resize(views.pixels());
+    return map;
+}
+
+} // namespace
+
+DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, int threads)
+{
+    constexpr double widest = 4, step = 0.08;
+    constexpr int rows_apart = 12, rows_at_once = 2, least_pieces = 40;
+    constexpr float least_confidence = 0.3f, least_change = 0.03f;
+    VoteSettings rough = settings; // a coarse step needs more tolerance
+    rough.tolerance = std::max(settings.tolerance, 0.5 * step * farthest_shift(views));
+    rough.cross = true; // views farther off add time, and aliases where there are few pixels
+    const Votes votes(views, rough);
+    const Search search(views, votes, {3, 1, 0.06}, Labels({-widest, widest}, step));
+    DepthMap map = blank_map(views);
+    const int pieces = std::max(
+        {1, views.height / rows_apart, std::min(least_pieces, views.height / rows_at_once)});
+    const auto first_row = [&](int piece) { return piece * views.height / pieces; };
+    for_each_row(pieces, threads, [&](int piece) {
+        const int first = first_row(piece);
+        search.rows(first, std::min(views.height, first + rows_at_once), map);
+    });
+    const auto change = [&](std::size_t i) { // of the colour from one pixel to the next
+        float sum = 0;
+        for (const auto& channel : views.colours)
+            sum += std::fabs(channel[i + 1] - channel[i]);
+        return sum;
+    };
+    std::vector<float> sure; // where there is texture and the next pixel says the same
+    for (std::size_t i = 0; i + 1 < map.confidence.size(); ++i)
+        if (map.confidence[i] > least_confidence && map.confidence[i + 1] > least_confidence &&
+            change(i) > least_change &&
+            std::fabs(map.disparity[i] - map.disparity[i + 1]) < 0.25 * step)
+            sure.push_back(map.disparity[i]);
+    if (sure.size() < 20)
+        return {-widest, widest};
+    std::sort(sure.begin(), sure.end());
+    const auto part = [&](double fraction) {
+        return double(sure[std::size_t(fraction * double(sure.size() - 1))]);
+    };
+    const double least = part(0.002), greatest = part(0.998),
+                 margin = 2 * step + 0.03 * (greatest - least);
+    return {least - margin, greatest + margin};
+}
+
+std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineSettings& settings,
+                                      int threads, const Progress& progress)
+{
+    const DisparityRange range = settings.range ? *settings.range
+                                                : find_range(views, settings.votes, threads);
+    const Votes votes(views, settings.votes);
+    const Search search(views, votes, stretched(settings.filter, views),
+                        Labels(range, settings.step / std::max(1.0, farthest_shift(views))));
+    DepthMap map = blank_map(views);
+    map.range = range;
+    const int blocks = (views.height + rows_of_a_block - 1) / rows_of_a_block;
+    const auto end_of = [&](int block) {
+        return std::min(views.height, (block + 1) * rows_of_a_block);
+    };
+    if (!for_each_row(
+            blocks, threads, [&](int k) { search.rows(k * rows_of_a_block, end_of(k), map); },
+            progress))
+        return std::nullopt;
+    if (settings.reach > 0)
+        spread_from_sure_pixels(views, settings.reach, threads, map.disparity, map.confidence);
+    const EdgeFilterSettings median = stretched(settings.median, views);
+    std::vector<float> smooth(map.disparity.size());
+    for_each_row(blocks, threads, [&](int k) {
+        weighted_median(views, map.disparity, map.confidence, median, k * rows_of_a_block,
+                        end_of(k), smooth);
+    });
+    map.disparity = std::move(smooth);
+    return map;
+}
+
+} // namespace integral

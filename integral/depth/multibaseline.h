@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Depth by multiple-baseline correlation (thesis 5.4.4, after Okutomi and Kanade): one search for
+// all views, in disparity, which is the same for all of them.
+#ifndef INTEGRAL_DEPTH_MULTIBASELINE_H
+#define INTEGRAL_DEPTH_MULTIBASELINE_H
+
+#include "integral/depth/edge_filter.h"
+#include "integral/depth/votes.h"
+
+namespace integral {
+
+/// Disparities from least to greatest.
+struct DisparityRange {
+    double least = 0, greatest = 0;
+};
+
+struct MultibaselineSettings {
+    std::optional<DisparityRange> range; ///< to search; nothing: find it
+    double step = 0.16; ///< between disparities that are tried: pixels of the farthest view
+    VoteSettings votes;
+    EdgeFilterSettings filter, median;
+    double reach = 40; ///< pixels within a surface over which sure pixels tell unsure ones; 0: none
+};
+
+/// The depth of the middle view of a set, row by row.
+struct DepthMap {
+    int width = 0, height = 0;
+    std::vector<float> disparity;  ///< NaN for a pixel without light
+    std::vector<float> confidence; ///< 0 to 1: how much more views agree than for others on average
+    DisparityRange range;          ///< that was searched
+};
+
+/// The range in which most of the pixels are that can be told: from sparse rows, between -4 and 4
+/// pixels.
+DisparityRange find_range(const ViewSet& views, const VoteSettings& votes, int threads);
+
+/// Measures the middle view's depth. `threads` and `progress` as in for_each_row. Nothing:
+/// `progress` stopped it.
+std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineSettings& settings,
+                                      int threads, const Progress& progress);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The inner loops of measuring depth, over floats that follow each other, compiled to vector
+// instructions. The results are the same on every processor.
+#ifndef INTEGRAL_DEPTH_ROW_LOOPS_H
+#define INTEGRAL_DEPTH_ROW_LOOPS_H
+
+namespace integral {
+
+/// to = weight[0] a + weight[1] b + weight[2] c + weight[3] d
+void mix_rows(float* to, const float* a, const float* b, const float* c, const float* d,
+              const float weight[4], int count);
+
+/// The colours to compare: three channels of a view, and of the middle one; and the middle view's
+/// 1 / squared difference that is allowed.
+struct RowsToCompare {
+    const float* view[3];
+    const float* middle[3];
+    const float* sharpness;
+};
+
+/// vote = max(0, 1 - sharpness |view - middle|^2) of `count` pixels.
+void vote_for(float* vote, const RowsToCompare& rows, int count);
+
+/// The same of the view between its columns: pixel i is the sum of weight[k] times pixel i - 1 + k.
+void vote_between(float* vote, const RowsToCompare& rows, const float weight[4], int count);
+
+/// to += from
+void add(float* to, const float* from, int count);
+
+/// to += weight from
+void add_product(float* to, const float* weight, const float* from, int count);
+
+/// to *= factor
+void multiply(float* to, const float* factor, int count);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// How much texture the surroundings of a pixel have to find their depth by.
+#ifndef INTEGRAL_DEPTH_TEXTURE_H
+#define INTEGRAL_DEPTH_TEXTURE_H
+
+#include "integral/depth/view_set.h"
+
+namespace integral {
+
+class Texture {
+public:
+    explicit Texture(const ViewSet& views); ///< which must outlive this
+
+    /// How much a shift of a pixel changes the colours of the 5 x 5 pixels around one of the middle
+    /// view: root of the mean square of the change (full scale 1), across or down, whichever is
+    /// greater; only across where all views stand in a row.
+    double at(int x, int y) const;
+
+private:
+    const ViewSet& views_;
+    bool also_down_ = false;
+};
+
+} // namespace integral
+
+#endif
