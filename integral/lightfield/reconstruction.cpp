@@ -21,8 +21,8 @@ float fall(float distance, float width) { return std::max(0.0f, 1 - distance / w
 
 /// The overlap of two patches whose centres are start + m*pace patches apart at either depth, as
 /// long as they are less than `width` apart; 1 for the same patch.
-float overlap(const std::array<float, 2>& start, const std::array<float, 2>& pace, float m,
-              float width)
+inline float overlap(const std::array<float, 2>& start, const std::array<float, 2>& pace, float m,
+                     float width)
 {
     return fall(std::fabs(start[0] + m * pace[0]), width) *
            fall(std::fabs(start[1] + m * pace[1]), width);
@@ -281,15 +281,17 @@ void Reconstruction::visit_line(int x, int y, const std::array<Patch, 2>& at, co
         for (int k = -1; k <= 1; ++k) {
             const int rest = int(std::lround(m * lean)) + k;
             const int dx = upright ? m : rest, dy = upright ? rest : m; // dy: downwards
-            if (std::abs(dy) > reach_ || !first_.is_behind(x + dx, y + dy, other))
-                continue;
             const Vec2 film{dx * pixel.x, -dy * pixel.y};
             const float along = float(std::fabs(dot(film, a)) / height);
+            if (along >= widths[N - 1] || std::abs(dy) > reach_ ||
+                !first_.is_behind(x + dx, y + dy, other))
+                continue;
             const float place = float(dot(film, b) / pace); // pixels, with a fraction
             std::array<float, N> overlaps;
             for (std::size_t w = 0; w < N; ++w)
                 overlaps[w] = fall(along, widths[w]) * overlap(start, paces, place, widths[w]);
-            visit(pixels_[index(x + dx, y + dy)], overlaps);
+            if (overlaps[N - 1] >= least_overlap)
+                visit(pixels_[index(x + dx, y + dy)], overlaps);
         }
 }
 
