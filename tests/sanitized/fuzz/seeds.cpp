@@ -300,6 +300,26 @@ std::vector<Bytes> manifest_seeds()
          R"({"output":"out","scenes":[{"name":"a","file":"/dev/null"}],"jobs":[{"scene":"a"}]})"}));
 }
 
+std::vector<Bytes> float_map_seeds()
+{
+    const Bytes two("\0\0\x80\x3f\0\0\x80\xbf", 8); // 1 and -1
+    return and_halves({"Pf\n2 1\n-1.0\n" + two, "Pf\n1 2\n1\n" + two,
+                       "PF\n1 1\n-1\n" + two + Bytes("\0\0\xc0\x7f", 4)});
+}
+
+std::vector<Bytes> mesh_seeds()
+{
+    return and_halves({"# a cube's side\nv 0 0 0\nv 1 0 0 1 0.5 0\nv 1 1 0\nv 0 1 -1e3\n"
+                       "vt 0 0\nvn 0 0 1\no it\ng part\ns off\nusemtl red\n"
+                       "f 1/1/1 2//1 3/1 -1\nl 1 2 3\np 1 -2\n",
+                       "mtllib none.mtl\nv 1 2 3\np 1\n"});
+}
+
+std::vector<Bytes> response_seeds()
+{
+    return and_halves({"# grey, mm\n0, 0\n0.5, 0.02\n1, 0.1\n", "0 0.01\n1 0.3\n"});
+}
+
 std::vector<Bytes> profile_seeds()
 {
     std::vector<Bytes> seeds = {srgb_profile()};

@@ -6,13 +6,17 @@
 #include "integral/batch/manifest.h"
 #include "integral/compare/compare.h"
 #include "integral/compare/tolerances.h"
+#include "integral/fabrication/response.h"
 #include "integral/io/image_file.h"
+#include "integral/io/pfm_file.h"
 #include "integral/lightfield/camera_words.h"
 #include "integral/lightfield/scene_depth_report.h"
 #include "integral/output/colour_profile.h"
 #include "integral/output/panel.h"
 #include "integral/replay/replay.h"
+#include "integral/wireframe/obj_file.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace fuzz {
@@ -106,6 +110,32 @@ void read_tolerances(const Bytes& bytes)
 }
 
 void read_batch(const Bytes& bytes) { read_manifest(file_of(bytes)); }
+
+void read_float_map(const Bytes& bytes)
+{
+    const FloatMap map = read_pfm(file_of(bytes));
+    if (map.values.size() != std::size_t(map.width) * map.height)
+        std::abort();
+}
+
+/// Whatever names a vertex names one that there is.
+void read_mesh(const Bytes& bytes)
+{
+    const Mesh mesh = read_obj(file_of(bytes), {});
+    const auto check = [&](std::uint32_t vertex) {
+        if (vertex >= mesh.vertices.size())
+            std::abort();
+    };
+    for (const MeshPoint& point : mesh.points)
+        check(point.vertex);
+    for (const auto* lines : {&mesh.lines, &mesh.face_edges})
+        for (const MeshLine& line : *lines)
+            std::for_each(line.vertex.begin(), line.vertex.end(), check);
+    for (const MeshTriangle& triangle : mesh.triangles)
+        std::for_each(triangle.vertex.begin(), triangle.vertex.end(), check);
+}
+
+void read_responses(const Bytes& bytes) { response_text(read_response(file_of(bytes))); }
 
 void read_profile(const Bytes& bytes)
 {
@@ -277,6 +307,8 @@ const std::vector<Bytes> profile_words = {"acsp", "prtr", "mntr", "spac", "RGB "
                                           "XYZ ", "A2B0", "B2A0", "rTRC", "gXYZ", "wtpt", "curv",
                                           "para", "mft1", "mft2", "mAB ", "mBA ", "desc"};
 
+const std::vector<Bytes> mesh_words = {"v ", "p ", "l ", "f ", "usemtl ", "mtllib ", "//", "-1"};
+
 /// A planted fault, for the test of the fuzzing itself: reads past the end of its input, but only
 /// for certain bytes.
 void planted(const Bytes& bytes)
@@ -306,6 +338,9 @@ const std::vector<Target> targets = {
     {"suite", read_tolerances, tolerance_seeds, suite_words},
     {"batch", read_batch, manifest_seeds, manifest_words},
     {"profile", read_profile, profile_seeds, profile_words},
+    {"floats", read_float_map, float_map_seeds, {}},
+    {"mesh", read_mesh, mesh_seeds, mesh_words},
+    {"response", read_responses, response_seeds, {}},
     {"commands", run_command, command_seeds, {}},
 };
 
