@@ -168,9 +168,9 @@ build_sanitized_mutations_DEPENDENCIES = $(sanitized_commands) build/sanitized/l
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
 # By layer, so that some layers need no more than they use.
 programs_of_unit = build/tests/unit
-programs_of_render = build/tests/oracle build/tests/frames build/tests/depths
+programs_of_render = build/tests/oracle build/tests/frames build/tests/depths build/tests/centroid
 programs_of_quick = $(programs_of_unit) $(programs_of_render)
-programs_of_replay = $(programs_of_render) build/tests/centroid build/tests/parallax build/bench/eyes
+programs_of_replay = $(programs_of_render) build/tests/parallax build/bench/eyes
 programs_of_cli = $(programs_of_render) build/tests/scan build/bench/error_against_time \
   build/bench/large_frames $(cups_programs) $(screen_programs)
 programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitized/integral \
