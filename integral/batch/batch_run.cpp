@@ -6,8 +6,8 @@
 #include "integral/base/message_text.h"
 #include "integral/batch/batch_schedule.h"
 #include "integral/batch/batch_steps.h"
-#include "integral/batch/running_steps.h"
 #include "integral/batch/renderer.h"
+#include "integral/batch/running_steps.h"
 
 #include <csignal>
 #include <filesystem>

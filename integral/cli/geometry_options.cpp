@@ -146,6 +146,15 @@ void set_film_size(const char* option, const std::string& text, Film& film)
     film.height = std::max(1, int(std::lround(height)));
 }
 
+void change_film(const FilmOptions& given, const std::optional<std::string>& print, Film& film)
+{
+    change_film(given, film);
+    if (print && given.size)
+        throw UsageError("--print and --size say the same; give one of them");
+    if (print)
+        set_film_size("print", *print, film);
+}
+
 void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool keep)
 {
     Aperture& aperture = geometry.aperture;

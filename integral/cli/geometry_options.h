@@ -35,6 +35,8 @@ FrameMetadata default_geometry();
 /// Changes what the options give, and nothing else. Throws UsageError.
 void change_sheet(const SheetOptions& given, LensSheet& sheet);
 void change_film(const FilmOptions& given, Film& film);
+/// The same where --print WxH may give the film's size in mm, instead of --size.
+void change_film(const FilmOptions& given, const std::optional<std::string>& print, Film& film);
 
 /// An option's WxH in mm, of a page or a print. Throws UsageError.
 Vec2 parse_paper_size(const char* option, const std::string& text);

@@ -91,11 +91,7 @@ MaskRequest request_of(const MaskOptions& o)
 {
     FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
     change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, geometry.film);
-    if (o.print && o.film.size)
-        throw UsageError("--print and --size say the same; give one of them");
-    if (o.print)
-        set_film_size("print", *o.print, geometry.film);
+    change_film(o.film, o.print, geometry.film);
     check_geometry(geometry);
     MaskRequest request;
     request.sheet = geometry.sheet;

@@ -193,11 +193,7 @@ FrameMetadata geometry_of(const SheetCommandOptions& o)
 
     FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
     change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, geometry.film);
-    if (o.print && o.film.size)
-        throw UsageError("--print and --size say the same; give one of them");
-    if (o.print)
-        set_film_size("print", *o.print, geometry.film);
+    change_film(o.film, o.print, geometry.film);
     check_geometry(geometry);
     change_aperture(o.aperture, geometry, !start.empty() && !changes_lenses(o.sheet, o.aperture));
     return geometry;

@@ -159,11 +159,9 @@ FrameMetadata geometry_of(const WireframeOptions& o)
 {
     FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
     change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, geometry.film);
-    if (o.print && o.film.size)
-        throw UsageError("--print and --size say the same; give one of them");
-    if (o.print || geometry.film.width < 1)
-        set_film_size("print", o.print.value_or(default_print), geometry.film);
+    change_film(o.film, o.print, geometry.film);
+    if (geometry.film.width < 1)
+        set_film_size("print", default_print, geometry.film);
     check_geometry(geometry);
     change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
     geometry.quilt.reset();

@@ -32,6 +32,14 @@ ComparedColour colour_of(const StoredColour& stored)
     return colour;
 }
 
+std::shared_ptr<void> zeroed_memory(std::size_t bytes)
+{
+    std::shared_ptr<void> memory(std::calloc(std::max<std::size_t>(1, bytes), 1), std::free);
+    if (!memory)
+        throw std::bad_alloc();
+    return memory;
+}
+
 double colour_distance(const ComparedColour& a, const ComparedColour& b)
 {
     double sum = 0;
@@ -59,13 +67,11 @@ std::size_t FirstSamples::bytes(const Film& film)
 }
 
 FirstSamples::FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
-    : width_(camera.film.width), height_(camera.film.height), memory_(std::move(memory))
+    : width_(camera.film.width),
+      height_(camera.film.height),
+      memory_(memory ? std::move(memory) : zeroed_memory(bytes(camera.film))),
+      entries_(static_cast<Entry*>(memory_.get()))
 {
-    if (!memory_)
-        memory_.reset(std::calloc(std::max<std::size_t>(1, bytes(camera.film)), 1), std::free);
-    if (!memory_)
-        throw std::bad_alloc();
-    entries_ = static_cast<Entry*>(memory_.get());
     const Lattice& lattice = camera.optics.lattice();
     const Vec2 pixel = camera.film.pixel_pitch, pole = lattice.pole({0, 0});
     const auto add = [&](LensIndex forth_even, LensIndex forth_odd) {

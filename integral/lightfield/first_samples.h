@@ -27,6 +27,9 @@ constexpr double colour_levels = 8192;
 StoredColour stored_colour(const ComparedColour& colour);
 ComparedColour colour_of(const StoredColour& stored);
 
+/// Memory of that many bytes, all 0. Throws std::bad_alloc.
+std::shared_ptr<void> zeroed_memory(std::size_t bytes);
+
 /// The sum of the four absolute differences, as POV-Ray computes it: 3 between black and white.
 double colour_distance(const ComparedColour& a, const ComparedColour& b);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <new>
 #include <utility>
 
 namespace integral {
@@ -97,13 +96,9 @@ Reconstruction::Reconstruction(const IntegralCamera& camera, const FirstSamples&
           int(std::ceil(camera.optics.sheet().pitch /
                         std::min(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y)))),
       least_variance_(float(3 * least_error * least_error)),
-      memory_(std::move(memory))
+      memory_(memory ? std::move(memory) : zeroed_memory(bytes(camera.film))),
+      pixels_(static_cast<Pixel*>(memory_.get()))
 {
-    if (!memory_)
-        memory_.reset(std::calloc(std::max<std::size_t>(1, bytes(camera.film)), 1), std::free);
-    if (!memory_)
-        throw std::bad_alloc();
-    pixels_ = static_cast<Pixel*>(memory_.get());
     const Lattice& lattice = camera.optics.lattice();
     const bool lines = lattice.arrangement() == Arrangement::lenticular;
     for (int row = 0; row < 2; ++row)
@@ -210,13 +205,17 @@ void Reconstruction::for_each_overlap(int x, int y, const std::array<float, N>& 
 {
     const auto own = *first_.lens(x, y);
     const auto at_depths = patches(x, y);
+    const auto visit_usable = [&](const Pixel& other, const std::array<float, N>& overlaps) {
+        if (other.variance >= 0)
+            visit(other, overlaps);
+    };
     for (const Lens& lens : lenses_[own[1] & 1]) {
         const FirstSamples::StoredLens other = {std::uint16_t(own[0] + lens.i),
                                                 std::uint16_t(own[1] + lens.j)};
         if (camera_.optics.lattice().arrangement() == Arrangement::lenticular)
-            visit_line(x, y, at_depths, lens, other, widths, visit);
+            visit_line(x, y, at_depths, lens, other, widths, visit_usable);
         else
-            visit_lens(x, y, at_depths, lens, other, widths, scratch, visit);
+            visit_lens(x, y, at_depths, lens, other, widths, scratch, visit_usable);
     }
 }
 
@@ -307,9 +306,8 @@ Reconstruction::Trial Reconstruction::trial(int x, int y, Scratch& scratch) cons
     std::array<Sum, 2> sums;
     for_each_overlap(x, y, std::array<float, 2>{narrow, wide}, scratch,
                      [&](const Pixel& other, const std::array<float, 2>& overlaps) {
-                         if (other.variance >= 0)
-                             for (int k = 0; k < 2; ++k)
-                                 sums[k].add(other.mean, overlaps[k]);
+                         for (int k = 0; k < 2; ++k)
+                             sums[k].add(other.mean, overlaps[k]);
                      });
     for (int k = 0; k < 2; ++k) {
         result.colours[k] = sums[k].mean();
@@ -369,8 +367,7 @@ std::optional<ComparedColour> Reconstruction::reconstructed(int x, int y, Scratc
                      [&](const Pixel& other, const std::array<float, 1>& overlap) {
                          const float likeness = fall_off(
                              squared_difference(other.estimate, own.estimate) / variance);
-                         if (other.variance >= 0)
-                             sum.add(other.mean, overlap[0] * likeness);
+                         sum.add(other.mean, overlap[0] * likeness);
                      });
     return colour_of(sum.mean());
 }

@@ -4,10 +4,10 @@
 //
 // A pixel sees the scene through a beam: at a depth z it covers a patch that is as wide as a lens
 // at the sheet and grows by a pixel's span of slopes. Pixels behind the same lens and behind the
-// neighbouring ones have beams that overlap there, the more the further their patches' centres are
-// from being apart. Between pixels with overlapping beams a frame cannot change quickly, so their
-// mean, weighted by the overlap, has less noise and hardly another value (axis-aligned and sheared
-// filtering of light fields: Egan and others 2011, Mehta and others 2012).
+// neighbouring ones have beams that overlap there: the nearer their patches' centres, the more.
+// Between pixels with overlapping beams a frame cannot change quickly, so their mean, weighted by
+// the overlap, has less noise and hardly another value (axis-aligned and sheared filtering of light
+// fields: Egan and others 2011, Mehta and others 2012).
 //
 // Three steps, each for all pixels before the next:
 // 1. set: the mean of the pixel's samples and the variance of that mean;
@@ -100,8 +100,9 @@ private:
     template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
     std::array<int, 2> range(const Apart& start, const Apart& pace, float width, int centre) const;
 
-    /// Calls visit(const Pixel&, overlaps) for pixels whose beams may overlap with a pixel's; their
-    /// overlaps are 0 to 1, one for each of `widths`, which ascend.
+    /// Calls visit(const Pixel&, overlaps) for pixels whose beams overlap with a pixel's, but for
+    /// those that are to be left alone; their overlaps are 0 to 1, one for each of `widths`, which
+    /// ascend.
     template <std::size_t N, class Visit>
     void for_each_overlap(int x, int y, const std::array<float, N>& widths, Scratch& scratch,
                           Visit visit) const;
