@@ -87,6 +87,8 @@ double Refinement::scatter() const
     return sum;
 }
 
+double Refinement::contrast_shown() const { return scatter() / scatter_of_contrast; }
+
 double Refinement::squared_error() const
 {
     double seen = 0; // the sum over samples and components of squared deviations

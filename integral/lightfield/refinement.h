@@ -41,6 +41,9 @@ public:
     /// The standard deviation of the samples, as a colour distance.
     double scatter() const;
 
+    /// The contrast from which such a scatter is expected.
+    double contrast_shown() const;
+
     /// The expected squared error of the samples' mean, summed over the colour's components. At
     /// least 1 sample must have been added.
     double squared_error() const;

@@ -186,6 +186,21 @@ BOOST_AUTO_TEST_CASE(first_samples_may_be_kept_in_memory_from_outside)
     BOOST_TEST(there.contrast(4, 4) == -1);
 }
 
+BOOST_AUTO_TEST_CASE(samples_show_a_contrast)
+{
+    // Half of the samples black, half white: edges of a contrast of 3 scatter by 0.4 of it on
+    // average, halves by 0.5.
+    const RefinementRule rule{2, 0.1, 4};
+    Refinement halves(rule, 0), even(rule, 0);
+    for (int k = 0; k < 8; ++k) {
+        const double grey = k % 2;
+        halves.add({grey, grey, grey, 0});
+        even.add({0.5, 0.5, 0.5, 0});
+    }
+    BOOST_TEST(std::abs(halves.contrast_shown() - 3 * 0.5 / 0.4) < 1e-12);
+    BOOST_TEST(even.contrast_shown() == 0);
+}
+
 BOOST_AUTO_TEST_CASE(method_2_goes_on_while_samples_are_worth_it)
 {
     double before_last = 0,

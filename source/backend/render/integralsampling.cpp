@@ -222,22 +222,24 @@ public:
     {
         block = of;
         waiting.clear();
-        refined.assign(std::size_t(Width()) * (block.bottom - block.top + 1), false);
+        expected.assign(std::size_t(Width()) * (block.bottom - block.top + 1), -1);
         for (int y = block.top; y <= block.bottom; y++)
             for (int x = block.left; x <= block.right; x++)
             {
                 const double contrast = sampling.First().contrast(x, y);
                 if (contrast >= options.rule.threshold)
-                    Want(x, y);
+                    Want(x, y, contrast);
                 if (contrast >= 0)
                     Keep(x, y, integral::squared_error_of_one(contrast));
             }
         for (std::size_t next = 0; next < waiting.size(); next++)
         {
             const int x = waiting[next].first, y = waiting[next].second;
-            const bool busy = Refine(x, y);
-            if (busy) // its neighbours' first samples may have missed the same edge
-                sampling.First().for_each_neighbour(x, y, [&](int i, int j) { Want(i, j); });
+            const integral::Refinement result = Refine(x, y);
+            // The first samples of its neighbours may have missed the same edge.
+            if (result.scatter() >= options.rule.threshold)
+                sampling.First().for_each_neighbour(
+                    x, y, [&](int i, int j) { Want(i, j, result.contrast_shown()); });
         }
     }
 
@@ -248,22 +250,23 @@ private:
         return std::size_t(y - block.top) * Width() + (x - block.left);
     }
 
-    void Want(int x, int y)
+    /// Has a pixel refined, if it is one of the block's. `contrast`: what its surroundings let
+    /// expect.
+    void Want(int x, int y, double contrast)
     {
-        if (x < block.left || x > block.right || y < block.top || y > block.bottom ||
-            refined[Index(x, y)])
+        if (x < block.left || x > block.right || y < block.top || y > block.bottom)
             return;
-        refined[Index(x, y)] = true;
-        waiting.emplace_back(x, y);
+        double& most = expected[Index(x, y)];
+        if (most < 0)
+            waiting.emplace_back(x, y);
+        most = std::max(most, contrast);
     }
 
-    /// Refines a pixel. Returns whether its samples differ so much that its neighbours should be
-    /// refined too.
-    bool Refine(int x, int y)
+    integral::Refinement Refine(int x, int y)
     {
         thread.Stats()[Number_Of_Pixels_Supersampled]++;
         trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y));
-        integral::Refinement refinement(options.rule, sampling.First().contrast(x, y));
+        integral::Refinement refinement(options.rule, expected[Index(x, y)]);
         bool any = false;
         std::uint32_t index = 0;
         while (const int wanted = refinement.wanted())
@@ -286,7 +289,7 @@ private:
             Keep(x, y, refinement.squared_error());
         }
         trace.Integral().End_Refinement();
-        return refinement.scatter() >= options.rule.threshold;
+        return refinement;
     }
 
     void Keep(int x, int y, double squared_error)
@@ -303,7 +306,7 @@ private:
     IntegralSampling& sampling;
     const ComparedEncoding& compared;
     integral::PictureBlock block;
-    std::vector<bool> refined; ///< true also for pixels in `waiting`
+    std::vector<double> expected; ///< the contrast of each pixel in `waiting`, -1 elsewhere
     std::vector<std::pair<int, int>> waiting;
 };
 
