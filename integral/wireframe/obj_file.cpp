@@ -2,6 +2,7 @@
 #include "integral/wireframe/obj_file.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/unfinished_file.h"
 #include "integral/lightfield/encoding.h"
 
 #include <algorithm>
@@ -146,8 +147,12 @@ private:
         if (what == "usemtl")
             return use_material(words);
         if (what == "mtllib") {
-            for (std::size_t k = 1; k < words.size() && !how_.ignore_colours; ++k)
-                read_materials(beside(std::string(words[k])), materials_);
+            for (std::size_t k = 1; k < words.size() && !how_.ignore_colours; ++k) {
+                const std::string library = beside(std::string(words[k]));
+                if (is_special(library)) // a pipe or a device may never end
+                    file_.fail(excerpt(std::string(words[k])) + " is not a regular file");
+                read_materials(library, materials_);
+            }
             return;
         }
         const Word skipped[] = {"vt", "vn", "o", "g", "s"};
