@@ -159,7 +159,8 @@ static double error_of_edges(const IntegralCamera& camera, double depth, double 
     return squares / judged;
 }
 
-BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_what_the_beam_covers)
+BOOST_AUTO_TEST_CASE(anti_aliasing_s_samples_are_spread_over_what_the_beam_covers,
+                     *boost::unit_test::label("many_pixels"))
 {
     struct Case {
         Arrangement arrangement;

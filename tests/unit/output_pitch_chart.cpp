@@ -90,7 +90,8 @@ Component component(const PitchChart& chart, const ChartBar& bar, const Image& i
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_pixel_holds_how_much_of_it_the_lines_cover)
+BOOST_AUTO_TEST_CASE(a_pixel_holds_how_much_of_it_the_lines_cover,
+                     *boost::unit_test::label("many_pixels"))
 {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> phases(-3, 3), widths(0.001, 0.24);
@@ -112,7 +113,8 @@ BOOST_AUTO_TEST_CASE(a_pixel_holds_how_much_of_it_the_lines_cover)
     }
 }
 
-BOOST_AUTO_TEST_CASE(every_bar_has_its_stated_pitch_and_phase)
+BOOST_AUTO_TEST_CASE(every_bar_has_its_stated_pitch_and_phase,
+                     *boost::unit_test::label("many_pixels"))
 {
     double worst_pitch = 0, worst_phase = 0;
     for (const PitchChart& chart : some_charts()) {
@@ -317,7 +319,8 @@ int most_even(const PitchChart& chart, const LensSheet& truth, double distance, 
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(an_eye_at_a_replayed_chart_reads_the_true_pitch)
+BOOST_AUTO_TEST_CASE(an_eye_at_a_replayed_chart_reads_the_true_pitch,
+                     *boost::unit_test::label("many_pixels"))
 {
     struct {
         PitchChart chart;
@@ -354,7 +357,8 @@ BOOST_AUTO_TEST_CASE(an_eye_at_a_replayed_chart_reads_the_true_pitch)
     }
 }
 
-BOOST_AUTO_TEST_CASE(an_eye_at_two_distances_reads_the_index_too)
+BOOST_AUTO_TEST_CASE(an_eye_at_two_distances_reads_the_index_too,
+                     *boost::unit_test::label("many_pixels"))
 {
     const PitchChart chart = chart_of(Arrangement::lenticular, 1.27, 0, {600, 300}, {152.4, 100},
                                       {1.27, 0.001, 21});

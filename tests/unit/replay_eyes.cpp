@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(full_lenses_refract_where_the_line_of_sight_meets_their_sur
         }
 }
 
-BOOST_AUTO_TEST_CASE(a_pupil_blurs_what_is_out_of_focus)
+BOOST_AUTO_TEST_CASE(a_pupil_blurs_what_is_out_of_focus, *boost::unit_test::label("many_pixels"))
 {
     // A bar's edge at depth z, seen by a pupil of diameter D that is focused on depth f from
     // distance d: a uniform disc of diameter D |z - f|/(d + f) at f, seen from the pupil's centre

@@ -82,7 +82,7 @@ Vec2 parallax_error(const Frame& frame, double z, double baseline)
 // (thesis 5.3.1), the views of an unslanted sheet jump by whole pixels, and parallax is only right
 // on average over eyes. Slant, or pixels of which the visual pitch is no whole number, spread the
 // jumps over the sheet: these are measured.
-BOOST_AUTO_TEST_CASE(disc_before_and_behind_the_sheet)
+BOOST_AUTO_TEST_CASE(disc_before_and_behind_the_sheet, *boost::unit_test::label("many_pixels"))
 {
     const struct {
         Arrangement arrangement;
