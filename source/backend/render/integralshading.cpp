@@ -27,9 +27,6 @@ namespace pov
 namespace
 {
 
-// Squares of 4 x 4 neighbouring patches are stored together in the table.
-constexpr int square_bits = 2, square = 1 << square_bits;
-constexpr std::size_t row_length = square * square;
 constexpr std::uint64_t word_step = 0x9e3779b97f4a7c15u; // an odd number with irregular bits
 constexpr int height_steps = 4;                          // height of a patch, in patch sizes
 
@@ -59,101 +56,12 @@ std::uint64_t Number_Of(const ObjectBase& object)
     return number;
 }
 
-/// The table's size: more slots than a frame has patches, except for very large frames. The table
-/// of a small frame fits in the processor's cache.
-std::size_t Slots_For(const integral::Film& film)
-{
-    constexpr double slots_a_pixel = 8;
-    constexpr std::size_t least = std::size_t(1) << 14, most = std::size_t(1) << 20;
-    std::size_t slots = least;
-    while (slots < most && slots < slots_a_pixel * film.width * film.height)
-        slots *= 2;
-    return slots;
-}
-
-/// floor(log2(x)) for x > 0.
-int Exponent(double x)
-{
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return int(bits >> 52) - 1023;
-}
-
 double Against(const VECTOR normal, const Ray& ray)
 {
     return normal[X] * ray.Direction[X] + normal[Y] * ray.Direction[Y] +
            normal[Z] * ray.Direction[Z];
 }
 
-}
-
-IntegralShadingCache::IntegralShadingCache(const integral::IntegralCamera& camera, double cells)
-    : camera(camera),
-      spread(camera.optics.medium().n * camera.film.pixel_pitch.x /
-             camera.optics.sheet().thickness),
-      cells(cells),
-      scale(length(camera.placement.z)),
-      patches(Slots_For(camera.film)),
-      locks(patches.size() / row_length)
-{
-}
-
-std::size_t IntegralShadingCache::Slot(std::uint64_t row, std::size_t column) const
-{
-    return std::size_t(row % locks.size()) * row_length + column;
-}
-
-/// At the sheet a pixel's beam is as wide as its lens, and it spreads by the pixel's angle. Along a
-/// cylindrical lens it is one pixel high at the sheet and spreads as seen from the aperture.
-int IntegralShadingCache::Level(const VECTOR point) const
-{
-    const integral::Placement& at = camera.placement;
-    const double z = std::fabs(dot(From_POV(point) - at.origin, at.z)) / (scale * scale);
-    const double pitch = camera.optics.sheet().pitch;
-    double area = pitch * pitch + z * spread * z * spread;
-    if (camera.optics.sheet().arrangement == integral::Arrangement::lenticular)
-        area = std::sqrt(area) * camera.film.pixel_pitch.y *
-               (1 + z / camera.optics.aperture().distance);
-    return Exponent(scale * scale * (area / cells));
-}
-
-double IntegralShadingCache::Size(int level)
-{
-    return std::ldexp(level & 1 ? 1.4142135623730951 : 1.0, level >> 1);
-}
-
-int IntegralShadingCache::Coarser_For_Lights() const
-{
-    constexpr double steps = 3;
-    return int(std::min(steps, std::max(0.0, std::floor(std::log2(cells)))));
-}
-
-bool IntegralShadingCache::Of_Use() const
-{
-    const integral::Vec3 sheet = camera.placement.origin;
-    const VECTOR point = {sheet.x, sheet.y, sheet.z};
-    return Size(Level(point)) > 1e-2;
-}
-
-bool IntegralShadingCache::Find(std::size_t slot, std::uint64_t key, Patch& patch) const
-{
-    std::atomic_flag& lock = locks[slot / row_length];
-    while (lock.test_and_set(std::memory_order_acquire))
-    {
-    }
-    patch = patches[slot];
-    lock.clear(std::memory_order_release);
-    return patch.key == key;
-}
-
-void IntegralShadingCache::Store(std::size_t slot, const Patch& patch)
-{
-    std::atomic_flag& lock = locks[slot / row_length];
-    while (lock.test_and_set(std::memory_order_acquire))
-    {
-    }
-    patches[slot] = patch;
-    lock.clear(std::memory_order_release);
 }
 
 IntegralCachedShading::IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally,
@@ -309,9 +217,11 @@ bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR norma
         place.centre[k] = (index + 0.5) * side;
         const std::int64_t cell = std::int64_t(index);
         spot = spot * word_step + cell;
-        row = row * word_step + (k == place.axis ? cell : cell >> square_bits);
+        row = row * word_step +
+              (k == place.axis ? cell : cell >> IntegralShadingCache::square_bits);
         if (k != place.axis)
-            place.column = place.column * square + (cell & (square - 1));
+            place.column = place.column * IntegralShadingCache::square +
+                           (cell & (IntegralShadingCache::square - 1));
     }
     place.spot = spot;
     const auto address = [](const void *of)

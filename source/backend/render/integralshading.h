@@ -12,7 +12,6 @@
 #ifndef POVRAY_BACKEND_INTEGRALSHADING_H
 #define POVRAY_BACKEND_INTEGRALSHADING_H
 
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -21,7 +20,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "integral/optics/camera.h"
+#include "backend/render/integralshadingcache.h"
 
 namespace pov
 {
@@ -30,48 +29,6 @@ class SceneData;
 class Trace;
 class TraceThreadData;
 struct IntegralTally;
-
-/// The patches of a view, shared by its threads: a table of fixed size, chosen by the frame's size,
-/// in which new patches overwrite old ones.
-class IntegralShadingCache
-{
-public:
-    /// `cells`: the approximate number of patches that a pixel's beam covers, which determines
-    /// their size.
-    IntegralShadingCache(const integral::IntegralCamera& camera, double cells);
-
-    struct Patch
-    {
-        std::uint64_t key = 0;  ///< 0: empty
-        float red, green, blue; ///< its colour; for a light, the fractions that reach the patch
-        float height; ///< position of its point on the patch's axis, from the middle, in patch
-                      ///< sizes; NaN: it has no point
-    };
-
-    /// Looks up the patch with a key at its slot; false if it is not there.
-    bool Find(std::size_t slot, std::uint64_t key, Patch& patch) const;
-    void Store(std::size_t slot, const Patch& patch);
-
-    /// The slot for a row (any number) and a column.
-    std::size_t Slot(std::uint64_t row, std::size_t column) const;
-
-    /// The level of the patches' size at a point of the scene. Sizes grow by 2^(1/2) per level.
-    int Level(const VECTOR point) const;
-    static double Size(int level); ///< scene units
-
-    /// The number of levels by which patches for lights may be larger than those for colours,
-    /// because they contain no pigment and no highlight. They are not larger than a beam.
-    int Coarser_For_Lights() const;
-
-    /// Whether patches at the sheet are large compared with POV-Ray's tolerances.
-    bool Of_Use() const;
-
-private:
-    integral::IntegralCamera camera;
-    double spread, cells, scale;
-    std::vector<Patch> patches;
-    mutable std::vector<std::atomic_flag> locks; ///< one for each row of slots
-};
 
 /// One thread's use of the patches.
 class IntegralCachedShading
