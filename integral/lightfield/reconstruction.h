@@ -26,6 +26,9 @@
 
 namespace integral {
 
+/// The greatest distance in rows of the pixels with which a pixel is compared in one step.
+int rows_compared(const LensSheet& sheet, const Film& film);
+
 /// The distance in rows of the refined pixels on which a reconstructed pixel depends.
 int rows_reconstructed_from(const LensSheet& sheet, const Film& film);
 
@@ -56,9 +59,11 @@ public:
     static constexpr std::size_t bytes_a_pixel = 20;
     static std::size_t bytes(const Film& film);
 
-    /// The mean colour of the pixel's samples and the variance of that mean, summed over the
-    /// colour's components. Colours are clamped to 0 to 8; a pixel beyond that is left alone.
-    void set(int x, int y, const ComparedColour& mean, double variance);
+    /// The mean colour of the pixel's samples, and the squared error expected of it, summed over
+    /// the colour's components: by the samples' variance (Refinement::squared_error), and as the
+    /// halves of the samples show it (-1: not at all). Colours are clamped to 0 to 8; a pixel
+    /// beyond that is left alone.
+    void set(int x, int y, const ComparedColour& mean, double variance, double of_halves = -1);
 
     /// Makes the first estimates of the pixels from (left, top) to (right, bottom), inclusive.
     void estimate(int left, int top, int right, int bottom);
@@ -70,7 +75,9 @@ public:
 private:
     struct Pixel {
         StoredColour mean;
-        float variance; ///< of the mean; below 0: to be left alone; 0 also for an empty pixel
+        /// The variance of the mean; below 0: to be left alone; 0 also for an empty pixel.
+        ShortFloat variance;
+        ShortFloat of_halves; ///< as the halves of the samples show it; below 0: not at all
         StoredColour estimate;
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);

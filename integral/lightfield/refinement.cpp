@@ -25,10 +25,6 @@ constexpr double threshold_of_worth = 3;
 
 constexpr double greatest_contrast = 3;
 
-// The expected squared error, divided by what the variance of the samples says. Found by trying:
-// with it reconstruction errs least on sample scenes of POV-Ray's.
-constexpr double missed_by_samples = 3;
-
 /// The variance that a contrast predicts, summed over components of which three differ alike.
 double variance_of(double contrast)
 {
@@ -38,10 +34,7 @@ double variance_of(double contrast)
 
 } // namespace
 
-double squared_error_of_one(double contrast)
-{
-    return missed_by_samples * variance_of(std::max(0.0, contrast));
-}
+double squared_error_of_one(double contrast) { return variance_of(std::max(0.0, contrast)); }
 
 double samples_at_edges(const RefinementRule& rule)
 {
@@ -69,6 +62,10 @@ int Refinement::wanted() const
 
 void Refinement::add(const ComparedColour& colour)
 {
+    if ((tried_ & (tried_ - 1)) == 0) { // each power of two of samples is evenly distributed
+        half_ = sum_;
+        half_taken_ = taken_;
+    }
     ++tried_;
     ++taken_;
     for (std::size_t k = 0; k < colour.size(); ++k) {
@@ -96,7 +93,20 @@ double Refinement::squared_error() const
         seen += std::max(0.0, squares_[k] - sum_[k] * sum_[k] / taken_);
     const double variance = (seen + weight_of_contrast * variance_of(contrast_)) /
                             (taken_ - 1 + weight_of_contrast);
-    return missed_by_samples * variance / std::pow(double(taken_), 2 * order - 1);
+    return variance / std::pow(double(taken_), 2 * order - 1);
+}
+
+double Refinement::squared_error_of_halves() const
+{
+    const int rest = taken_ - half_taken_;
+    if (half_taken_ == 0 || rest == 0)
+        return -1;
+    double sum = 0;
+    for (std::size_t k = 0; k < sum_.size(); ++k) {
+        const double difference = half_[k] / half_taken_ - (sum_[k] - half_[k]) / rest;
+        sum += difference * difference;
+    }
+    return sum * half_taken_ * rest / (double(taken_) * taken_);
 }
 
 double Refinement::worth() const

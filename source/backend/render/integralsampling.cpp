@@ -59,6 +59,7 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       side(side),
       reconstructs(reconstructs && integral::Reconstruction::possible(camera.film)),
       reach(integral::rows_looked_at(camera.optics.sheet(), camera.film)),
+      step(integral::rows_compared(camera.optics.sheet(), camera.film)),
       halo(this->reconstructs
                ? integral::rows_reconstructed_from(camera.optics.sheet(), camera.film)
                : 0),
@@ -163,9 +164,8 @@ void IntegralSampling::Make_Schedule()
     const std::vector<bool> refined = Rows_Of_Blocks(Around(counting, halo));
     scheduled = {{Around(refined, reach), 0}, {refined, reach}};
     if (reconstructs)
-        scheduled.push_back(
-            {Around(counting, reach), reach + integral::Reconstruction::risk_reach});
-    scheduled.push_back({wanted, reconstructs ? reach : 0});
+        scheduled.push_back({Around(counting, step), step + integral::Reconstruction::risk_reach});
+    scheduled.push_back({wanted, reconstructs ? step : 0});
     schedule.reset(new integral::PassSchedule(
         {int(area.left), int(area.top), int(area.right), int(area.bottom)}, side, scheduled));
 }
@@ -286,16 +286,17 @@ private:
         if (any)
         {
             sampling.At(x, y) = trace.Integral().Refined();
-            Keep(x, y, refinement.squared_error());
+            Keep(x, y, refinement.squared_error(), refinement.squared_error_of_halves());
         }
         trace.Integral().End_Refinement();
         return refinement;
     }
 
-    void Keep(int x, int y, double squared_error)
+    void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1)
     {
         if (integral::Reconstruction *const reconstruction = sampling.Reconstruction())
-            reconstruction->set(x, y, compared(sampling.At(x, y)), squared_error);
+            reconstruction->set(x, y, compared(sampling.At(x, y)), squared_error,
+                                squared_error_of_halves);
     }
 
     ViewData& view;

@@ -91,7 +91,9 @@ private:
     pov_base::IntegralRows rows;
     int width, height, side;
     bool reconstructs;
-    int reach, halo; ///< rows to a pixel's neighbours, and to those that its reconstruction needs
+    /// Rows to a pixel's neighbours, to those with which it is compared in a step of its
+    /// reconstruction, and to all that its reconstruction needs.
+    int reach, step, halo;
     std::shared_ptr<pov_base::IntegralMemory> memory; ///< colours, first samples, reconstruction
     integral::FirstSamples first;
     std::unique_ptr<integral::Reconstruction> reconstructor;
