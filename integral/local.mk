@@ -23,11 +23,29 @@ include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/resolution/local.mk
 include $(srcdir)/integral/cli/local.mk
 
-# Its man page says what its parser knows.
-man_MANS += build/share/man/integral.1
-CLEANFILES += build/share/man/integral.1
+# Man pages and completion for bash say what its commands declare.
+integral_commands = sheet replay views depth print lcd wireframe compare rectify mask resolve tune batch
+integral_pages = build/share/man/integral.1 $(patsubst %,build/share/man/integral-%.1,$(integral_commands))
+man_MANS += $(integral_pages)
 build/share/man/integral.1: build/bin/integral
 	$(AM_V_GEN)$(MKDIR_P) build/share/man && build/bin/integral help --man > $@.tmp && mv $@.tmp $@
+build/share/man/integral-%.1: build/bin/integral
+	$(AM_V_GEN)$(MKDIR_P) build/share/man && build/bin/integral help --man $* > $@.tmp && mv $@.tmp $@
+
+completionsdir = $(datadir)/bash-completion/completions
+completions_DATA = build/share/bash-completion/integral
+build/share/bash-completion/integral: build/bin/integral
+	$(AM_V_GEN)$(MKDIR_P) $(@D) && build/bin/integral help --bash > $@.tmp && mv $@.tmp $@
+CLEANFILES += $(integral_pages) $(completions_DATA)
+
+# The heads of the commands' pages in the manual; what is written by hand below them is kept.
+.PHONY: command-pages
+command-pages: build/bin/integral
+	@for command in $(integral_commands); do \
+	    page=$(srcdir)/doc/commands/$$command.md; \
+	    { build/bin/integral help --markdown $$command; \
+	      test ! -e $$page || sed '1,/^<!-- Above: written by/d' $$page; } > $$page.new && \
+	    mv $$page.new $$page || exit 1; done
 
 # The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized
 # layer. Automake puts the user's CXXFLAGS, -O2, behind a program's own, and -O2 doubles what these
