@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 # libintegral (what POV-Ray's hooks and the integral program share) and the program itself.
 
-noinst_LIBRARIES += build/lib/libintegral.a
+lib_LIBRARIES = build/lib/libintegral.a
 build_lib_libintegral_a_SOURCES =
 
 bin_PROGRAMS += build/bin/integral
@@ -46,6 +46,24 @@ command-pages: build/bin/integral
 	    { build/bin/integral help --markdown $$command; \
 	      test ! -e $$page || sed '1,/^<!-- Above: written by/d' $$page; } > $$page.new && \
 	    mv $$page.new $$page || exit 1; done
+
+# For programs of others (doc/library.md): the headers, and how to compile and link with them.
+libintegral_headers = $(filter %.h,$(build_lib_libintegral_a_SOURCES))
+pkgconfigdir = $(libdir)/pkgconfig
+install-libintegral:
+	cd $(srcdir) && for header in $(libintegral_headers); do \
+	    $(MKDIR_P) "$(DESTDIR)$(includedir)/$${header%/*}" && \
+	    $(INSTALL_DATA) $$header "$(DESTDIR)$(includedir)/$$header" || exit 1; done
+	$(MKDIR_P) '$(DESTDIR)$(pkgconfigdir)'
+	sed -e 's|%prefix%|$(prefix)|' -e 's|%includedir%|$(includedir)|' -e 's|%libdir%|$(libdir)|' \
+	    -e 's|%version%|$(PACKAGE_VERSION)|' -e 's|%libraries%|$(FILE_LIBS) $(SDL2_LIBS) -lpthread|' \
+	    $(srcdir)/integral/libintegral.pc.in > '$(DESTDIR)$(pkgconfigdir)/libintegral.pc'
+
+uninstall-libintegral:
+	rm -rf '$(DESTDIR)$(includedir)/integral'
+	rm -f '$(DESTDIR)$(pkgconfigdir)/libintegral.pc'
+.PHONY: install-libintegral uninstall-libintegral
+EXTRA_DIST += integral/libintegral.pc.in
 
 # The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized
 # layer. Automake puts the user's CXXFLAGS, -O2, behind a program's own, and -O2 doubles what these
