@@ -84,7 +84,8 @@ std::string with_examples(const std::string& text, const char* begin, const char
 /// Prose as Markdown: options become code, and no character is taken for markup.
 std::string as_markdown(const std::string& text)
 {
-    static const std::regex special(R"([*<|\\])"), option(R"((^|[ (])(--?[a-z][a-z-]*))");
+    static const std::regex special(R"([*<|\\])"),
+        option(R"((^|[ (])(--?[a-z][a-z-]*(=[^ ,;)]+)?))");
     return std::regex_replace(std::regex_replace(text, special, R"(\$&)"), option, "$1`$2`");
 }
 
