@@ -245,9 +245,10 @@ std::string manual_page()
 std::string manual_page(const Command& command)
 {
     std::string page = manual_head(std::string("integral-") + command.name, command.summary) +
-                       ".SH SYNOPSIS\n.nf\n" + as_roff(usage_of(command)) +
-                       "\n.fi\n.SH DESCRIPTION\n" + prose_as_roff(command.description) +
-                       ".SH OPTIONS\n";
+                       ".SH SYNOPSIS\n";
+    for (const std::string& line : lines_of(usage_of(command)))
+        page += ".HP\n" + as_roff(line) + "\n"; // folded, and its further lines indented
+    page += ".SH DESCRIPTION\n" + prose_as_roff(command.description) + ".SH OPTIONS\n";
     for (const PageOption& option : page_options(command)) {
         const std::string value = option.value.empty() ? ""
                                                        : " \\fI" + as_roff(option.value) + "\\fR";
