@@ -119,5 +119,3 @@ build_bench_eyes_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 .PHONY: eyes
 eyes: all pristine build/bench/eyes
 	build/bench/eyes --scenes $(srcdir)/bench/scenes -o build/bench/eyes-tables
-
-EXTRA_DIST += bench

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 # libintegral (what POV-Ray's hooks and the integral program share) and the program itself.
 
-noinst_LIBRARIES += build/lib/libintegral.a
+lib_LIBRARIES = build/lib/libintegral.a
 build_lib_libintegral_a_SOURCES =
 
 bin_PROGRAMS += build/bin/integral
@@ -23,11 +23,47 @@ include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/resolution/local.mk
 include $(srcdir)/integral/cli/local.mk
 
-# Its man page says what its parser knows.
-man_MANS += build/share/man/integral.1
-CLEANFILES += build/share/man/integral.1
+# Man pages and completion for bash say what its commands declare.
+integral_commands = sheet replay views depth print lcd wireframe compare rectify mask resolve tune batch
+integral_pages = build/share/man/integral.1 $(patsubst %,build/share/man/integral-%.1,$(integral_commands))
+man_MANS += $(integral_pages)
 build/share/man/integral.1: build/bin/integral
 	$(AM_V_GEN)$(MKDIR_P) build/share/man && build/bin/integral help --man > $@.tmp && mv $@.tmp $@
+build/share/man/integral-%.1: build/bin/integral
+	$(AM_V_GEN)$(MKDIR_P) build/share/man && build/bin/integral help --man $* > $@.tmp && mv $@.tmp $@
+
+completionsdir = $(datadir)/bash-completion/completions
+completions_DATA = build/share/bash-completion/integral
+build/share/bash-completion/integral: build/bin/integral
+	$(AM_V_GEN)$(MKDIR_P) $(@D) && build/bin/integral help --bash > $@.tmp && mv $@.tmp $@
+CLEANFILES += $(integral_pages) $(completions_DATA)
+
+# The heads of the commands' pages in the manual; what is written by hand below them is kept.
+.PHONY: command-pages
+command-pages: build/bin/integral
+	@for command in $(integral_commands); do \
+	    page=$(srcdir)/doc/commands/$$command.md; \
+	    { build/bin/integral help --markdown $$command; \
+	      test ! -e $$page || sed '1,/^<!-- Above: written by/d' $$page; } > $$page.new && \
+	    mv $$page.new $$page || exit 1; done
+
+# For programs of others (doc/library.md): the headers, and how to compile and link with them.
+libintegral_headers = $(filter %.h,$(build_lib_libintegral_a_SOURCES))
+pkgconfigdir = $(libdir)/pkgconfig
+install-libintegral:
+	cd $(srcdir) && for header in $(libintegral_headers); do \
+	    $(MKDIR_P) "$(DESTDIR)$(includedir)/$${header%/*}" && \
+	    $(INSTALL_DATA) $$header "$(DESTDIR)$(includedir)/$$header" || exit 1; done
+	$(MKDIR_P) '$(DESTDIR)$(pkgconfigdir)'
+	sed -e 's|%prefix%|$(prefix)|' -e 's|%includedir%|$(includedir)|' -e 's|%libdir%|$(libdir)|' \
+	    -e 's|%version%|$(PACKAGE_VERSION)|' -e 's|%libraries%|$(FILE_LIBS) $(SDL2_LIBS) -lpthread|' \
+	    $(srcdir)/integral/libintegral.pc.in > '$(DESTDIR)$(pkgconfigdir)/libintegral.pc'
+
+uninstall-libintegral:
+	rm -rf '$(DESTDIR)$(includedir)/integral'
+	rm -f '$(DESTDIR)$(pkgconfigdir)/libintegral.pc'
+.PHONY: install-libintegral uninstall-libintegral
+EXTRA_DIST += integral/libintegral.pc.in
 
 # The same sources under AddressSanitizer and UndefinedBehaviorSanitizer, for the tests' sanitized
 # layer. Automake puts the user's CXXFLAGS, -O2, behind a program's own, and -O2 doubles what these

@@ -40,14 +40,16 @@ install-exec-local: povray-integral
 	$(MKDIR_P) '$(DESTDIR)$(bindir)'
 	$(INSTALL_PROGRAM) build/bin/povray-integral '$(DESTDIR)$(bindir)/povray-integral'
 
-install-data-local: povray-integral
+install-data-local: povray-integral install-libintegral
 	$(MKDIR_P) '$(DESTDIR)$(shareddir)' '$(DESTDIR)$(legaldir)'
 	cp -RL build/share/povray-integral-3.7/. '$(DESTDIR)$(shareddir)'
 	chmod -R u+rwX,go+rX,go-w '$(DESTDIR)$(shareddir)'
 	$(INSTALL_DATA) $(top_srcdir)/LICENSE build/pristine/distribution/agpl-3.0.txt build/pristine/unix/AUTHORS \
 	    '$(DESTDIR)$(legaldir)'
+	cp -R $(top_srcdir)/doc/. '$(DESTDIR)$(legaldir)'
+	chmod -R u+rwX,go+rX,go-w '$(DESTDIR)$(legaldir)'
 
-uninstall-local:
+uninstall-local: uninstall-libintegral
 	rm -f '$(DESTDIR)$(bindir)/povray-integral'
 	rm -rf '$(DESTDIR)$(shareddir)' '$(DESTDIR)$(legaldir)'
 

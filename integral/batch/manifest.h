@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a batch's manifest asks for. doc/guide.md, "Batches", says what each field means to its
+// What a batch's manifest asks for. doc/commands/batch.md says what each field means to its
 // user.
 #ifndef INTEGRAL_BATCH_MANIFEST_H
 #define INTEGRAL_BATCH_MANIFEST_H

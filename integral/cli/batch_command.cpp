@@ -252,7 +252,7 @@ const Command batch_command = {
     "it\n"
     "is made again. A failed step does not stop the others; its program's words are kept in "
     "logs/.\n"
-    "The output folder gets summary.json and index.html. The user's guide explains the manifest.\n",
+    "The output folder gets summary.json and index.html. doc/commands/batch.md explains the manifest.\n",
     1,
     1,
     described<BatchOptions>,

@@ -2,12 +2,11 @@
 // The integral program: finds the command, reads its options, and turns errors into exit statuses.
 #include "integral/base/file_bytes.h"
 #include "integral/base/first_steps.h"
-#include "integral/cli/command.h"
+#include "integral/cli/command_pages.h"
 
 #include <cstdio>
 #include <iostream>
 #include <new>
-#include <sstream>
 
 #ifndef PACKAGE_VERSION
 #error "PACKAGE_VERSION must be defined, as configure does"
@@ -37,47 +36,22 @@ const Command* find_command(const std::string& name)
     throw UsageError("there is no command " + name + "; there are: " + names + " (integral help)");
 }
 
-std::string overview()
+/// What `integral help WORDS...` prints. --man, --markdown and --bash are for the build, which
+/// makes man pages, pages of the manual and completion of them.
+std::string help_about(const std::vector<std::string>& words)
 {
-    std::ostringstream text;
-    text << "Usage: integral COMMAND [options] INPUT... -o OUTPUT\n\n"
-            "Takes the micro-image frames of povray-integral to print, panel and eye.\n\n"
-            "Commands:\n";
-    for (const Command* command : all_commands())
-        text << "  " << command->name << std::string(12 - std::string(command->name).size(), ' ')
-             << command->summary << "\n";
-    text << "\n`integral help COMMAND` explains one; `integral help --man` prints the man "
-            "page,\n`integral --version` the version.\n\n"
-            "Exit status: 0 done; 1 a comparison or check failed, or a batch has failed jobs; 2 "
-            "wrong\n"
-            "usage; 3 unreadable or malformed input; 4 the output could not be written; 130 "
-            "interrupted.\n";
-    return text.str();
-}
-
-/// The man page: what `integral help` says of the program and of each command, as roff.
-std::string manual_page()
-{
-    const auto verbatim = [](const std::string& text) {
-        std::string roff = ".nf\n";
-        bool at_line_start = true;
-        for (const char c : text) {
-            if (at_line_start && (c == '.' || c == '\''))
-                roff += "\\&";
-            roff += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
-            at_line_start = c == '\n';
-        }
-        return roff + ".fi\n";
-    };
-    std::string
-        page = ".\\\" Written by `integral help --man`.\n"
-               ".TH INTEGRAL 1 \"\" \"povray-integral\" \"User commands\"\n.SH NAME\n"
-               "integral \\- takes micro-image frames to print, panel and eye\n.SH DESCRIPTION\n" +
-               verbatim(overview());
-    for (const Command* command : all_commands())
-        page += ".SH \"INTEGRAL " + std::string(command->name) + "\"\n" +
-                verbatim(help_for(*command));
-    return page + ".SH \"SEE ALSO\"\n.BR povray-integral (1)\n";
+    const std::string what = words.empty() ? "" : words[0];
+    if (what.empty())
+        return overview();
+    if (what == "--bash")
+        return bash_completion();
+    if (what == "--man" && words.size() == 1)
+        return manual_page();
+    if (what == "--man" || (what == "--markdown" && words.size() > 1)) {
+        const Command& command = *find_command(words[1]);
+        return what == "--man" ? manual_page(command) : markdown_head(command);
+    }
+    return help_for(*find_command(what));
 }
 
 /// Runs the program; `name` is how errors call it, and becomes that of the command.
@@ -93,9 +67,7 @@ int run_program(const std::vector<std::string>& words, std::string& name)
         return exit_done;
     }
     if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") {
-        std::cout << (words.size() == 1     ? overview()
-                      : words[1] == "--man" ? manual_page()
-                                            : help_for(*find_command(words[1])));
+        std::cout << help_about({words.begin() + 1, words.end()});
         return exit_done;
     }
     const Command& command = *find_command(words[0]);

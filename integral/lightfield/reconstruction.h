@@ -10,7 +10,8 @@
 // fields: Egan and others 2011, Mehta and others 2012).
 //
 // Three steps, each for all pixels before the next:
-// 1. set: the mean of the pixel's samples and the variance of that mean;
+// 1. set: the mean of the pixel's samples and the variance of that mean, which is corrected later by
+//    how far the halves of the samples differ in the pixels around;
 // 2. estimate: the pixel's own mean, or one of two overlap-weighted means, narrow and wide: the one
 //    with the least squared error by Stein's unbiased risk estimate (1981) over the pixels around;
 // 3. reconstructed: an overlap-weighted mean that counts a pixel less the more its first estimate

@@ -359,7 +359,7 @@ BOOST_AUTO_TEST_CASE(the_include_file_knows_them)
 
 BOOST_AUTO_TEST_CASE(the_guide_describes_one)
 {
-    const std::string guide = file_of_project("doc/guide.md");
+    const std::string guide = file_of_project("doc/panels.md");
     const auto start = guide.find("{\"panel\"");
     BOOST_REQUIRE(start != std::string::npos);
     const Panel panel = panel_from_json(guide.substr(start, guide.find("```", start) - start));
