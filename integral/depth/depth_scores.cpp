@@ -44,8 +44,8 @@ RegionScores scores_of(std::vector<float>& errors)
 
 } // namespace
 
-std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& frame,
-                                    const DepthFrame& depths)
+std::vector<float> depths_seen(const ViewSet& views, const FrameMetadata& frame,
+                               const DepthFrame& depths, Vec2 eye)
 {
     const Film& film = frame.film;
     if (film.width != depths.metadata.film.width || film.height != depths.metadata.film.height)
@@ -53,19 +53,26 @@ std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& f
                                     std::to_string(depths.metadata.film.width) + "x" +
                                     std::to_string(depths.metadata.film.height) + " pixels");
     const SheetOptics optics(frame.sheet, frame.aperture);
-    std::vector<float> truth;
+    std::vector<float> seen;
     for (int y = 0; y < views.height; ++y)
         for (int x = 0; x < views.width; ++x) {
             const Vec2 point = views.places.at(x, y);
-            const Vec3 to_eye{-point.x, -point.y, -frame.aperture.distance};
+            const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -frame.aperture.distance};
             const Vec2 at = pixel_from_film(film, optics.film_point_seen(point, to_eye));
             const int i = int(std::floor(at.x)), j = int(std::floor(at.y));
             const bool inside = i >= 0 && j >= 0 && i < film.width && j < film.height;
             const std::size_t k = inside ? std::size_t(j) * film.width + i : 0;
-            truth.push_back(inside && depths.imaged[k] > 0 && std::isfinite(depths.depth[k])
-                                ? float(views.scale->disparity(depths.depth[k]))
-                                : NAN);
+            seen.push_back(inside && depths.imaged[k] > 0 ? depths.depth[k] : NAN);
         }
+    return seen;
+}
+
+std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& frame,
+                                    const DepthFrame& depths)
+{
+    std::vector<float> truth = depths_seen(views, frame, depths, {0, 0});
+    for (float& value : truth)
+        value = std::isfinite(value) ? float(views.scale->disparity(value)) : NAN;
     return truth;
 }
 

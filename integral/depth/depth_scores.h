@@ -27,6 +27,12 @@ struct DepthScores {
                           ///< more than 0.02 of full scale, and no edge is near
 };
 
+/// The depths (mm behind the sheet) of what an eye on the aperture's plane sees at the pixels of a
+/// set's views, from a depth frame: NaN where there is no light, infinite where no surface. Throws
+/// std::invalid_argument if the depth frame is of another frame.
+std::vector<float> depths_seen(const ViewSet& views, const FrameMetadata& frame,
+                               const DepthFrame& depths, Vec2 eye);
+
 /// The true disparities of a set's middle view, from the depth frame of the frame that the set was
 /// made of: what the nearest film pixel of each lens says. NaN where there is no surface or no
 /// light. Throws std::invalid_argument if it is of another frame.
