@@ -59,7 +59,7 @@ void declare(options::options_description& all, DepthOptions& o)
                       "pixels of the map across (default: about as many as the views have)");
     all.add_options()("range", fills(o.range, "FAR,NEAR"),
                       "disparities to search: pixels from one view to the next, less than 0 "
-                      "behind the sheet (default: found, between -4 and 4)");
+                      "behind the sheet (default: found)");
     all.add_options()("views", fills(o.views, "CxR"),
                       "how many views there are across and up, where a quilt's name or files do "
                       "not say it");

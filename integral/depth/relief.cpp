@@ -56,16 +56,23 @@ Colour divided(const Colour& sum, float weights)
                        : Colour{0, 0, 0, 1};
 }
 
-/// The least difference of two different numbers; 1 if all are equal.
-double least_step(std::vector<double> values)
+/// What a picture shows at a place of the image plane, mm.
+Colour light_of(const ReliefPicture& picture, Vec2 place)
+{
+    Colour sum{0, 0, 0, 0};
+    float weights = 0;
+    add_between(picture, picture.places.pixel_at(place), 1, sum, weights);
+    return divided(sum, weights);
+}
+
+/// The greatest difference between neighbours in order of size; 1 if all are equal.
+double greatest_step(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
-    const double span = values.back() - values.front();
-    double step = span > 0 ? span : 1;
+    double step = 0;
     for (std::size_t i = 1; i < values.size(); ++i)
-        if (const double d = values[i] - values[i - 1]; d > 1e-6 * span)
-            step = std::min(step, d);
-    return step;
+        step = std::max(step, values[i] - values[i - 1]);
+    return step > 0 ? step : 1;
 }
 
 } // namespace
@@ -97,7 +104,7 @@ Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps,
         across.push_back(picture.eye.x);
         up.push_back(picture.eye.y);
     }
-    spacing_ = {least_step(across), least_step(up)};
+    spacing_ = {greatest_step(across), greatest_step(up)};
     first_eye_ = {*std::min_element(across.begin(), across.end()),
                   *std::min_element(up.begin(), up.end())};
     last_eye_ = {*std::max_element(across.begin(), across.end()),
@@ -129,7 +136,7 @@ Relief::Meeting Relief::meet(const ReliefMap& map, const ReliefLine& line) const
     const Vec2 start = map.places.pixel_at(line.place),
                way = map.places.pixel_at(line.place + map.eye - line.eye) - start;
     const double far = std::max(std::fabs(way.x), std::fabs(way.y)), span = greatest_ - least_;
-    const int steps = 1 + int(std::ceil(2 * far * span)); // half pixels
+    const int steps = 1 + int(std::ceil(far * span)); // of a pixel
     const float edge = float(longest_stretch / std::max(far, 1e-9));
     Meeting behind; // what is farther off beside the edge behind which the line is
     bool is_behind = false;
@@ -170,8 +177,15 @@ bool Relief::is_between_eyes(Vec2 eye) const
            eye.y > first_eye_.y - rest.y && eye.y < last_eye_.y + rest.y;
 }
 
-Colour Relief::light_at(double parallax, const ReliefLine& line) const
+bool Relief::is_seen(const ReliefMap& map, double parallax, const ReliefLine& line) const
 {
+    const Meeting met = meet(map, line);
+    return met.known && std::fabs(met.parallax - parallax) < 0.03 * (greatest_ - least_) + 1e-6;
+}
+
+Colour Relief::light_at(const ReliefMap& map, double parallax, const ReliefLine& line) const
+{
+    const bool beyond = !is_between_eyes(line.eye); // other eyes than the map's may not see it
     const Vec2 nearest{std::clamp(line.eye.x, first_eye_.x, last_eye_.x),
                        std::clamp(line.eye.y, first_eye_.y, last_eye_.y)};
     Colour sum{0, 0, 0, 0}, edge{0, 0, 0, 0};
@@ -181,12 +195,18 @@ Colour Relief::light_at(double parallax, const ReliefLine& line) const
                      up = 1 - std::fabs(picture.eye.y - nearest.y) / spacing_.y;
         if (!(across > 0 && up > 0))
             continue;
-        const Vec2 at = picture.places.pixel_at(line.place + parallax * (picture.eye - line.eye));
+        const Vec2 place = line.place + parallax * (picture.eye - line.eye);
+        if (beyond && !is_seen(map, parallax, {place, picture.eye}))
+            continue;
+        const Vec2 at = picture.places.pixel_at(place);
         const bool inside = is_inside(picture, at);
         add_between(picture, at, float(across * up), inside ? sum : edge,
                     inside ? weights : of_edge);
     }
-    return weights > 0 ? divided(sum, weights) : divided(edge, of_edge);
+    if (weights > 0 || of_edge > 0)
+        return weights > 0 ? divided(sum, weights) : divided(edge, of_edge);
+    const ReliefPicture& own = pictures_[map.picture];
+    return light_of(own, line.place + parallax * (own.eye - line.eye));
 }
 
 Colour Relief::light_beside(const ReliefMap& map, const Meeting& hidden,
@@ -201,11 +221,7 @@ Colour Relief::light_beside(const ReliefMap& map, const Meeting& hidden,
     const double farther = std::fabs(there - hidden.parallax);
     if (!is_inside(map, from) || !(farther < 0.05 * (greatest_ - least_) + 1e-6))
         from = edge;
-    const ReliefPicture& picture = pictures_[map.picture];
-    Colour sum{0, 0, 0, 0};
-    float weights = 0;
-    add_between(picture, picture.places.pixel_at(map.places.at(from.x, from.y)), 1, sum, weights);
-    return divided(sum, weights);
+    return light_of(pictures_[map.picture], map.places.at(from.x, from.y));
 }
 
 Seen Relief::along(const ReliefLine& line) const
@@ -223,7 +239,7 @@ Seen Relief::along(const ReliefLine& line) const
         tried |= std::uint32_t(1) << next;
         const Meeting met = meet(maps_[next], line);
         if (met.known)
-            return {light_at(met.parallax, line), true};
+            return {light_at(maps_[next], met.parallax, line), true};
         if (!nearest) {
             nearest = &maps_[next];
             of_nearest = met;
@@ -231,7 +247,7 @@ Seen Relief::along(const ReliefLine& line) const
     }
     // No map shows it, but an eye that looks nearly along the line does.
     if (is_between_eyes(line.eye))
-        return {light_at(of_nearest.parallax, line), pictures_.size() > 1};
+        return {light_at(*nearest, of_nearest.parallax, line), pictures_.size() > 1};
     return {light_beside(*nearest, of_nearest, line), false};
 }
 

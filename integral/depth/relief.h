@@ -58,15 +58,16 @@ public:
     void scale(double factor);
 
     /// What is seen along a line. The depth is where the line first meets the map of the eye
-    /// nearest to it, or if it passes there behind an edge, another eye's; the light is that of the
-    /// pictures whose eyes are nearest to the line. Where no map shows the end of the line, it is
-    /// what lies farther off beside the edge.
+    /// nearest to it, or if it passes there behind an edge, another eye's. The light is that of the
+    /// pictures whose eyes are nearest to the line and see its end. Where no map shows the end of
+    /// the line, it is what lies farther off beside the edge.
     Seen along(const ReliefLine& line) const;
 
 private:
     struct Meeting;
     Meeting meet(const ReliefMap& map, const ReliefLine& line) const;
-    Colour light_at(double parallax, const ReliefLine& line) const;
+    bool is_seen(const ReliefMap& map, double parallax, const ReliefLine& line) const;
+    Colour light_at(const ReliefMap& map, double parallax, const ReliefLine& line) const;
     Colour light_beside(const ReliefMap& map, const Meeting& hidden, const ReliefLine& line) const;
     bool is_between_eyes(Vec2 eye) const;
 
