@@ -4,7 +4,8 @@
 // scores its own maps. LEFT stands STEPS eyes to the left of MIDDLE, whose depth is measured.
 // LEAST and GREATEST: disparities of neighbouring eyes to search. Pixels without a match take the
 // lesser disparity of those on both sides in their row, as usual. Prints the per cent of bad
-// pixels, 100 times the mean squared error, and the seconds.
+// pixels (all, near edges, with texture), 100 times the mean squared error, the bumpiness of planes
+// and the seconds.
 #include "integral/depth/depth_scores.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
@@ -89,6 +90,6 @@ int main(int count, char** words)
     const ViewSet set = view_set(std::vector<Image>(9, view), {3, 3}, std::nullopt);
     const DepthScores s = depth_scores(set, disparity, read_pfm(words[6]).values,
                                        std::atoi(words[7]));
-    std::printf("%.2f %.2f %.2f %.2f %.2f\n", s.all.bad[0], s.edges.bad[0], s.texture.bad[0],
-                s.all.mse, seconds.count());
+    std::printf("%.2f %.2f %.2f %.2f %.2f %.2f\n", s.all.bad[0], s.edges.bad[0], s.texture.bad[0],
+                s.all.mse, s.bumpiness, seconds.count());
 }

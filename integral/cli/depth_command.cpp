@@ -175,6 +175,8 @@ void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMa
         if (scores)
             figures["scores"] = {{"all", as_json(scores->all)},
                                  {"edges", as_json(scores->edges)},
+                                 {"planes", as_json(scores->planes)},
+                                 {"bumpiness", scores->bumpiness},
                                  {"texture", as_json(scores->texture)}};
         std::cout << figures.dump(2) << '\n';
         return;
@@ -186,7 +188,9 @@ void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMa
     if (scores)
         std::cout << "bad beyond 0.07, 0.03, 0.01:\n"
                   << line_of("  all      ", scores->all) << line_of("  edges    ", scores->edges)
-                  << line_of("  texture  ", scores->texture);
+                  << line_of("  planes   ", scores->planes)
+                  << line_of("  texture  ", scores->texture) << "  bumpiness of planes "
+                  << with_decimals(scores->bumpiness, 3) << '\n';
 }
 
 void check_options(const DepthOptions& o)

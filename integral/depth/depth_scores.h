@@ -22,7 +22,11 @@ struct RegionScores {
 
 struct DepthScores {
     RegionScores all;
-    RegionScores edges;   ///< within 3 pixels of a step of the truth of more than 0.1
+    RegionScores edges;   ///< within 3 pixels of a step of the truth of more than 0.1: the
+                          ///< toolkit's discontinuities
+    RegionScores planes;  ///< where the truth is flat, two pixels around, and no edge is near
+    double bumpiness = 0; ///< the toolkit's of planes: 100 x the mean Frobenius norm of the errors'
+                          ///< Hessian matrix, each at most 0.05
     RegionScores texture; ///< where a shift of a pixel changes the colours around (5 x 5 pixels) by
                           ///< more than 0.02 of full scale, and no edge is near
 };
