@@ -8,10 +8,11 @@
 // there is nothing that would tell which belong together. The limit is where they differ by just
 // one, which is a disparity of 1. The error has passed it from the depth on, outwards from the
 // sheet, at which more than half of the pixels are bad (0.07) in two following steps of 0.1 of
-// disparity; away from edges, and of steps with 30 pixels or more.
+// disparity; where there is texture, away from edges, and of steps with 30 pixels or more.
 #include "integral/depth/depth_input.h"
 #include "integral/depth/depth_quality.h"
 #include "integral/depth/depth_scores.h"
+#include "integral/depth/texture.h"
 #include "integral/io/image_file.h"
 
 #include <cmath>
@@ -35,6 +36,8 @@ constexpr double width = 0.1; // disparity
 double passed_at(const ViewSet& views, const DepthMap& map, const std::vector<float>& truth,
                  int side, bool& beyond)
 {
+    constexpr double least_texture = 0.02; // as in depth_scores
+    const Texture texture(views);
     Step of[steps];
     const auto is_edge = [&](int x, int y) {
         const auto at = [&](int i, int j) { return truth[std::size_t(j) * views.width + i]; };
@@ -48,7 +51,8 @@ double passed_at(const ViewSet& views, const DepthMap& map, const std::vector<fl
         for (int x = 2; x < views.width - 2; ++x) {
             const std::size_t i = std::size_t(y) * views.width + x;
             const int k = int(side * truth[i] / width);
-            if (!(side * truth[i] > 0) || k >= steps || is_edge(x, y))
+            if (!(side * truth[i] > 0) || k >= steps || is_edge(x, y) ||
+                !(texture.at(x, y) > least_texture))
                 continue;
             ++of[k].pixels;
             of[k].bad += std::fabs(map.disparity[i] - truth[i]) > bad_limits[0];
@@ -87,8 +91,12 @@ int main(int count, char** words)
     for (const int side : {1, -1}) {
         bool beyond = false;
         const double passed = passed_at(input.views, *map, truth, side, beyond);
-        std::printf("| %.0f mm | %s%.0f mm ", std::fabs(scale.mm(side)), beyond ? "> " : "",
-                    std::fabs(scale.mm(passed)));
+        const double mm = std::fabs(scale.mm(passed));
+        std::printf("| %.0f mm | ", std::fabs(scale.mm(side)));
+        if (beyond && mm < 5)
+            std::printf("nothing there ");
+        else
+            std::printf("%s%.0f mm ", beyond ? "> " : "", mm);
     }
     std::printf("|\n");
 }

@@ -55,7 +55,8 @@ endif
 
 .PHONY: depth-scores
 depth-scores: all pristine build/bench/depth_truth build/bench/depth_limit $(depth_matcher)
-	$(srcdir)/bench/depth_scores
+	$(srcdir)/bench/depth_scores $(abs_builddir)/build/bench/depth-scores
+	$(srcdir)/bench/depth_remade $(abs_builddir)/build/bench/depth-scores
 
 .PHONY: bench
 bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed
