@@ -39,9 +39,24 @@ EXTRA_PROGRAMS += build/bench/depth_truth
 build_bench_depth_truth_SOURCES = bench/depth_truth.cpp
 build_bench_depth_truth_LDADD = $(LIBINTEGRAL_LIBS)
 
+EXTRA_PROGRAMS += build/bench/depth_limit
+build_bench_depth_limit_SOURCES = bench/depth_limit.cpp
+build_bench_depth_limit_LDADD = $(LIBINTEGRAL_LIBS)
+
+# OpenCV's stereo matcher beside it, where OpenCV is (Debian: libopencv-calib3d-dev,
+# libopencv-imgcodecs-dev); else the table says that it is missing.
+if HAVE_OPENCV
+EXTRA_PROGRAMS += build/bench/depth_matcher
+build_bench_depth_matcher_SOURCES = bench/depth_matcher.cpp
+build_bench_depth_matcher_CPPFLAGS = $(AM_CPPFLAGS) -isystem /usr/include/opencv4
+build_bench_depth_matcher_LDADD = $(LIBINTEGRAL_LIBS) -lopencv_calib3d -lopencv_imgcodecs -lopencv_core
+depth_matcher = build/bench/depth_matcher
+endif
+
 .PHONY: depth-scores
-depth-scores: all pristine build/bench/depth_truth
-	$(srcdir)/bench/depth_scores
+depth-scores: all pristine build/bench/depth_truth build/bench/depth_limit $(depth_matcher)
+	$(srcdir)/bench/depth_scores $(abs_builddir)/build/bench/depth-scores
+	$(srcdir)/bench/depth_remade $(abs_builddir)/build/bench/depth-scores
 
 .PHONY: bench
 bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed

@@ -11,6 +11,8 @@
 #include "integral/depth/depth_quality.h"
 #include "integral/depth/depth_scores.h"
 #include "integral/depth/ray_trace.h"
+#include "integral/depth/relief_frame.h"
+#include "integral/depth/relief_input.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
 
@@ -27,6 +29,7 @@ constexpr int largest_map_side = 32768; // pixels
 
 struct DepthOptions : CommonOptions {
     std::optional<std::string> output, method, quality, views, eyes, range, truth, sheet;
+    std::optional<std::string> refocus, pupil;
     std::optional<int> width, border;
     bool top_first = false, rgbd = false, json = false;
     ThreadOptions threads;
@@ -40,6 +43,11 @@ void declare(options::options_description& all, DepthOptions& o)
     all.add_options()("rgbd", sets(o.rgbd),
                       "write the middle view and, to its right, its depth in greys, near white: "
                       "for programs that make views of the two; .png or .tiff");
+    all.add_options()("refocus", fills(o.refocus, "MM"),
+                      "write, in place of depth, the picture that a lens takes before the middle "
+                      "of the eyes, in focus MM behind the sheet (negative: in front); .png, .exr "
+                      "or .tiff, --width PIXELS");
+    all.add_options()("pupil", fills(o.pupil, "MM"), "diameter of the lens of --refocus");
     all.add_options()("method", fills(o.method, "multibaseline|raytrace"),
                       "multibaseline (the default) searches the depth at which most views agree "
                       "(thesis 5.4.4); raytrace counts where rays of like colours meet (5.4.3): "
@@ -51,7 +59,7 @@ void declare(options::options_description& all, DepthOptions& o)
                       "pixels of the map across (default: about as many as the views have)");
     all.add_options()("range", fills(o.range, "FAR,NEAR"),
                       "disparities to search: pixels from one view to the next, less than 0 "
-                      "behind the sheet (default: found, between -4 and 4)");
+                      "behind the sheet (default: found)");
     all.add_options()("views", fills(o.views, "CxR"),
                       "how many views there are across and up, where a quilt's name or files do "
                       "not say it");
@@ -167,6 +175,8 @@ void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMa
         if (scores)
             figures["scores"] = {{"all", as_json(scores->all)},
                                  {"edges", as_json(scores->edges)},
+                                 {"planes", as_json(scores->planes)},
+                                 {"bumpiness", scores->bumpiness},
                                  {"texture", as_json(scores->texture)}};
         std::cout << figures.dump(2) << '\n';
         return;
@@ -178,7 +188,9 @@ void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMa
     if (scores)
         std::cout << "bad beyond 0.07, 0.03, 0.01:\n"
                   << line_of("  all      ", scores->all) << line_of("  edges    ", scores->edges)
-                  << line_of("  texture  ", scores->texture);
+                  << line_of("  planes   ", scores->planes)
+                  << line_of("  texture  ", scores->texture) << "  bumpiness of planes "
+                  << with_decimals(scores->bumpiness, 3) << '\n';
 }
 
 void check_options(const DepthOptions& o)
@@ -191,7 +203,13 @@ void check_options(const DepthOptions& o)
         throw UsageError("--quality is for multibaseline, not for --method raytrace");
     if (o.rgbd && (!o.output || format_for(*o.output) == ImageFormat::exr))
         throw UsageError("--rgbd needs -o FILE.png or .tiff");
-    if (o.output && !o.rgbd && !is_depth_file(*o.output))
+    if (o.refocus.has_value() != o.pupil.has_value())
+        throw UsageError("--refocus MM and --pupil MM go together: depth and width of the focus");
+    if (o.refocus && (!o.output || o.truth || o.rgbd || o.method || o.range || o.json))
+        throw UsageError("--refocus MM needs -o PICTURE, and no option of depth maps");
+    if (o.refocus)
+        format_for(*o.output);
+    else if (o.output && !o.rgbd && !is_depth_file(*o.output))
         throw UsageError("-o " + *o.output + ": a depth map is .png, .exr, .pfm or .ply");
     if (o.width)
         in_range("width", *o.width, 1, largest_map_side);
@@ -222,6 +240,29 @@ void write(const DepthOptions& o, const UprightMap& map)
     say("depth", "white is " + text(range.greatest) + ", black " + text(range.least));
 }
 
+/// --refocus: a picture in focus at one depth.
+int refocus(const DepthOptions& o, const DepthInput& input, int threads, const Progress& bar)
+{
+    constexpr double least_longer_side = 500; // pixels
+    Refocus lens;
+    lens.focus = parse_number("refocus", *o.refocus, "MM");
+    lens.pupil = parse_number("pupil", *o.pupil, "MM");
+    const Relief relief = measured_relief(input, quality_of(o), threads, piece_of(bar, 0, 2));
+    if (!(lens.focus > -relief.distance()) || !(lens.pupil >= 0))
+        throw UsageError("--refocus " + *o.refocus + " --pupil " + *o.pupil +
+                         ": a depth before the eye and a diameter are expected");
+    lens.width = o.width.value_or(
+        int(std::lround(std::max(least_longer_side, input.width / relief.pixel()))));
+    lens.height = std::max(1, int(std::lround(lens.width * input.height / input.width)));
+    const RefocusedPicture picture = refocused(relief, lens, input.form, threads,
+                                               piece_of(bar, 1, 2));
+    write_frame(*o.output, Frame{picture.image, std::nullopt});
+    say("depth", with_decimals(100 * picture.figures.holes / picture.figures.lines, 2) +
+                     "% of the lines of sight end where no view has seen anything: filled with "
+                     "what is beside, farther off");
+    return exit_done;
+}
+
 int run(const DepthOptions& o)
 {
     check_options(o);
@@ -231,6 +272,9 @@ int run(const DepthOptions& o)
     const Progress bar = progress_bar("depth");
     try {
         DepthInput input = read_depth_input(o.inputs, request, threads, piece_of(bar, 0, 2));
+        if (o.refocus)
+            return refocus(o, input, threads, piece_of(bar, 1, 2));
+        soften(input.views, threads);
         keep_views(input.views, quality_of(o));
         const auto start = std::chrono::steady_clock::now();
         const auto map = measured(o, input.views, settings, threads, piece_of(bar, 1, 2));

@@ -41,4 +41,6 @@ build_bin_integral_SOURCES += \
   integral/cli/values.cpp \
   integral/cli/values.h \
   integral/cli/views_command.cpp \
+  integral/cli/views_options.h \
+  integral/cli/views_to_frame.cpp \
   integral/cli/wireframe_command.cpp

@@ -4,15 +4,13 @@
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
-#include "integral/cli/series_options.h"
-#include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
+#include "integral/cli/views_options.h"
 #include "integral/io/image_file.h"
 #include "integral/output/given_views.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/parallel_views.h"
-#include "integral/replay/perspective_views.h"
 #include "integral/replay/rgbd.h"
 #include "integral/replay/view_files.h"
 
@@ -20,16 +18,6 @@
 #include <iostream>
 
 namespace integral {
-namespace {
-
-constexpr int largest_picture_side = 32768; // pixels
-
-struct ViewsOptions : CommonOptions {
-    std::optional<std::string> output, views, size, sheet, rgbd;
-    bool eyes = false, files = false, upright = false, to_frame = false;
-    ThreadOptions threads;
-    SeriesOptions series;
-};
 
 void declare(options::options_description& all, ViewsOptions& o)
 {
@@ -60,12 +48,24 @@ void declare(options::options_description& all, ViewsOptions& o)
                       "the two; .png or .tiff");
     all.add_options()("to-frame", sets(o.to_frame),
                       "back: the frame that shows the views of a quilt, or of files");
+    all.add_options()("depth", fills(o.depth, "measured|FILE"),
+                      "with --to-frame: make the frame by depth, for another sheet and film, out "
+                      "of a frame, views of eyes or one photograph. The depth is measured in them "
+                      "as integral depth does, or FILE has it: a depth frame, .pfm (mm behind the "
+                      "sheet) or, with --depth-range, a grey picture");
+    all.add_options()("depth-range", fills(o.depth_range, "WHITE,BLACK"),
+                      "the depths, mm behind the sheet, of white and black in --depth's grey "
+                      "picture; between them equal steps are equal steps of parallax");
     all.add_options()("sheet", fills(o.sheet, "FILE.json"),
                       "geometry of the frame (integral sheet FRAME --json writes it), if the "
                       "pictures do not carry it, or instead of that");
     declare(all, o.threads);
     declare(all, o.series);
 }
+
+namespace {
+
+constexpr int largest_picture_side = 32768; // pixels
 
 std::string text_of(ViewGrid grid)
 {
@@ -286,62 +286,6 @@ int make_views(const ViewsOptions& o, const std::string& name, int threads)
     return exit_done;
 }
 
-/// The views of --to-frame.
-GivenViews given_views(const ViewsOptions& o)
-{
-    ViewsRequest request;
-    if (o.views)
-        request.grid = parse_view_grid(*o.views);
-    request.needs_geometry = !o.sheet;
-    request.of_eyes = o.eyes;
-    try {
-        return read_given_views(o.inputs, request);
-    } catch (const RequestError& error) {
-        throw UsageError(error.what());
-    }
-}
-
-/// --to-frame: the frame that shows the views of a quilt, or of files.
-int make_frame(const ViewsOptions& o, const std::string& output, int threads)
-{
-    const std::string& input = o.inputs[0];
-    check_writable(output);
-    const GivenViews given = given_views(o);
-    const std::string sheet = o.sheet.value_or("");
-    if (sheet.empty() && !given.metadata)
-        throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "
-                         "(integral sheet FRAME --json writes it): " +
-                         input + " carries none");
-    FrameMetadata geometry = sheet.empty() ? *given.metadata : read_metadata(sheet);
-    if (geometry.film.width < 1)
-        throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
-    stop_if_interrupted();
-    std::optional<EyeGrid> eyes;
-    if (given.metadata)
-        eyes = given.metadata->quilt->eyes;
-    if (o.eyes && given.metadata && !eyes)
-        throw UsageError(input + ": it says that it holds parallel views, not those of --eyes");
-    const ViewGrid directions = directions_of(given.grid, geometry.sheet);
-    const double distance = geometry.aperture.distance;
-    if (o.eyes && !eyes)
-        eyes = EyeGrid{viewing_zone(geometry, distance), distance};
-    try {
-        const Progress bar = progress_bar("views");
-        auto image = eyes ? frame_from_perspective_views(given.views, geometry, directions, *eyes,
-                                                         threads, bar)
-                          : frame_from_views(given.views, geometry, directions, threads, bar);
-        if (!image)
-            throw Interrupted();
-        Frame frame{std::move(*image), std::nullopt};
-        geometry.quilt.reset();
-        set_metadata(frame, geometry);
-        write_frame(output, std::move(frame));
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(input + ": " + error.what());
-    }
-    return exit_done;
-}
-
 /// Refuses options that do not go together. Throws UsageError.
 void check_options(const ViewsOptions& o, bool animated)
 {
@@ -357,6 +301,10 @@ void check_options(const ViewsOptions& o, bool animated)
         throw UsageError(
             "--size is for --eyes, --upright, --rgbd and animations; else parallel views have "
             "a pixel a lens");
+    if (o.depth && !o.to_frame)
+        throw UsageError("--depth is for --to-frame; integral depth measures depth");
+    if (o.depth_range && (!o.depth || o.depth == "measured"))
+        throw UsageError("--depth-range is for a grey picture as --depth");
     if (o.rgbd && (o.to_frame || o.eyes || o.upright || o.files || o.views || animated))
         throw UsageError("--rgbd makes one picture, of one view; only --size and --sheet go with "
                          "it");
@@ -380,7 +328,7 @@ int run(const ViewsOptions& o)
     check_options(o, animated);
     const int threads = o.threads.count();
     if (o.to_frame)
-        return make_frame(o, output, threads);
+        return o.depth ? make_frame_with_depth(o, output, threads) : make_frame(o, output, threads);
     if (o.rgbd)
         return make_rgbd(o, output, threads);
     return o.inputs.size() > 1 ? make_quilts(o, output, threads) : make_views(o, output, threads);
@@ -392,7 +340,8 @@ const Command views_command = {
     "views",
     "the views that are in a frame, as a quilt, files or an animation; and back",
     "FRAME -o QUILT [--views CxR] [--eyes] | FRAME --rgbd DEPTH.exr -o PICTURE | FRAME... --eyes "
-    "--views CxR -o QUILTS.webm | --to-frame VIEWS... -o FRAME [--sheet FILE.json]",
+    "--views CxR -o QUILTS.webm | --to-frame VIEWS... -o FRAME [--sheet FILE.json] [--depth "
+    "measured|FILE]",
     "Takes a frame apart into its parallel views: what eyes endlessly far away see, a pixel a\n"
     "lens, one view for each direction (thesis 5.3). They stand in one picture, a quilt: view 0,\n"
     "from the far left and below, at the bottom left, the last at the top right. With whole\n"

@@ -15,7 +15,8 @@ namespace {
 DepthInput of_frame(const Frame& frame, int threads, const Progress& progress)
 {
     const Vec2 size = size_of(frame.metadata->film);
-    return {view_set(frame, threads, progress), size.x, size.y, frame.metadata};
+    return {view_set(frame, threads, progress), size.x, size.y, frame.metadata,
+            form_of(frame.image)};
 }
 
 /// The rows of views in the other order, the lowest first.
@@ -27,13 +28,12 @@ void turn_over(std::vector<Image>& views, ViewGrid grid)
                       views[std::size_t(high * grid.columns + column)]);
 }
 
-/// Where a frame's perspective views were taken from.
-ViewEyes eyes_of(const FrameMetadata& metadata, ViewGrid grid)
+/// Where perspective views were taken from.
+ViewEyes eyes_in(const GivenZone& zone, ViewGrid grid)
 {
-    const EyeGrid& eyes = *metadata.quilt->eyes;
-    return {{eyes.zone.x / grid.columns, eyes.zone.y / grid.rows},
-            eyes.distance,
-            size_of(metadata.film).x};
+    return {{zone.eyes.zone.x / grid.columns, zone.eyes.zone.y / grid.rows},
+            zone.eyes.distance,
+            zone.width};
 }
 
 /// The frame that parallel views were taken of.
@@ -64,11 +64,14 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
         if (!given.metadata->quilt->eyes)
             return of_frame(frame_of(given, grid, threads, progress), threads, progress);
         if (!eyes)
-            eyes = eyes_of(*given.metadata, grid);
+            eyes = eyes_in({*given.metadata->quilt->eyes, size_of(given.metadata->film).x}, grid);
     }
+    if (!eyes && request.zone)
+        eyes = eyes_in(*request.zone, grid);
     if (request.top_first)
         turn_over(given.views, grid);
     DepthInput input;
+    input.form = form_of(given.views[0]);
     input.views = view_set(given.views, grid, eyes);
     const PixelPlaces& places = input.views.places;
     input.width = input.views.width * places.right.x;
@@ -87,10 +90,8 @@ DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthR
         if (reader.frame().metadata)
             frame = reader.whole();
     }
-    DepthInput input = frame ? of_frame(*frame, threads, progress)
-                             : of_views(inputs, request, threads, progress);
-    soften(input.views, threads);
-    return input;
+    return frame ? of_frame(*frame, threads, progress)
+                 : of_views(inputs, request, threads, progress);
 }
 
 } // namespace integral

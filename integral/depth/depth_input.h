@@ -9,20 +9,28 @@
 
 namespace integral {
 
+/// The eyes of views that are spread over a zone, and how wide a view is in the image plane, mm.
+struct GivenZone {
+    EyeGrid eyes;
+    double width = 0;
+};
+
 /// What is known of the inputs besides what they say themselves.
 struct DepthRequest {
-    std::optional<ViewGrid> grid; ///< of the views; nothing: as they say
-    std::optional<ViewEyes> eyes; ///< where they were taken from; nothing: as they say
-    bool top_first = false;       ///< the files' first row of views is from above
-    std::string sheet;            ///< a file with the frame's geometry; "": it carries its own
+    std::optional<ViewGrid> grid;  ///< of the views; nothing: as they say
+    std::optional<ViewEyes> eyes;  ///< where they were taken from; nothing: as they say
+    std::optional<GivenZone> zone; ///< the same, where neither they nor `eyes` say it
+    bool top_first = false;        ///< the files' first row of views is from above
+    std::string sheet;             ///< a file with the frame's geometry; "": it carries its own
 };
 
 /// The views, the size of the picture in mm (pixels, where mm are not known), and the geometry of
 /// the frame, if it is one.
 struct DepthInput {
-    ViewSet views;
+    ViewSet views; ///< not softened
     double width = 0, height = 0;
     std::optional<FrameMetadata> frame;
+    Image form; ///< of the pictures: sample type and encoding, without samples
 };
 
 /// One frame, one quilt or MPO, or the files of all views. Parallel views of a frame become that

@@ -30,16 +30,16 @@ MultibaselineSettings settings_for(DepthQuality quality)
     return settings;
 }
 
+bool is_kept(Vec2 shift, DepthQuality quality)
+{
+    const bool on_diagonal = std::fabs(std::fabs(shift.x) - std::fabs(shift.y)) < 0.51;
+    return is_in_cross(shift) || quality == DepthQuality::best ||
+           (quality == DepthQuality::good && on_diagonal);
+}
+
 void keep_views(ViewSet& views, DepthQuality quality)
 {
-    if (quality == DepthQuality::best)
-        return;
-    const auto is_left_out = [&](const DepthView& view) {
-        const bool on_diagonal = quality == DepthQuality::good &&
-                                 std::fabs(std::fabs(view.shift.x) - std::fabs(view.shift.y)) <
-                                     0.51;
-        return !is_in_cross(view) && !on_diagonal;
-    };
+    const auto is_left_out = [&](const DepthView& view) { return !is_kept(view.shift, quality); };
     views.others.erase(std::remove_if(views.others.begin(), views.others.end(), is_left_out),
                        views.others.end());
 }

@@ -16,6 +16,9 @@ std::optional<DepthQuality> depth_quality(const std::string& name);
 
 MultibaselineSettings settings_for(DepthQuality quality);
 
+/// Whether a view counts whose point of disparity 1 is so far from the middle one's.
+bool is_kept(Vec2 shift, DepthQuality quality);
+
 /// Leaves out views: draft keeps those to the left, right, above and below of the middle one, good
 /// also those on the diagonals, best all. Views that all stand in one row are kept.
 void keep_views(ViewSet& views, DepthQuality quality);

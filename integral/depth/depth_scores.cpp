@@ -42,10 +42,21 @@ RegionScores scores_of(std::vector<float>& errors)
     return scores;
 }
 
+/// The Frobenius norm of the Hessian matrix of value(x, y), by central differences of central
+/// differences.
+template <class Value> double bend_at(int x, int y, Value value)
+{
+    const double across = value(x + 2, y) - 2 * value(x, y) + value(x - 2, y),
+                 down = value(x, y + 2) - 2 * value(x, y) + value(x, y - 2),
+                 mixed = value(x + 1, y + 1) - value(x - 1, y + 1) - value(x + 1, y - 1) +
+                         value(x - 1, y - 1);
+    return 0.25 * std::sqrt(across * across + 2 * mixed * mixed + down * down);
+}
+
 } // namespace
 
-std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& frame,
-                                    const DepthFrame& depths)
+std::vector<float> depths_seen(const ViewSet& views, const FrameMetadata& frame,
+                               const DepthFrame& depths, Vec2 eye)
 {
     const Film& film = frame.film;
     if (film.width != depths.metadata.film.width || film.height != depths.metadata.film.height)
@@ -53,19 +64,26 @@ std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& f
                                     std::to_string(depths.metadata.film.width) + "x" +
                                     std::to_string(depths.metadata.film.height) + " pixels");
     const SheetOptics optics(frame.sheet, frame.aperture);
-    std::vector<float> truth;
+    std::vector<float> seen;
     for (int y = 0; y < views.height; ++y)
         for (int x = 0; x < views.width; ++x) {
             const Vec2 point = views.places.at(x, y);
-            const Vec3 to_eye{-point.x, -point.y, -frame.aperture.distance};
+            const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -frame.aperture.distance};
             const Vec2 at = pixel_from_film(film, optics.film_point_seen(point, to_eye));
             const int i = int(std::floor(at.x)), j = int(std::floor(at.y));
             const bool inside = i >= 0 && j >= 0 && i < film.width && j < film.height;
             const std::size_t k = inside ? std::size_t(j) * film.width + i : 0;
-            truth.push_back(inside && depths.imaged[k] > 0 && std::isfinite(depths.depth[k])
-                                ? float(views.scale->disparity(depths.depth[k]))
-                                : NAN);
+            seen.push_back(inside && depths.imaged[k] > 0 ? depths.depth[k] : NAN);
         }
+    return seen;
+}
+
+std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& frame,
+                                    const DepthFrame& depths)
+{
+    std::vector<float> truth = depths_seen(views, frame, depths, {0, 0});
+    for (float& value : truth)
+        value = std::isfinite(value) ? float(views.scale->disparity(value)) : NAN;
     return truth;
 }
 
@@ -74,9 +92,17 @@ DepthScores depth_scores(const ViewSet& views, const std::vector<float>& dispari
 {
     constexpr int edge_reach = 3;
     constexpr float edge_step = 0.1f;
-    constexpr double least_texture = 0.02;
+    constexpr double least_texture = 0.02, flat = 5e-4, most_bumpy = 0.05;
     const Texture texture_of(views);
-    std::vector<float> all, edges, texture;
+    std::vector<float> all, edges, planes, texture;
+    double bumps = 0;
+    std::size_t bends = 0;
+    const auto true_at = [&](int x, int y) {
+        return double(truth[std::size_t(y) * views.width + x]);
+    };
+    const auto error_at = [&](int x, int y) {
+        return disparity[std::size_t(y) * views.width + x] - true_at(x, y);
+    };
     for (int y = border; y < views.height - border; ++y)
         for (int x = border; x < views.width - border; ++x) {
             const std::size_t at = std::size_t(y) * views.width + x;
@@ -84,12 +110,23 @@ DepthScores depth_scores(const ViewSet& views, const std::vector<float>& dispari
             if (!std::isfinite(error))
                 continue;
             all.push_back(error);
-            if (is_near_step(truth, views.width, views.height, x, y, edge_reach, edge_step))
+            if (is_near_step(truth, views.width, views.height, x, y, edge_reach, edge_step)) {
                 edges.push_back(error);
-            else if (texture_of.at(x, y) > least_texture)
+                continue;
+            }
+            if (texture_of.at(x, y) > least_texture)
                 texture.push_back(error);
+            const bool inside = std::min(x, y) >= 2 && x < views.width - 2 && y < views.height - 2;
+            if (!inside || !(bend_at(x, y, true_at) < flat))
+                continue;
+            planes.push_back(error);
+            if (const double bend = bend_at(x, y, error_at); std::isfinite(bend)) {
+                bumps += std::min(most_bumpy, bend);
+                ++bends;
+            }
         }
-    return {scores_of(all), scores_of(edges), scores_of(texture)};
+    const double bumpiness = bends > 0 ? 100 * bumps / double(bends) : 0;
+    return {scores_of(all), scores_of(edges), scores_of(planes), bumpiness, scores_of(texture)};
 }
 
 } // namespace integral

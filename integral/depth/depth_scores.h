@@ -22,10 +22,20 @@ struct RegionScores {
 
 struct DepthScores {
     RegionScores all;
-    RegionScores edges;   ///< within 3 pixels of a step of the truth of more than 0.1
+    RegionScores edges;   ///< within 3 pixels of a step of the truth of more than 0.1: the
+                          ///< toolkit's discontinuities
+    RegionScores planes;  ///< where the truth is flat, two pixels around, and no edge is near
+    double bumpiness = 0; ///< the toolkit's of planes: 100 x the mean Frobenius norm of the errors'
+                          ///< Hessian matrix, each at most 0.05
     RegionScores texture; ///< where a shift of a pixel changes the colours around (5 x 5 pixels) by
                           ///< more than 0.02 of full scale, and no edge is near
 };
+
+/// The depths (mm behind the sheet) of what an eye on the aperture's plane sees at the pixels of a
+/// set's views, from a depth frame: NaN where there is no light, infinite where no surface. Throws
+/// std::invalid_argument if the depth frame is of another frame.
+std::vector<float> depths_seen(const ViewSet& views, const FrameMetadata& frame,
+                               const DepthFrame& depths, Vec2 eye);
 
 /// The true disparities of a set's middle view, from the depth frame of the frame that the set was
 /// made of: what the nearest film pixel of each lens says. NaN where there is no surface or no

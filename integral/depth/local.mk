@@ -19,6 +19,12 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/multibaseline.h \
   integral/depth/ray_trace.cpp \
   integral/depth/ray_trace.h \
+  integral/depth/relief.cpp \
+  integral/depth/relief.h \
+  integral/depth/relief_frame.cpp \
+  integral/depth/relief_frame.h \
+  integral/depth/relief_input.cpp \
+  integral/depth/relief_input.h \
   integral/depth/row_loops.cpp \
   integral/depth/row_loops.h \
   integral/depth/spread.cpp \

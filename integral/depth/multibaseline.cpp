@@ -137,23 +137,25 @@ DepthMap blank_map(const ViewSet& views)
 
 } // namespace
 
-DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, int threads)
+namespace {
+
+constexpr double rough_step = 0.08;
+
+/// The disparities of sparse rows' pixels that can be told, in order.
+std::vector<float> sure_disparities(const ViewSet& views, const VoteSettings& settings,
+                                    double widest, int threads)
 {
-    constexpr double widest = 4, step = 0.08;
     constexpr int rows_apart = 12, rows_at_once = 2, least_pieces = 40;
     constexpr float least_confidence = 0.3f, least_change = 0.03f;
-    VoteSettings rough = settings; // a coarse step needs more tolerance
-    rough.tolerance = std::max(settings.tolerance, 0.5 * step * farthest_shift(views));
-    rough.cross = true; // views farther off add time, and aliases where there are few pixels
-    const Votes votes(views, rough);
-    const Search search(views, votes, {3, 1, 0.06}, Labels({-widest, widest}, step));
+    const Votes votes(views, settings);
+    const Search search(views, votes, {3, 1, 0.06}, Labels({-widest, widest}, rough_step));
     DepthMap map = blank_map(views);
     const int pieces = std::max(
         {1, views.height / rows_apart, std::min(least_pieces, views.height / rows_at_once)});
-    const auto first_row = [&](int piece) { return piece * views.height / pieces; };
     for_each_row(pieces, threads, [&](int piece) {
-        const int first = first_row(piece);
-        search.rows(first, std::min(views.height, first + rows_at_once), map);
+        const int first = piece * views.height / pieces,
+                  last = std::min(views.height, first + rows_at_once);
+        search.rows(first, last, map);
     });
     const auto change = [&](std::size_t i) { // of the colour from one pixel to the next
         float sum = 0;
@@ -165,17 +167,42 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
     for (std::size_t i = 0; i + 1 < map.confidence.size(); ++i)
         if (map.confidence[i] > least_confidence && map.confidence[i + 1] > least_confidence &&
             change(i) > least_change &&
-            std::fabs(map.disparity[i] - map.disparity[i + 1]) < 0.25 * step)
+            std::fabs(map.disparity[i] - map.disparity[i + 1]) < 0.25 * rough_step)
             sure.push_back(map.disparity[i]);
-    if (sure.size() < 20)
-        return {-widest, widest};
     std::sort(sure.begin(), sure.end());
+    return sure;
+}
+
+/// All of them but two thousandths at each end, and a margin.
+DisparityRange range_of(const std::vector<float>& sure)
+{
     const auto part = [&](double fraction) {
         return double(sure[std::size_t(fraction * double(sure.size() - 1))]);
     };
     const double least = part(0.002), greatest = part(0.998),
-                 margin = 2 * step + 0.03 * (greatest - least);
+                 margin = 2 * rough_step + 0.03 * (greatest - least);
     return {least - margin, greatest + margin};
+}
+
+} // namespace
+
+DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, int threads)
+{
+    constexpr double usual = 4, widest = 16;
+    constexpr std::size_t least_number = 20;
+    VoteSettings rough = settings; // a coarse step needs more tolerance
+    rough.tolerance = std::max(settings.tolerance, 0.5 * rough_step * farthest_shift(views));
+    rough.cross = true; // views farther off add time, and aliases where there are few pixels
+    const auto sure = sure_disparities(views, rough, usual, threads);
+    if (sure.size() >= least_number) {
+        const DisparityRange found = range_of(sure);
+        if (found.least > -usual && found.greatest < usual)
+            return found;
+    }
+    // The scene reaches beyond. What is far off may have no texture that shows: it may be endless.
+    const auto wide = sure_disparities(views, rough, widest, threads);
+    const double nearest = wide.size() >= least_number ? range_of(wide).greatest : usual;
+    return {-std::min(widest, views.scale ? views.scale->ratio : widest), std::max(usual, nearest)};
 }
 
 std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineSettings& settings,

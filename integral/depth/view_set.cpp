@@ -103,6 +103,8 @@ ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
             up = eyes->spacing.y / eyes->spacing.x;
         const double spacing = grid.columns > 1 ? eyes->spacing.x : eyes->spacing.y;
         set.scale = DepthScale{eyes->distance, spacing / pixel};
+        set.eye = {(grid.columns / 2 - 0.5 * (grid.columns - 1)) * eyes->spacing.x,
+                   (grid.rows / 2 - 0.5 * (grid.rows - 1)) * eyes->spacing.y};
     }
     set.places = {
         {-0.5 * (set.width - 1) * pixel, 0.5 * (set.height - 1) * pixel}, {pixel, 0}, {0, -pixel}};

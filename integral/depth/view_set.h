@@ -56,6 +56,7 @@ struct ViewSet {
     ColourPlanes colours; ///< of the middle view before soften()
     PixelPlaces places;
     std::optional<DepthScale> scale; ///< nothing: millimetres are not known
+    Vec2 eye; ///< of the middle view, mm; not 0 in a grid with no eye in its middle
 
     std::size_t pixels() const { return std::size_t(width) * height; }
     bool is_lit(std::size_t pixel) const { return middle.lit.empty() || middle.lit[pixel] > 0; }

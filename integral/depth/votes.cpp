@@ -46,9 +46,9 @@ PixelRange range_after(const Shift& shift, int size)
 
 } // namespace
 
-bool is_in_cross(const DepthView& view)
+bool is_in_cross(Vec2 shift)
 {
-    return std::min(std::fabs(view.shift.x), std::fabs(view.shift.y)) < 0.51;
+    return std::min(std::fabs(shift.x), std::fabs(shift.y)) < 0.51;
 }
 
 /// One row's sums, of all views and of four halves of them. Votes and their number.
@@ -82,7 +82,7 @@ Votes::Votes(const ViewSet& views, const VoteSettings& settings)
     const int width = views.width, height = views.height;
     Vec2 share{1e-9, 1e-9}; // of the shifts that are across, and down
     for (const DepthView& view : views.others) {
-        if (settings.cross && !is_in_cross(view))
+        if (settings.cross && !is_in_cross(view.shift))
             continue;
         ++views_used_;
         for (int kind = 1; kind < Sums::kinds; ++kind)
@@ -162,8 +162,6 @@ void Votes::add_view(const DepthView& view, double disparity, int y, Sums& sums)
     if (!view.lit.empty())
         lit = view.lit.data() + std::ptrdiff_t(y + std::lround(shift.y)) * views_.width +
               std::lround(shift.x) + columns.first;
-    const bool in_half[Sums::kinds] = {true, view.shift.x > 0, view.shift.x<0, view.shift.y> 0,
-                                       view.shift.y < 0};
     for (int kind = 0; kind < (settings_.halves ? Sums::kinds : 1); ++kind) {
         if (!is_in_half(view, kind))
             continue;
@@ -201,7 +199,7 @@ void Votes::count(double disparity, int first, int rows, float* mean) const
     for (int y = first; y < first + rows; ++y, mean += views_.width) {
         sums.clear();
         for (const DepthView& view : views_.others)
-            if (!settings_.cross || is_in_cross(view))
+            if (!settings_.cross || is_in_cross(view.shift))
                 add_view(view, disparity, y, sums);
         finish_row(sums, mean);
     }

@@ -16,9 +16,9 @@ struct VoteSettings {
     bool cross = false; ///< only views (about) to the left, right, above and below vote
 };
 
-/// Whether a view is in the cross of those: its eye less than one step from the middle's row or
-/// column (half a step, in grids with no eye in the middle).
-bool is_in_cross(const DepthView& view);
+/// Whether a view of that shift is in the cross of those: its eye less than one step from the
+/// middle's row or column (half a step, in grids with no eye in the middle).
+bool is_in_cross(Vec2 shift);
 
 /// Pixels [first, last) of a row or a column.
 struct PixelRange {

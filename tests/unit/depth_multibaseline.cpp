@@ -224,4 +224,28 @@ BOOST_AUTO_TEST_CASE(scores_are_the_toolkits)
     BOOST_TEST(scores.texture.pixels == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(planes_are_told_by_the_truth_and_scored_by_their_bumps)
+{
+    // A plane beside a bowl: errors without a bend are smooth, a bump is not.
+    ViewSet views;
+    views.width = 40;
+    views.height = 12;
+    for (auto& channel : views.colours)
+        channel.assign(views.pixels(), 0.5f);
+    std::vector<float> truth, smooth, bumpy;
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const double bowl = x < 20 ? 0 : 0.003 * (x - 19) * (x - 19);
+            truth.push_back(float(0.01 * x - 0.02 * y + bowl));
+            smooth.push_back(truth.back() + 0.045f + 0.01f * float(x));
+            bumpy.push_back(truth.back() + float(0.001 * x * x)); // its second difference is 0.002
+        }
+    const DepthScores without = depth_scores(views, smooth, truth, 0),
+                      with = depth_scores(views, bumpy, truth, 0);
+    BOOST_TEST(without.planes.pixels == 16u * 8u); // columns 2 to 17, rows 2 to 9
+    BOOST_TEST(without.planes.bad[0] == 100 * 15 / 16., boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(without.bumpiness < 1e-4);
+    BOOST_TEST(with.bumpiness == 0.2, boost::test_tools::tolerance(1e-3));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The options of `integral views`, and the way back, --to-frame.
+#ifndef INTEGRAL_CLI_VIEWS_OPTIONS_H
+#define INTEGRAL_CLI_VIEWS_OPTIONS_H
+
+#include "integral/cli/series_options.h"
+#include "integral/cli/thread_options.h"
+
+namespace integral {
+
+struct ViewsOptions : CommonOptions {
+    std::optional<std::string> output, views, size, sheet, rgbd, depth, depth_range;
+    bool eyes = false, files = false, upright = false, to_frame = false;
+    ThreadOptions threads;
+    SeriesOptions series;
+};
+
+void declare(options::options_description& all, ViewsOptions& o);
+
+/// --to-frame: writes the frame that shows the views of a quilt, or of files. Returns an
+/// ExitStatus. Throws as a command's run does.
+int make_frame(const ViewsOptions& o, const std::string& output, int threads);
+
+/// --to-frame --depth: the same of a frame, views or a photograph, and their depth.
+int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int threads);
+
+} // namespace integral
+
+#endif

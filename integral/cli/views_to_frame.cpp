@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral views --to-frame: frames made of views, or of pictures and their depth.
+#include "integral/base/number_text.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/values.h"
+#include "integral/cli/views_options.h"
+#include "integral/depth/relief_frame.h"
+#include "integral/depth/relief_input.h"
+#include "integral/io/image_file.h"
+#include "integral/output/given_views.h"
+#include "integral/replay/parallel_views.h"
+#include "integral/replay/perspective_views.h"
+#include "integral/replay/arrange.h"
+
+namespace integral {
+namespace {
+
+/// The views of --to-frame.
+GivenViews given_views(const ViewsOptions& o)
+{
+    ViewsRequest request;
+    if (o.views)
+        request.grid = parse_view_grid(*o.views);
+    request.needs_geometry = !o.sheet;
+    request.of_eyes = o.eyes;
+    try {
+        return read_given_views(o.inputs, request);
+    } catch (const RequestError& error) {
+        throw UsageError(error.what());
+    }
+}
+
+} // namespace
+
+int make_frame(const ViewsOptions& o, const std::string& output, int threads)
+{
+    const std::string& input = o.inputs[0];
+    check_writable(output);
+    const GivenViews given = given_views(o);
+    const std::string sheet = o.sheet.value_or("");
+    if (sheet.empty() && !given.metadata)
+        throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "
+                         "(integral sheet FRAME --json writes it): " +
+                         input + " carries none");
+    FrameMetadata geometry = sheet.empty() ? *given.metadata : read_metadata(sheet);
+    if (geometry.film.width < 1)
+        throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
+    stop_if_interrupted();
+    std::optional<EyeGrid> eyes;
+    if (given.metadata)
+        eyes = given.metadata->quilt->eyes;
+    if (o.eyes && given.metadata && !eyes)
+        throw UsageError(input + ": it says that it holds parallel views, not those of --eyes");
+    const ViewGrid directions = directions_of(given.grid, geometry.sheet);
+    const double distance = geometry.aperture.distance;
+    if (o.eyes && !eyes)
+        eyes = EyeGrid{viewing_zone(geometry, distance), distance};
+    try {
+        const Progress bar = progress_bar("views");
+        auto image = eyes ? frame_from_perspective_views(given.views, geometry, directions, *eyes,
+                                                         threads, bar)
+                          : frame_from_views(given.views, geometry, directions, threads, bar);
+        if (!image)
+            throw Interrupted();
+        Frame frame{std::move(*image), std::nullopt};
+        geometry.quilt.reset();
+        set_metadata(frame, geometry);
+        write_frame(output, std::move(frame));
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(input + ": " + error.what());
+    }
+    return exit_done;
+}
+
+namespace {
+
+/// The new frame's geometry: --sheet's, else that of the views' own frame.
+FrameMetadata geometry_of(const ViewsOptions& o)
+{
+    FrameMetadata geometry;
+    try {
+        geometry = read_metadata(o.sheet ? *o.sheet : o.inputs[0]);
+    } catch (const InputError& error) {
+        if (o.sheet)
+            throw;
+        throw UsageError(o.inputs[0] + ": --sheet FILE.json is missing, the geometry of the frame "
+                                       "to make (integral sheet --json writes it)");
+    }
+    if (geometry.film.width < 1)
+        throw UsageError(*o.sheet + ": says no film.width and film.height, the frame's pixels");
+    return geometry;
+}
+
+ReliefRequest relief_request(const ViewsOptions& o, const FrameMetadata& geometry)
+{
+    ReliefRequest request;
+    if (o.views)
+        request.input.grid = parse_view_grid(*o.views);
+    request.size = size_of(geometry.film);
+    request.distance = geometry.aperture.distance;
+    if (o.eyes)
+        request.input.zone = GivenZone{{viewing_zone(geometry, request.distance), request.distance},
+                                       request.size.x};
+    if (*o.depth != "measured")
+        request.depth_file = *o.depth;
+    if (o.depth_range) {
+        const auto mm = parse_numbers("depth-range", *o.depth_range, "WHITE,BLACK", 2, 2);
+        request.grey = GreyDepths{mm[0], mm[1]};
+    }
+    return request;
+}
+
+} // namespace
+
+int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int threads)
+{
+    check_writable(output);
+    const FrameMetadata geometry = geometry_of(o);
+    const ReliefRequest request = relief_request(o, geometry);
+    const Progress bar = progress_bar("views");
+    try {
+        ReliefInput input = read_relief(o.inputs, request, threads, piece_of(bar, 0, 2));
+        const ReliefFigures figures = write_relief_frame(output, std::move(input.relief), geometry,
+                                                         input.form, threads, piece_of(bar, 1, 2));
+        say("views", with_decimals(100 * figures.holes / std::max(1.0, figures.lines), 2) +
+                         "% of the lines of sight end where no view has seen anything: filled with "
+                         "what is beside, farther off");
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(o.inputs[0] + ": " + error.what());
+    }
+    return exit_done;
+}
+
+} // namespace integral

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/relief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+/// A surface that a line's eye sees stretched, from one pixel of a map to the next, by more pixels
+/// than this is taken for an edge with nothing known behind it.
+constexpr double longest_stretch = 1.5;
+
+/// The pixel around a place, in the map or at its nearest edge.
+std::size_t pixel_around(const ReliefMap& map, Vec2 at)
+{
+    const int x = std::clamp(int(std::floor(at.x + 0.5)), 0, map.width - 1),
+              y = std::clamp(int(std::floor(at.y + 0.5)), 0, map.height - 1);
+    return std::size_t(y) * map.width + std::size_t(x);
+}
+
+template <class Plane> bool is_inside(const Plane& plane, Vec2 at)
+{
+    constexpr double beyond = 1; // pixels: an edge's own colour goes on so far
+    return at.x > -0.5 - beyond && at.y > -0.5 - beyond && at.x < plane.width - 0.5 + beyond &&
+           at.y < plane.height - 0.5 + beyond;
+}
+
+/// Adds the light between the four pixels around a place, of those that have some.
+void add_between(const ReliefPicture& picture, Vec2 at, float weight, Colour& sum, float& weights)
+{
+    const double x = std::clamp(at.x, 0.0, picture.width - 1.0),
+                 y = std::clamp(at.y, 0.0, picture.height - 1.0);
+    const int left = std::min(int(x), std::max(0, picture.width - 2)),
+              top = std::min(int(y), std::max(0, picture.height - 2));
+    for (int k = 0; k < 4; ++k) {
+        const int i = std::min(left + k % 2, picture.width - 1),
+                  j = std::min(top + k / 2, picture.height - 1);
+        const std::size_t pixel = std::size_t(j) * picture.width + std::size_t(i);
+        float part = weight *
+                     float((k % 2 ? x - left : 1 - (x - left)) * (k / 2 ? y - top : 1 - (y - top)));
+        if (!picture.lit.empty())
+            part *= picture.lit[pixel];
+        sum.r += part * picture.light[0][pixel];
+        sum.g += part * picture.light[1][pixel];
+        sum.b += part * picture.light[2][pixel];
+        weights += part;
+    }
+}
+
+Colour divided(const Colour& sum, float weights)
+{
+    return weights > 0 ? Colour{sum.r / weights, sum.g / weights, sum.b / weights, 1}
+                       : Colour{0, 0, 0, 1};
+}
+
+/// What a picture shows at a place of the image plane, mm.
+Colour light_of(const ReliefPicture& picture, Vec2 place)
+{
+    Colour sum{0, 0, 0, 0};
+    float weights = 0;
+    add_between(picture, picture.places.pixel_at(place), 1, sum, weights);
+    return divided(sum, weights);
+}
+
+/// The greatest difference between neighbours in order of size; 1 if all are equal.
+double greatest_step(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    double step = 0;
+    for (std::size_t i = 1; i < values.size(); ++i)
+        step = std::max(step, values[i] - values[i - 1]);
+    return step > 0 ? step : 1;
+}
+
+} // namespace
+
+/// Where a line meets a map.
+struct Relief::Meeting {
+    double parallax = 0;    ///< of what is met
+    bool known = false;     ///< the map shows it; else the line passes behind an edge, or outside
+    std::size_t beside = 0; ///< else: the pixel beside that edge, of what is farther off
+};
+
+Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps, double distance,
+               Vec2 size)
+    : pictures_(std::move(pictures)), maps_(std::move(maps)), distance_(distance), size_(size)
+{
+    least_ = HUGE_VALF;
+    greatest_ = -HUGE_VALF;
+    for (const ReliefMap& map : maps_)
+        for (const float p : map.parallax)
+            if (std::isfinite(p)) {
+                least_ = std::min(least_, p);
+                greatest_ = std::max(greatest_, p);
+            }
+    greatest_ += 1e-6f + 1e-5f * (greatest_ - least_); // so that a line meets what is farthest off
+    if (!(least_ <= greatest_))
+        throw std::invalid_argument("the map says no depth anywhere");
+    std::vector<double> across, up;
+    for (const ReliefPicture& picture : pictures_) {
+        across.push_back(picture.eye.x);
+        up.push_back(picture.eye.y);
+    }
+    spacing_ = {greatest_step(across), greatest_step(up)};
+    first_eye_ = {*std::min_element(across.begin(), across.end()),
+                  *std::min_element(up.begin(), up.end())};
+    last_eye_ = {*std::max_element(across.begin(), across.end()),
+                 *std::max_element(up.begin(), up.end())};
+    const PixelPlaces& places = pictures_[0].places;
+    pixel_ = std::max(length(places.right), length(places.down));
+}
+
+void Relief::scale(double factor)
+{
+    const auto scaled = [factor](auto& seen) {
+        seen.eye = factor * seen.eye;
+        PixelPlaces& p = seen.places;
+        p = {factor * p.first, factor * p.right, factor * p.down};
+    };
+    for (ReliefPicture& picture : pictures_)
+        scaled(picture);
+    for (ReliefMap& map : maps_)
+        scaled(map);
+    distance_ *= factor;
+    pixel_ *= factor;
+    for (Vec2* v : {&size_, &first_eye_, &last_eye_, &spacing_})
+        *v = factor * *v;
+}
+
+Relief::Meeting Relief::meet(const ReliefMap& map, const ReliefLine& line) const
+{
+    // A point of parallax s on the line is seen from the map's eye at place + s (eye - line.eye).
+    const Vec2 start = map.places.pixel_at(line.place),
+               way = map.places.pixel_at(line.place + map.eye - line.eye) - start;
+    const double far = std::max(std::fabs(way.x), std::fabs(way.y)), span = greatest_ - least_;
+    const int steps = 1 + int(std::ceil(far * span)); // of a pixel
+    const float edge = float(longest_stretch / std::max(far, 1e-9));
+    Meeting behind; // what is farther off beside the edge behind which the line is
+    bool is_behind = false;
+    float before = HUGE_VALF, last = 0; // the depth at the last step; how far in front of it
+    std::size_t last_pixel = pixel_around(map, start + double(least_) * way);
+    for (int k = 0; k <= steps; ++k) {
+        const double s = least_ + span * k / steps;
+        const Vec2 at = start + s * way;
+        const std::size_t pixel = pixel_around(map, at);
+        const float here = map.parallax[pixel], past = float(s) - here;
+        if (std::isnan(here))
+            continue;
+        if (is_behind && past < 0)
+            is_behind = false;
+        else if (is_behind && s >= behind.parallax)
+            return behind;
+        else if (!is_behind && past >= 0) {
+            const bool passes = before < HUGE_VALF && before - here > edge && past > 0.5f * edge;
+            if (!passes) {
+                const double part = past > last ? past / (past - last) : 0;
+                const double met = k > 0 && last < 0 ? s - part * span / steps : s;
+                return {far < 0.25 ? here : met, is_inside(map, at), pixel};
+            }
+            is_behind = true;
+            behind = {before, false, last_pixel};
+        }
+        before = here;
+        last = past;
+        last_pixel = pixel;
+    }
+    return is_behind ? behind : Meeting{before < HUGE_VALF ? before : greatest_, false, last_pixel};
+}
+
+bool Relief::is_between_eyes(Vec2 eye) const
+{
+    const Vec2 rest = 0.75 * spacing_;
+    return eye.x > first_eye_.x - rest.x && eye.x < last_eye_.x + rest.x &&
+           eye.y > first_eye_.y - rest.y && eye.y < last_eye_.y + rest.y;
+}
+
+bool Relief::is_seen(const ReliefMap& map, double parallax, const ReliefLine& line) const
+{
+    const Meeting met = meet(map, line);
+    return met.known && std::fabs(met.parallax - parallax) < 0.03 * (greatest_ - least_) + 1e-6;
+}
+
+Colour Relief::light_at(const ReliefMap& map, double parallax, const ReliefLine& line) const
+{
+    const bool beyond = !is_between_eyes(line.eye); // other eyes than the map's may not see it
+    const Vec2 nearest{std::clamp(line.eye.x, first_eye_.x, last_eye_.x),
+                       std::clamp(line.eye.y, first_eye_.y, last_eye_.y)};
+    Colour sum{0, 0, 0, 0}, edge{0, 0, 0, 0};
+    float weights = 0, of_edge = 0;
+    for (const ReliefPicture& picture : pictures_) {
+        const double across = 1 - std::fabs(picture.eye.x - nearest.x) / spacing_.x,
+                     up = 1 - std::fabs(picture.eye.y - nearest.y) / spacing_.y;
+        if (!(across > 0 && up > 0))
+            continue;
+        const Vec2 place = line.place + parallax * (picture.eye - line.eye);
+        if (beyond && !is_seen(map, parallax, {place, picture.eye}))
+            continue;
+        const Vec2 at = picture.places.pixel_at(place);
+        const bool inside = is_inside(picture, at);
+        add_between(picture, at, float(across * up), inside ? sum : edge,
+                    inside ? weights : of_edge);
+    }
+    if (weights > 0 || of_edge > 0)
+        return weights > 0 ? divided(sum, weights) : divided(edge, of_edge);
+    const ReliefPicture& own = pictures_[map.picture];
+    return light_of(own, line.place + parallax * (own.eye - line.eye));
+}
+
+Colour Relief::light_beside(const ReliefMap& map, const Meeting& hidden,
+                            const ReliefLine& line) const
+{
+    // What is beside the edge goes on behind it as in a mirror, as far as it is one surface.
+    const Vec2 edge{double(hidden.beside % std::size_t(map.width)),
+                    double(hidden.beside / std::size_t(map.width))};
+    const Vec2 at = map.places.pixel_at(line.place + hidden.parallax * (map.eye - line.eye));
+    Vec2 from = 2.0 * edge - at;
+    const float there = map.parallax[pixel_around(map, from)];
+    const double farther = std::fabs(there - hidden.parallax);
+    if (!is_inside(map, from) || !(farther < 0.05 * (greatest_ - least_) + 1e-6))
+        from = edge;
+    return light_of(pictures_[map.picture], map.places.at(from.x, from.y));
+}
+
+Seen Relief::along(const ReliefLine& line) const
+{
+    const ReliefMap* nearest = nullptr;
+    Meeting of_nearest;
+    std::uint32_t tried = 0;
+    for (std::size_t k = 0; k < maps_.size(); ++k) {
+        std::size_t next = maps_.size();
+        for (std::size_t i = 0; i < maps_.size(); ++i)
+            if (!(tried >> i & 1) &&
+                (next == maps_.size() ||
+                 length(maps_[i].eye - line.eye) < length(maps_[next].eye - line.eye)))
+                next = i;
+        tried |= std::uint32_t(1) << next;
+        const Meeting met = meet(maps_[next], line);
+        if (met.known)
+            return {light_at(maps_[next], met.parallax, line), true};
+        if (!nearest) {
+            nearest = &maps_[next];
+            of_nearest = met;
+        }
+    }
+    // No map shows it, but an eye that looks nearly along the line does.
+    if (is_between_eyes(line.eye))
+        return {light_at(*nearest, of_nearest.parallax, line), pictures_.size() > 1};
+    return {light_beside(*nearest, of_nearest, line), false};
+}
+
+Vec2 eye_of(const ViewSet& views, const DepthView& view)
+{
+    const Vec2 steps = view.shift.x * views.places.right + view.shift.y * views.places.down;
+    return views.eye - views.scale->ratio * steps;
+}
+
+Relief relief_of(const ViewSet& views, Encoding encoding, std::vector<ReliefMap> maps, Vec2 size,
+                 int threads)
+{
+    std::vector<ReliefPicture> pictures(views.others.size() + 1);
+    for_each_row(int(pictures.size()), threads, [&](int k) {
+        const DepthView& view = k == 0 ? views.middle : views.others[std::size_t(k - 1)];
+        ReliefPicture& picture = pictures[std::size_t(k)];
+        picture = {eye_of(views, view), views.width,   views.height,
+                   views.places,        view.channels, view.lit};
+        for (auto& channel : picture.light)
+            for (float& value : channel)
+                value = float(decode(encoding, value));
+    });
+    return Relief(std::move(pictures), std::move(maps), views.scale->distance, size);
+}
+
+} // namespace integral

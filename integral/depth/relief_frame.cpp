@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/relief_frame.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/io/image_file.h"
+#include "integral/lightfield/sample_points.h"
+#include "integral/optics/beam.h"
+#include "integral/replay/interpolate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace integral {
+namespace {
+
+/// Adds up rows' figures, from several threads.
+class Tally {
+public:
+    void add(const ReliefFigures& row)
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        all_.lines += row.lines;
+        all_.holes += row.holes;
+    }
+    const ReliefFigures& all() const { return all_; }
+
+private:
+    std::mutex mutex_;
+    ReliefFigures all_;
+};
+
+/// The light of film points.
+class FilmLight {
+public:
+    FilmLight(const Relief& relief, const FrameMetadata& geometry)
+        : relief_(relief), film_(geometry.film), optics_(geometry.sheet, geometry.aperture)
+    {
+        const auto parts = [&](double length) { // samples across it
+            return std::clamp(int(std::ceil(length / relief.pixel() - 0.25)), 1, 4);
+        };
+        across_ = parts(optics_.lattice().pitch());
+        lenticular_ = geometry.sheet.arrangement == Arrangement::lenticular;
+        along_ = lenticular_ ? parts(film_.pixel_pitch.y) : across_;
+    }
+
+    Colour pixel(int x, int y, ReliefFigures& figures) const
+    {
+        return each_channel(film_.subpixels, [&](int channel) {
+            return at(film_from_pixel(film_, subpixel_centre(film_.subpixels, x, y, channel)),
+                      figures);
+        });
+    }
+
+private:
+    Colour at(Vec2 point, ReliefFigures& figures) const
+    {
+        const auto ray = optics_.map(point, LensMapping::automatic).ray;
+        if (!ray)
+            return {0, 0, 0, 0};
+        Colour sum{0, 0, 0, 1};
+        const float weight = 1 / float(across_ * along_);
+        for (int k = 0; k < across_ * along_; ++k) {
+            const auto line = line_of(
+                *ray, {(k % across_ + 0.5) / across_, (k / across_ + 0.5) / along_});
+            const Seen seen = relief_.along(line);
+            figures.lines += 1;
+            figures.holes += seen.known ? 0 : 1;
+            sum.r += weight * seen.light.r;
+            sum.g += weight * seen.light.g;
+            sum.b += weight * seen.light.b;
+        }
+        return sum;
+    }
+
+    /// The line of a film point's beam through a place of its lens's cell (lenticular: across the
+    /// lens, and along it within the pixel's height).
+    ReliefLine line_of(const LensRay& ray, Vec2 unit) const
+    {
+        const Vec2 cell{unit.x, lenticular_ ? 0.5 : unit.y};
+        Vec2 place = ray.pole + cell_point(optics_.lattice(), cell).offset;
+        if (lenticular_)
+            place.y += (unit.y - 0.5) * film_.pixel_pitch.y;
+        const double along = -relief_.distance() / ray.direction.z;
+        return {place, place + along * Vec2{ray.direction.x, ray.direction.y}};
+    }
+
+    const Relief& relief_;
+    Film film_;
+    SheetOptics optics_;
+    bool lenticular_ = false;
+    int across_ = 1, along_ = 1;
+};
+
+/// A place in a disc of that radius, spread evenly over the samples of a pixel and turned otherwise
+/// than in the pixels around it.
+Vec2 disc_point(double radius, int x, int y, int sample, int samples)
+{
+    constexpr double golden_angle = 2.39996322972865332, turn = 6.28318530717958647692;
+    const double first = turn * 0x1p-32 *
+                         double(random_bits(std::uint64_t(x), std::uint64_t(y)) >> 32);
+    const double r = radius * std::sqrt((sample + 0.5) / samples), angle = sample * golden_angle;
+    return {r * std::cos(first + angle), r * std::sin(first + angle)};
+}
+
+} // namespace
+
+ReliefFigures write_relief_frame(const std::string& path, Relief relief,
+                                 const FrameMetadata& geometry, const Image& form, int threads,
+                                 const Progress& progress)
+{
+    const Vec2 film = size_of(geometry.film);
+    relief.scale(std::max(film.x / relief.size().x, film.y / relief.size().y));
+    const FilmLight light(relief, geometry);
+    FrameMetadata metadata = geometry;
+    metadata.encoding = form.encoding;
+    metadata.quilt.reset();
+    Image whole = form_of(form);
+    whole.width = geometry.film.width;
+    whole.height = geometry.film.height;
+    PictureWriter writer = PictureWriter::of_frame(path, whole, metadata);
+    const int rows = rows_of_a_band(whole), bands = (whole.height + rows - 1) / rows;
+    Tally tally;
+    for (int k = 0; k < bands; ++k) {
+        const int first = k * rows, count = std::min(rows, whole.height - first);
+        Image band = blank_like(whole, whole.width, count);
+        const auto row = [&](int y) {
+            ReliefFigures figures;
+            for (int x = 0; x < whole.width; ++x)
+                store_linear(band, x, y, light.pixel(x, first + y, figures));
+            tally.add(figures);
+        };
+        if (!for_each_row(count, threads, row, piece_of(progress, k, bands)))
+            throw Interrupted();
+        writer.write(band);
+    }
+    writer.finish();
+    return tally.all();
+}
+
+RefocusedPicture refocused(const Relief& relief, const Refocus& lens, const Image& form,
+                           int threads, const Progress& progress)
+{
+    constexpr int samples = 64;
+    RefocusedPicture picture{blank_like(form, lens.width, lens.height), {}};
+    const Film raster{
+        lens.width, lens.height, {relief.size().x / lens.width, relief.size().y / lens.height}};
+    // Where a line from the lens to the point in focus meets the image plane: so much of the way
+    // sideways.
+    const double sideways = lens.focus / (relief.distance() + lens.focus);
+    Tally tally;
+    const auto row = [&](int y) {
+        ReliefFigures figures;
+        for (int x = 0; x < lens.width; ++x) {
+            Colour sum{0, 0, 0, 1};
+            for (int k = 0; k < samples; ++k) {
+                const Vec2 eye = disc_point(0.5 * lens.pupil, x, y, k, samples);
+                const double part = (k + 0.5) / samples;
+                const Vec2 inside{x + part, y + std::fmod(0.5 + k * 0.61803398874989, 1.0)};
+                const Vec2 place = film_from_pixel(raster, inside) + sideways * eye;
+                const Seen seen = relief.along({place, eye});
+                figures.lines += 1;
+                figures.holes += seen.known ? 0 : 1;
+                sum.r += seen.light.r / samples;
+                sum.g += seen.light.g / samples;
+                sum.b += seen.light.b / samples;
+            }
+            store_linear(picture.image, x, y, sum);
+        }
+        tally.add(figures);
+    };
+    if (!for_each_row(lens.height, threads, row, progress))
+        throw Interrupted();
+    picture.figures = tally.all();
+    return picture;
+}
+
+} // namespace integral

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/relief_input.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/depth/depth_scores.h"
+#include "integral/io/codecs.h"
+#include "integral/io/image_file.h"
+#include "integral/io/pfm_file.h"
+#include "integral/lightfield/quilt_name.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+/// The middle view, and those from farthest out: numbers as in ReliefMap::picture.
+std::vector<std::size_t> outermost(const ViewSet& views)
+{
+    std::vector<std::size_t> chosen{0};
+    for (int corner = 0; corner < 4; ++corner) {
+        const Vec2 way{corner % 2 ? 1.0 : -1.0, corner / 2 ? 1.0 : -1.0};
+        std::size_t best = 0;
+        double farthest = 0;
+        for (std::size_t k = 0; k < views.others.size(); ++k)
+            if (const double far = dot(way, views.others[k].shift); far > farthest + 1e-9) {
+                farthest = far;
+                best = k + 1;
+            }
+        if (std::find(chosen.begin(), chosen.end(), best) == chosen.end())
+            chosen.push_back(best);
+    }
+    return chosen;
+}
+
+const DepthView& view_number(const ViewSet& views, std::size_t k)
+{
+    return k == 0 ? views.middle : views.others[k - 1];
+}
+
+/// The views that count for the depth of one of them, which becomes the middle one; softened.
+ViewSet seen_from(const ViewSet& views, std::size_t middle, DepthQuality quality, int threads)
+{
+    ViewSet set;
+    set.width = views.width;
+    set.height = views.height;
+    set.places = views.places;
+    set.scale = views.scale;
+    const Vec2 step = view_number(views, middle).shift;
+    for (std::size_t k = 0; k <= views.others.size(); ++k) {
+        const DepthView& view = view_number(views, k);
+        const Vec2 shift = view.shift - step;
+        if (k != middle && !is_kept(shift, quality))
+            continue;
+        DepthView& copy = k == middle ? set.middle : set.others.emplace_back();
+        copy = view;
+        copy.shift = shift;
+    }
+    soften(set, threads);
+    return set;
+}
+
+ReliefMap map_of_view(const ViewSet& views, std::size_t k)
+{
+    ReliefMap map;
+    map.eye = eye_of(views, view_number(views, k));
+    map.width = views.width;
+    map.height = views.height;
+    map.places = views.places;
+    map.picture = k;
+    return map;
+}
+
+std::vector<ReliefMap> measured_maps(const ViewSet& views, DepthQuality quality, int threads,
+                                     const Progress& progress)
+{
+    MultibaselineSettings settings = settings_for(quality);
+    const std::vector<std::size_t> chosen = outermost(views);
+    std::vector<ReliefMap> maps;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const auto depth = multibaseline(seen_from(views, chosen[i], quality, threads), settings,
+                                         threads, piece_of(progress, int(i), int(chosen.size())));
+        if (!depth)
+            throw Interrupted();
+        settings.range = depth->range;
+        ReliefMap map = map_of_view(views, chosen[i]);
+        for (const float d : depth->disparity)
+            map.parallax.push_back(float(-d / views.scale->ratio));
+        maps.push_back(std::move(map));
+    }
+    return maps;
+}
+
+/// z / (distance + z); also of what has no end. NaN of what does not lie before the eye.
+float parallax_of(double mm, double distance)
+{
+    if (std::isinf(mm) && mm > 0)
+        return 1;
+    return mm > -distance ? float(mm / (distance + mm)) : NAN;
+}
+
+std::vector<ReliefMap> maps_of_depth_frame(const DepthInput& input, const std::string& path)
+{
+    if (!input.frame)
+        throw std::invalid_argument(path + " is a depth frame, which is for a frame; views need "
+                                           "their middle one's depth, as .pfm");
+    const DepthFrame depths = read_depths(path);
+    std::vector<ReliefMap> maps;
+    for (const std::size_t k : outermost(input.views)) {
+        ReliefMap map = map_of_view(input.views, k);
+        map.parallax = depths_seen(input.views, *input.frame, depths, map.eye);
+        for (float& mm : map.parallax)
+            mm = parallax_of(mm, input.views.scale->distance);
+        maps.push_back(std::move(map));
+    }
+    return maps;
+}
+
+/// The parallax of an upright map over the whole picture, as the first one's eye sees it.
+ReliefMap map_of_file(const std::string& path, const std::optional<GreyDepths>& grey,
+                      const DecodedDepths* decoded, Vec2 size, double distance)
+{
+    ReliefMap map;
+    std::vector<float> mm;
+    if (decoded) {
+        map.width = decoded->width;
+        map.height = decoded->height;
+        for (std::size_t i = 0; i < decoded->depth.size(); ++i)
+            mm.push_back(decoded->imaged[i] > 0 ? decoded->depth[i] : NAN);
+    } else if (extension_of(path) == "pfm") {
+        FloatMap file = read_pfm(path);
+        map.width = file.width;
+        map.height = file.height;
+        mm = std::move(file.values);
+    } else {
+        if (!grey)
+            throw std::invalid_argument(path + " is a grey picture: --depth-range WHITE,BLACK "
+                                               "tells which depths its white and black are");
+        const Image picture = read_frame(path).image;
+        map.width = picture.width;
+        map.height = picture.height;
+        const float white = parallax_of(grey->white, distance),
+                    black = parallax_of(grey->black, distance);
+        if (!(std::isfinite(white) && std::isfinite(black)))
+            throw std::invalid_argument("its white or black is behind the eye");
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x)
+                map.parallax.push_back(black + stored_pixel(picture, x, y).g * (white - black));
+    }
+    for (const float z : mm)
+        map.parallax.push_back(parallax_of(z, distance));
+    const Vec2 pixel{size.x / map.width, size.y / map.height};
+    map.places = {{-0.5 * (map.width - 1) * pixel.x, 0.5 * (map.height - 1) * pixel.y},
+                  {pixel.x, 0},
+                  {0, -pixel.y}};
+    return map;
+}
+
+/// What is before a name's eyes when it is an OpenEXR file of depths.
+std::optional<DecodedDepths> decoded_depths(const std::string& path)
+{
+    if (extension_of(path) != "exr")
+        return std::nullopt;
+    try {
+        return decode_depths(read_file(path));
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw InputError(path + ": " + reason_of(error));
+    }
+}
+
+bool is_photograph(const std::vector<std::string>& inputs, const ReliefRequest& request)
+{
+    if (inputs.size() != 1 || request.depth_file.empty() || request.input.grid ||
+        is_mpo(inputs[0]) || grid_in_name(inputs[0]))
+        return false;
+    return !FrameReader(inputs[0], request.input.sheet).frame().metadata &&
+           !read_views(inputs[0], false).metadata;
+}
+
+ReliefInput read_photograph(const std::string& path, const ReliefRequest& request)
+{
+    const Image image = read_frame(path).image;
+    // As large as covers the film.
+    const double pixel = std::max(request.size.x / image.width, request.size.y / image.height);
+    const Vec2 size{image.width * pixel, image.height * pixel};
+    ReliefPicture picture;
+    picture.width = image.width;
+    picture.height = image.height;
+    picture.places = {{-0.5 * (image.width - 1) * pixel, 0.5 * (image.height - 1) * pixel},
+                      {pixel, 0},
+                      {0, -pixel}};
+    const LinearReader light(image);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Colour c = light(x, y);
+            picture.light[0].push_back(c.r);
+            picture.light[1].push_back(c.g);
+            picture.light[2].push_back(c.b);
+        }
+    const auto decoded = decoded_depths(request.depth_file);
+    if (decoded && !decoded->document.empty())
+        throw std::invalid_argument(request.depth_file +
+                                    " is a frame's depth frame; a photograph needs its own map");
+    std::vector<ReliefPicture> pictures;
+    pictures.push_back(std::move(picture));
+    std::vector<ReliefMap> maps{map_of_file(request.depth_file, request.grey,
+                                            decoded ? &*decoded : nullptr, size, request.distance)};
+    return {Relief(std::move(pictures), std::move(maps), request.distance, size), form_of(image)};
+}
+
+void need_scale(const ViewSet& views)
+{
+    if (!views.scale)
+        throw std::invalid_argument("millimetres are not known, as the views do not say where they "
+                                    "were taken from; --eyes would tell");
+}
+
+} // namespace
+
+Relief measured_relief(const DepthInput& input, DepthQuality quality, int threads,
+                       const Progress& progress)
+{
+    need_scale(input.views);
+    return relief_of(input.views, input.form.encoding,
+                     measured_maps(input.views, quality, threads, progress),
+                     {input.width, input.height}, threads);
+}
+
+ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
+                        int threads, const Progress& progress)
+{
+    if (is_photograph(inputs, request))
+        return read_photograph(inputs[0], request);
+    DepthInput input = read_depth_input(inputs, request.input, threads, piece_of(progress, 0, 2));
+    if (request.depth_file.empty())
+        return {measured_relief(input, request.quality, threads, piece_of(progress, 1, 2)),
+                input.form};
+    need_scale(input.views);
+    const Vec2 size{input.width, input.height};
+    const auto decoded = decoded_depths(request.depth_file);
+    std::vector<ReliefMap> maps;
+    if (decoded && !decoded->document.empty()) {
+        maps = maps_of_depth_frame(input, request.depth_file);
+    } else {
+        maps.push_back(map_of_file(request.depth_file, request.grey, decoded ? &*decoded : nullptr,
+                                   size, input.views.scale->distance));
+        maps[0].eye = eye_of(input.views, input.views.middle);
+    }
+    return {relief_of(input.views, input.form.encoding, std::move(maps), size, threads),
+            input.form};
+}
+
+} // namespace integral
