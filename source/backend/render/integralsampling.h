@@ -49,6 +49,8 @@ public:
         estimation,
         reconstruction
     };
+    /// The shares of the passes in the displayed progress; the rest is the reconstruction's.
+    static constexpr float sampling_share = 0.4f, refinement_share = 0.5f;
 
     /// `rows`: the rows that count. `side`: width and height of the view's blocks, pixels.
     /// `most_memory`: limit of main memory, bytes. `reconstructs`: whether the frame is to be

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integralsampling.h"
+#include "backend/lighting/radiosity.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/integralcamera.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/view.h"
+#include "integral/lightfield/tabulated_curve.h"
+
+#include <chrono>
+#include <thread>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+/// Converts a colour to the encoding in which anti-aliasing compares colours.
+class ComparedEncoding
+{
+public:
+    explicit ComparedEncoding(const GammaCurvePtr& gamma)
+        : curve([&](float value) { return GammaCurve::Encode(gamma, value); })
+    {
+    }
+    integral::ComparedColour operator()(const Colour& colour) const
+    {
+        return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
+    }
+
+private:
+    integral::TabulatedCurve curve;
+};
+
+IntegralSampling *Sampling_Of(const Camera& camera)
+{
+    return camera.Integral_View ? camera.Integral_View->sampling.get() : NULL;
+}
+
+/// The second pass over one block.
+class BlockRefinement
+{
+public:
+    BlockRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                    Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options,
+                    const ComparedEncoding& compared, IntegralSampling& sampling)
+        : view(view),
+          thread(thread),
+          trace(trace),
+          cooperate(cooperate),
+          options(options),
+          sampling(sampling),
+          compared(compared)
+    {
+    }
+
+    /// Refines the block's pixels.
+    void Run(const integral::PictureBlock& of)
+    {
+        block = of;
+        waiting.clear();
+        expected.assign(std::size_t(Width()) * (block.bottom - block.top + 1), -1);
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++)
+            {
+                const double contrast = sampling.First().contrast(x, y);
+                if (contrast >= options.rule.threshold)
+                    Want(x, y, contrast);
+                if (contrast >= 0)
+                    Keep(x, y, integral::squared_error_of_one(contrast));
+            }
+        for (std::size_t next = 0; next < waiting.size(); next++)
+        {
+            const int x = waiting[next].first, y = waiting[next].second;
+            const integral::Refinement result = Refine(x, y);
+            // The first samples of its neighbours may have missed the same edge.
+            if (result.scatter() >= options.rule.threshold)
+                sampling.First().for_each_neighbour(
+                    x, y, [&](int i, int j) { Want(i, j, result.contrast_shown()); });
+        }
+    }
+
+private:
+    int Width() const { return block.right - block.left + 1; }
+    std::size_t Index(int x, int y) const
+    {
+        return std::size_t(y - block.top) * Width() + (x - block.left);
+    }
+
+    /// Has a pixel refined, if it is one of the block's. `contrast`: what its surroundings let
+    /// expect.
+    void Want(int x, int y, double contrast)
+    {
+        if (x < block.left || x > block.right || y < block.top || y > block.bottom)
+            return;
+        double& most = expected[Index(x, y)];
+        if (most < 0)
+            waiting.emplace_back(x, y);
+        most = std::max(most, contrast);
+    }
+
+    integral::Refinement Refine(int x, int y)
+    {
+        thread.Stats()[Number_Of_Pixels_Supersampled]++;
+        trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y));
+        integral::Refinement refinement(options.rule, expected[Index(x, y)]);
+        bool any = false;
+        std::uint32_t index = 0;
+        while (const int wanted = refinement.wanted())
+            for (int k = 0; k < wanted; k++)
+            {
+                Colour seen;
+                trace.Integral().Take(index++);
+                trace(x, y, view.GetWidth(), view.GetHeight(), seen);
+                if (trace.Integral().Imaged())
+                    refinement.add(compared(seen));
+                else
+                    refinement.add_none();
+                any = any || trace.Integral().Imaged();
+                thread.Stats()[Number_Of_Samples]++;
+                cooperate();
+            }
+        if (any)
+        {
+            sampling.At(x, y) = trace.Integral().Refined();
+            Keep(x, y, refinement.squared_error(), refinement.squared_error_of_halves());
+        }
+        trace.Integral().End_Refinement();
+        return refinement;
+    }
+
+    void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1)
+    {
+        if (integral::Reconstruction *const reconstruction = sampling.Reconstruction())
+            reconstruction->set(x, y, compared(sampling.At(x, y)), squared_error,
+                                squared_error_of_halves);
+    }
+
+    ViewData& view;
+    ViewThreadData& thread;
+    TracePixel& trace;
+    Trace::CooperateFunctor& cooperate;
+    const IntegralRefinementOptions& options;
+    IntegralSampling& sampling;
+    const ComparedEncoding& compared;
+    integral::PictureBlock block;
+    std::vector<double> expected; ///< the contrast of each pixel in `waiting`, -1 elsewhere
+    std::vector<std::pair<int, int>> waiting;
+};
+
+/// One thread's share of all passes.
+class Antialiasing
+{
+public:
+    Antialiasing(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                 RadiosityFunction& radiosity, Trace::CooperateFunctor& cooperate,
+                 const IntegralRefinementOptions& options, IntegralSampling& sampling)
+        : view(view),
+          thread(thread),
+          trace(trace),
+          radiosity(radiosity),
+          cooperate(cooperate),
+          options(options),
+          sampling(sampling),
+          compared(options.gamma),
+          refinement(view, thread, trace, cooperate, options, compared, sampling)
+    {
+    }
+
+    void Run()
+    {
+        integral::PassSchedule& schedule = sampling.Schedule();
+        while (const auto item = schedule.next())
+        {
+            while (!schedule.is_ready(*item))
+            {
+                cooperate(); // throws if the render is ended
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            }
+            Work(item->pass, item->block);
+            schedule.finish(*item);
+            sampling.Done(item->block);
+            thread.AfterTile();
+            cooperate();
+        }
+    }
+
+private:
+    void Work(int pass, const integral::PictureBlock& block)
+    {
+        if (pass == sampling.Last_Pass())
+            Finish(block);
+        else if (pass == IntegralSampling::estimation)
+            sampling.Reconstruction()->estimate(block.left, block.top, block.right, block.bottom);
+        else
+        {
+            radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left
+                                                      : 0);
+            if (pass == IntegralSampling::sampling)
+                Sample(block);
+            else
+                refinement.Run(block);
+            radiosity.AfterTile();
+            Take(block);
+            const float share = pass == IntegralSampling::sampling
+                                    ? IntegralSampling::sampling_share
+                                    : IntegralSampling::refinement_share;
+            if (sampling.Shows(block))
+                view.CompletedRectangle(To_Rect(block), 0, pixels, 1, false, share);
+        }
+    }
+
+    /// Takes the first samples of a block.
+    void Sample(const integral::PictureBlock& block)
+    {
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++)
+            {
+                Colour& colour = sampling.At(x, y);
+                trace(x, y, view.GetWidth(), view.GetHeight(), colour);
+                thread.Stats()[Number_Of_Pixels]++;
+                if (trace.Integral().Imaged())
+                    sampling.First().set(x, y, compared(colour), trace.Integral().Lens(),
+                                         trace.Integral().Depth());
+                cooperate();
+            }
+    }
+
+    /// Hands over a block as it is now, reconstructed if that is wanted.
+    void Finish(const integral::PictureBlock& block)
+    {
+        unsigned int serial;
+        if (!sampling.Is_Wanted(block, serial))
+            return;
+        Take(block);
+        const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
+        if (sampling.Reconstruction())
+        {
+            auto pixel = pixels.begin();
+            for (int y = block.top; y <= block.bottom; y++)
+                for (int x = block.left; x <= block.right; x++, ++pixel)
+                    if (rows.Have(y))
+                        Reconstruct(x, y, *pixel);
+        }
+        // A block without rows that count is never marked final, so that +C may be used with other
+        // rows.
+        view.CompletedRectangle(To_Rect(block), serial, pixels, 1,
+                                options.final && rows.Meet(block.top, block.bottom),
+                                1 - sampling.Progress(block));
+    }
+
+    void Reconstruct(int x, int y, Colour& colour)
+    {
+        const auto reconstructed = sampling.Reconstruction()->reconstructed(x, y, scratch);
+        if (!reconstructed)
+            return;
+        for (int k = 0; k < 3; k++)
+            colour[k] = GammaCurve::Decode(options.gamma, float((*reconstructed)[k]));
+        colour.transm() = float((*reconstructed)[3]);
+    }
+
+    /// Sets `pixels` to the block's colours.
+    void Take(const integral::PictureBlock& block)
+    {
+        pixels.clear();
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++)
+                pixels.push_back(sampling.At(x, y));
+    }
+
+    static POVRect To_Rect(const integral::PictureBlock& block)
+    {
+        return POVRect(block.left, block.top, block.right, block.bottom);
+    }
+
+    ViewData& view;
+    ViewThreadData& thread;
+    TracePixel& trace;
+    RadiosityFunction& radiosity;
+    Trace::CooperateFunctor& cooperate;
+    const IntegralRefinementOptions& options;
+    IntegralSampling& sampling;
+    ComparedEncoding compared;
+    BlockRefinement refinement;
+    std::vector<Colour> pixels;
+    integral::Reconstruction::Scratch scratch;
+};
+
+}
+
+bool Antialias_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                             RadiosityFunction& radiosity, Trace::CooperateFunctor& cooperate,
+                             const IntegralRefinementOptions& options)
+{
+    IntegralSampling *const sampling = Sampling_Of(view.GetCamera());
+    if (!sampling)
+        return false;
+    sampling->Begin(view);
+    Antialiasing(view, thread, trace, radiosity, cooperate, options, *sampling).Run();
+    return true;
+}
+
+}
