@@ -21,6 +21,7 @@ include $(srcdir)/integral/io/local.mk
 include $(srcdir)/integral/wireframe/local.mk
 include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/resolution/local.mk
+include $(srcdir)/integral/multiview/local.mk
 include $(srcdir)/integral/cli/local.mk
 
 # Its man page says what its parser knows.
