@@ -168,6 +168,9 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     if (p.model == LensModel::hybrid && p.beam_samples)
         errors.push_back("beam_samples does not go with lens_model hybrid, which has 3 or 5 rays "
                          "of its own; lens_model full has as many as beam_samples says");
+    if (p.projection_lens && p.sheet.arrangement == Arrangement::lenticular)
+        errors.push_back("projection_lens needs square or hexagonal lenses: behind a lenticular "
+                         "sheet's, heights would be seen in wrong perspective");
     if (p.projection_lens && p.pseudoscopic)
         errors.push_back("pseudoscopic does not go with projection_lens, whose image is turned "
                          "upside down and in depth by the lens itself");
