@@ -69,8 +69,8 @@ struct Command {
 };
 
 extern const Command sheet_command, replay_command, views_command, depth_command, print_command,
-    lcd_command, wireframe_command, mask_command, resolve_command, compare_command, rectify_command,
-    tune_command, batch_command;
+    lcd_command, wireframe_command, mask_command, resolve_command, multiview_command,
+    compare_command, rectify_command, tune_command, batch_command;
 
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();

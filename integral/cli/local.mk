@@ -20,6 +20,7 @@ build_bin_integral_SOURCES += \
   integral/cli/lcd_options.h \
   integral/cli/main.cpp \
   integral/cli/mask_command.cpp \
+  integral/cli/multiview_command.cpp \
   integral/cli/print_chart.cpp \
   integral/cli/print_chart.h \
   integral/cli/print_command.cpp \

@@ -19,7 +19,7 @@ const std::vector<const Command*>& all_commands()
     static const std::vector<const Command*> commands = {
         &sheet_command,   &replay_command,    &views_command,   &depth_command,   &print_command,
         &lcd_command,     &wireframe_command, &compare_command, &rectify_command, &mask_command,
-        &resolve_command, &tune_command,      &batch_command};
+        &resolve_command, &multiview_command, &tune_command,    &batch_command};
     return commands;
 }
 

@@ -40,6 +40,17 @@ Placement placement_from(const JsonObject& object)
     return placement;
 }
 
+ProjectionLens projection_from(const JsonObject& object)
+{
+    ProjectionLens lens;
+    lens.focal_length = number_at(object, "focal_length_mm", 1e-2, 1e6);
+    lens.distance = number_at(object, "distance_mm", 1e-2, 1e6);
+    lens.viewer = number_at(object, "viewing_distance_mm", 1e-2, 1e9);
+    if (!(lens.distance > lens.focal_length))
+        refuse(object.path_of("distance_mm"), "must be greater than the focal length");
+    return lens;
+}
+
 Encoding encoding_from(const JsonObject& object)
 {
     Encoding encoding;
@@ -109,6 +120,13 @@ QuiltRecord quilt_from(const JsonObject& object)
 }
 
 Json list(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json json_of(const ProjectionLens& lens)
+{
+    return {{"focal_length_mm", lens.focal_length},
+            {"distance_mm", lens.distance},
+            {"viewing_distance_mm", lens.viewer}};
+}
 
 Json json_of(const Placement& placement)
 {
@@ -186,6 +204,8 @@ std::string to_json(const FrameMetadata& metadata)
                      {"aperture", json_of(metadata.aperture)}};
     if (metadata.placement)
         document["camera"] = json_of(*metadata.placement);
+    if (metadata.projection)
+        document["projection"] = json_of(*metadata.projection);
     document["encoding"] = json_of(metadata.encoding);
     if (metadata.render)
         document["render"] = json_of(*metadata.render);
@@ -208,6 +228,8 @@ FrameMetadata frame_metadata_from_json(const std::string& text)
     metadata.aperture = aperture_from(object_at(document, "aperture"), metadata.sheet);
     if (document.has("camera"))
         metadata.placement = placement_from(object_at(document, "camera"));
+    if (document.has("projection"))
+        metadata.projection = projection_from(object_at(document, "projection"));
     if (document.has("encoding"))
         metadata.encoding = encoding_from(object_at(document, "encoding"));
     if (document.has("render"))

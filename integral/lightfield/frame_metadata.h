@@ -31,7 +31,9 @@ struct FrameMetadata {
     LensSheet sheet;
     Film film;
     Aperture aperture;
-    std::optional<Placement> placement; ///< where the sheet stood in its scene
+    std::optional<Placement> placement;       ///< where the sheet stood in its scene
+    std::optional<ProjectionLens> projection; ///< the aperture is this lens, `placement` that of
+                                              ///< the sheet's projected image
     Encoding encoding;
     std::optional<RenderRecord> render;
     std::optional<QuiltRecord> quilt; ///< if set, the picture holds views of the frame instead

@@ -38,8 +38,8 @@ double scale_of(const CameraParameters& p, const ViewFrame& view, double film_wi
     return k;
 }
 
-/// d, mm: from the aperture to the sheet, by k scene units per mm.
-double aperture_distance(const CameraParameters& p, const ViewFrame& view, double k)
+/// mm from the viewer's eye to the sheet, or its projected image, by k scene units per mm.
+double eye_distance(const CameraParameters& p, const ViewFrame& view, double k)
 {
     const double distance = p.viewing_distance.value_or(scene_viewing_distance(view, k));
     if (!(distance >= 1e-2 && distance <= 1e9)) {
@@ -118,8 +118,15 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     check_view(view);
 
     const Film film{width, height, p.film.pixel_pitch, p.film.subpixels};
-    const double k = scale_of(p, view, size_of(film).x);
-    const Aperture aperture = make_aperture(p, aperture_distance(p, view, k));
+    std::optional<ProjectionLens> projection;
+    if (p.projection_lens)
+        projection = ProjectionLens{p.projection_lens->x, p.projection_lens->y, 0};
+    const double k = scale_of(p, view,
+                              (projection ? projection->magnification() : 1) * size_of(film).x);
+    const double eye = eye_distance(p, view, k);
+    if (projection)
+        projection->viewer = eye;
+    const Aperture aperture = make_aperture(p, projection ? projection->distance : eye);
     Placement placement = make_placement(view, k);
     placement.scale_is_given = p.film.units_per_mm.has_value();
     return {SheetOptics(p.sheet, aperture, p.model),
@@ -130,41 +137,62 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
             p.pixel_samples.value_or(default_pixel_samples(p)),
             p.beam_samples.value_or(default_beam_samples(p)),
             p.pseudoscopic,
-            p.display_prefilter};
+            p.display_prefilter,
+            projection};
+}
+
+double viewer_distance(const IntegralCamera& camera)
+{
+    return camera.projection ? camera.projection->viewer : camera.optics.aperture().distance;
 }
 
 /// How far in front of the sheet sight lines start, mm. The viewer sees nothing behind the eye,
 /// however far depth_range reaches.
 static double start_distance(const IntegralCamera& camera)
 {
-    const double aperture = camera.optics.aperture().distance;
+    const double eye = viewer_distance(camera);
     return camera.pseudoscopic  ? 0
-           : camera.depth_range ? std::min(camera.depth_range->x, aperture)
-                                : aperture;
+           : camera.depth_range ? std::min(camera.depth_range->x, eye)
+                                : eye;
+}
+
+/// Where the line of sight starts and which way it goes into the scene (any length): in the sheet
+/// frame, or with a projection lens in the frame of the sheet's image.
+static Line line_into_scene(const IntegralCamera& camera, const BeamRay& ray)
+{
+    const Vec3 d = -1 * ray.direction;
+    const double distance = camera.optics.aperture().distance, front = start_distance(camera);
+    if (camera.projection) {
+        const Vec3 in_plane = ray.point + (-ray.point.z / d.z) * d;
+        const Line line = projected(*camera.projection, {in_plane.x, in_plane.y},
+                                    ray.aperture_point);
+        const Vec3 way = (1 / length(line.direction)) * line.direction;
+        return {line.origin + -front * line.direction, way};
+    }
+    if (front < distance)
+        return {ray.point + (-(front + ray.point.z) / d.z) * d, d};
+    return {{ray.aperture_point.x, ray.aperture_point.y, -distance}, d};
 }
 
 SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray)
 {
     const Placement& at = camera.placement;
-    const Vec3 d = -1 * ray.direction; // into the scene
+    const Line sight = line_into_scene(camera, ray);
+    const Vec3 d = sight.direction;
     SightLine line;
-    const double distance = camera.optics.aperture().distance, front = start_distance(camera);
-    const Vec3 start = front < distance
-                           ? ray.point + (-(front + ray.point.z) / d.z) * d
-                           : Vec3{ray.aperture_point.x, ray.aperture_point.y, -distance};
-    line.origin = scene_from_sheet(at, start);
+    line.origin = scene_from_sheet(at, sight.origin);
     const Vec3 direction = d.x * at.x + d.y * at.y + d.z * at.z;
     const double scale = at.right_angled ? at.units_per_mm : length(direction);
     line.direction = (1 / scale) * direction;
     if (camera.depth_range)
-        line.length = scale * (front + camera.depth_range->y) / d.z;
+        line.length = scale * (start_distance(camera) + camera.depth_range->y) / d.z;
     return line;
 }
 
 std::optional<StartRegion> start_region(const IntegralCamera& camera)
 {
     const SheetOptics& optics = camera.optics;
-    if (refracts_at_surface(optics.model()) || camera.display_prefilter)
+    if (refracts_at_surface(optics.model()) || camera.display_prefilter || camera.projection)
         return std::nullopt;
     const Aperture& aperture = optics.aperture();
     const bool at_aperture = !camera.depth_range && !camera.pseudoscopic;

@@ -6,6 +6,7 @@
 
 #include "integral/optics/beam.h"
 #include "integral/optics/camera_parameters.h"
+#include "integral/optics/projection.h"
 
 #include <optional>
 
@@ -23,7 +24,7 @@ struct Placement {
     double units_per_mm = 1; ///< k
     /// Whether the axes are at right angles, to rounding: then every length is scaled by k.
     bool right_angled = false;
-    double sheet_distance = 0; ///< scene units from the scene's eye to the sheet; 0: not known
+    double sheet_distance = 0;   ///< scene units from the scene's eye to the sheet; 0: not known
     bool scale_is_given = false; ///< by units_per_mm; else k follows the window, so sheet_distance
 };
 
@@ -50,11 +51,16 @@ struct IntegralCamera {
     /// place of their ideal filter). Every sample goes through the lens of the pixel's centre, even
     /// where its film point belongs to a neighbour.
     bool display_prefilter = false;
+    /// The aperture is then this lens, and `placement` that of the image frame (projection.h).
+    std::optional<ProjectionLens> projection = {};
 
     /// Height (mm) of a lenticular sheet's slit at a point of the aperture plane; 0 for other
     /// sheets.
     double slit_height(Vec2 aperture_point) const;
 };
+
+/// From the sheet, or its projected image, to the viewer's eye, mm.
+double viewer_distance(const IntegralCamera& camera);
 
 /// How far from the sheet the scene has its eye, mm: what the viewing distance is unless
 /// CameraParameters::viewing_distance moves the eye.
@@ -81,8 +87,8 @@ struct StartRegion {
     Vec3 centre, half_x, half_y;
 };
 
-/// A region that contains the origins of all sight lines of the frame. Nothing for hybrid, full
-/// and the display prefilter, whose rays may cross the aperture's plane anywhere.
+/// A region that contains the origins of all sight lines of the frame. Nothing for projections,
+/// hybrid, full and the display prefilter, whose rays may cross the aperture's plane anywhere.
 std::optional<StartRegion> start_region(const IntegralCamera& camera);
 
 } // namespace integral

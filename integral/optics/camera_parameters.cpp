@@ -91,6 +91,18 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
             c.list.push_back("depth_range <0, 0> leaves nothing to be seen: one of front and back "
                              "must be greater than 0");
     }
+    if (p.projection_lens) {
+        c.require(
+            in(p.projection_lens->x, 1e-2, 1e6), "focal length of projection_lens",
+            p.projection_lens->x,
+            "projection_lens is <focal length, distance from the sheet>, each 0.01 to 1000000 "
+            "mm");
+        c.require(
+            in(p.projection_lens->y, 1e-2, 1e6) && p.projection_lens->y > p.projection_lens->x,
+            "distance of projection_lens", p.projection_lens->y,
+            "it is in mm from the sheet, greater than the focal length (else the lens projects "
+            "no image), at most 1000000");
+    }
     return c.list;
 }
 
@@ -156,6 +168,12 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     if (p.model == LensModel::hybrid && p.beam_samples)
         errors.push_back("beam_samples does not go with lens_model hybrid, which has 3 or 5 rays "
                          "of its own; lens_model full has as many as beam_samples says");
+    if (p.projection_lens && p.sheet.arrangement == Arrangement::lenticular)
+        errors.push_back("projection_lens needs square or hexagonal lenses: behind a lenticular "
+                         "sheet's, heights would be seen in wrong perspective");
+    if (p.projection_lens && p.pseudoscopic)
+        errors.push_back("pseudoscopic does not go with projection_lens, whose image is turned "
+                         "upside down and in depth by the lens itself");
     if (p.display_prefilter && refracts_at_surface(p.model))
         errors.push_back("display_prefilter is a filter of the ideal beam: it goes with lens_model "
                          "extended_pinhole or pinhole");

@@ -43,9 +43,12 @@ struct CameraParameters {
     /// default_pixel_samples.
     std::optional<int> pixel_samples;
     bool display_prefilter = false; ///< see IntegralCamera
-    /// How far the camera sees in front of the sheet (at most to the aperture) and behind it, mm;
+    /// How far the camera sees in front of the sheet (at most to the viewer) and behind it, mm;
     /// >= 0. Nothing: from the aperture to infinity.
     std::optional<Vec2> depth_range;
+    /// Focal length of a projection lens before the sheet and its distance from the sheet, mm. The
+    /// scene is where the viewer sees the projected image: sheet_distance is that of the sheet's.
+    std::optional<Vec2> projection_lens;
     bool pseudoscopic = false; ///< Lippmann's single-stage capture: inverted in depth
 };
 

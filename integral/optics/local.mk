@@ -24,6 +24,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/lens_surface.h \
   integral/optics/pixel_run.cpp \
   integral/optics/pixel_run.h \
+  integral/optics/projection.h \
   integral/optics/refraction.h \
   integral/optics/slit.cpp \
   integral/optics/slit.h \

@@ -9,25 +9,31 @@
 
 namespace integral {
 
-Eye centre_eye(const FrameMetadata& metadata) { return {0, 0, metadata.aperture.distance}; }
+Eye centre_eye(const FrameMetadata& metadata)
+{
+    return {0, 0, metadata.projection ? metadata.projection->viewer : metadata.aperture.distance};
+}
 
 namespace {
 
-SheetPart part_of_sheet(const View& view, const Film& film)
+/// Of the sheet, or of its projected image.
+SheetPart part_seen(const View& view, const FrameMetadata& metadata)
 {
     if (view.part.width > 0)
         return view.part;
-    return {{0, 0}, film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
+    const double scale = metadata.projection ? metadata.projection->magnification() : 1;
+    const Vec2 size = scale * size_of(metadata.film);
+    return {{0, 0}, size.x, size.y};
 }
 
 } // namespace
 
 void set_view_size(View& view, const Film& film, int longer)
 {
-    const SheetPart part = part_of_sheet(view, film);
-    const double scale = longer / std::max(part.width, part.height);
-    view.width = std::max(1, int(std::lround(part.width * scale)));
-    view.height = std::max(1, int(std::lround(part.height * scale)));
+    const Vec2 part = view.part.width > 0 ? Vec2{view.part.width, view.part.height} : size_of(film);
+    const double scale = longer / std::max(part.x, part.y);
+    view.width = std::max(1, int(std::lround(part.x * scale)));
+    view.height = std::max(1, int(std::lround(part.y * scale)));
 }
 
 namespace {
@@ -40,6 +46,7 @@ public:
           distance_(view.eye.distance),
           film_gap_(view.film_gap),
           gap_parts_(view.film_gap / frame.metadata->sheet.thickness),
+          projection_(frame.metadata->projection),
           optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
           surface_(frame.metadata->sheet),
           pixel_(frame.image),
@@ -51,7 +58,8 @@ public:
     /// that is seen.
     Colour at(Vec2 point, Vec2 eye, Vec2 aside) const
     {
-        const auto film_point = film_point_seen(point, eye);
+        const auto film_point = projection_ ? film_point_projected(point, eye)
+                                            : film_point_seen(point, eye, distance_);
         if (!film_point)
             return outside_;
         const Vec2 pixel = pixel_from_film(film_, *film_point + aside);
@@ -62,11 +70,27 @@ public:
     }
 
 private:
-    std::optional<Vec2> film_point_seen(Vec2 point, Vec2 eye) const
+    /// The same at a point of the sheet's image, through the projection lens; nothing beside it.
+    std::optional<Vec2> film_point_projected(Vec2 image, Vec2 eye) const
+    {
+        const Vec2 slope = (1 / distance_) * (image - eye);
+        const ProjectedFrom from = projected_from(*projection_,
+                                                  {{image.x, image.y, 0}, {slope.x, slope.y, 1}});
+        // A slit's length is no limit for the light: it spreads along the lenses.
+        const bool is_slit = optics_.sheet().arrangement == Arrangement::lenticular;
+        const bool across = is_slit && slit_is_horizontal(optics_.sheet());
+        if (!contains(optics_.aperture(),
+                      {is_slit && !across ? 0 : from.lens_point.x, across ? 0 : from.lens_point.y}))
+            return std::nullopt;
+        return film_point_seen(from.sheet_point, from.lens_point, projection_->distance);
+    }
+
+    /// `eye`: `distance` before the sheet.
+    std::optional<Vec2> film_point_seen(Vec2 point, Vec2 eye, double distance) const
     {
         if (refracts_at_surface(optics_.model()))
-            return surface_.film_point_seen(point, (1 / distance_) * (point - eye), film_gap_);
-        const Vec3 direction{eye.x - point.x, eye.y - point.y, -distance_}; // to the eye
+            return surface_.film_point_seen(point, (1 / distance) * (point - eye), film_gap_);
+        const Vec3 direction{eye.x - point.x, eye.y - point.y, -distance}; // to the eye
         // All light that this lens sends in that direction comes from one point of the focal plane.
         const Vec2 focus = optics_.film_point_seen(point, direction);
         // If the film is not there, what is seen lies on the line from the lens's point to it.
@@ -89,6 +113,7 @@ private:
     double distance_;
     double film_gap_;  ///< the film's distance behind the lenses' focus, mm
     double gap_parts_; ///< the same in thicknesses
+    std::optional<ProjectionLens> projection_;
     SheetOptics optics_;
     SheetSurface surface_; ///< for models that refract there
     LinearReader pixel_;
@@ -145,7 +170,7 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
     Image image = blank_like(frame.image, view.width, view.height);
 
     // The view's pixels, as a film of their own over its part of the sheet.
-    const SheetPart part = part_of_sheet(view, frame.metadata->film);
+    const SheetPart part = part_seen(view, *frame.metadata);
     const Film grid{view.width, view.height, {part.width / view.width, part.height / view.height}};
     // The samples' places: evenly spread, the same in each row and each column.
     const int n = view.samples;

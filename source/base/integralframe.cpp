@@ -48,6 +48,7 @@ integral::FrameMetadata Metadata_Of(const integral::IntegralCamera& camera)
     metadata.film = camera.film;
     metadata.aperture = camera.optics.aperture();
     metadata.placement = camera.placement;
+    metadata.projection = camera.projection;
     return metadata;
 }
 

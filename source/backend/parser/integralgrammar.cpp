@@ -104,6 +104,7 @@ const std::vector<IntegralGrammar::Word>& IntegralGrammar::Words()
         Word::Value<&P::pixel_samples, &G::Parse_Count>("pixel_samples"),
         Word::Value<&P::display_prefilter, &G::Parse_Flag>("display_prefilter"),
         Word::Value<&P::depth_range, &G::Parse_Vector>("depth_range"),
+        Word::Value<&P::projection_lens, &G::Parse_Vector>("projection_lens"),
         Word::Value<&P::pseudoscopic, &G::Parse_Flag>("pseudoscopic"),
     };
     return words;

@@ -82,6 +82,8 @@ void IntegralGrammar::Warn_Of_Eye(const IntegralStatement& statement)
 {
     const integral::IntegralCamera& optics = *statement.optics;
     const integral::Vec2 size = size_of(optics.film);
+    if (optics.projection)
+        return;
     const double distance = optics.optics.aperture().distance,
                  diagonal = std::hypot(size.x, size.y), panels = 2.5 * diagonal;
     const bool is_panel = optics.film.subpixels != integral::Subpixels::none;

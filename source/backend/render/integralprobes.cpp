@@ -125,7 +125,8 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
     const integral::Aperture& aperture = camera.optics.aperture();
     const Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
     IntegralStarts starts;
-    if (camera.pseudoscopic || (camera.depth_range && camera.depth_range->x < aperture.distance))
+    if (camera.pseudoscopic || camera.projection ||
+        (camera.depth_range && camera.depth_range->x < aperture.distance))
         return starts;
     Look look{camera, thread, {}};
     look.near = Objects_Near(

@@ -23,7 +23,8 @@ struct IntegralStarts
 
 /// Looks along straight lines from the eye to at most 128 rays' starts, for at most 20 ms of
 /// processor time. Objects that the camera does not see and containers of media do not count. With
-/// depth_range or pseudoscopic, whose rays start nearer to the sheet, nothing is found.
+/// depth_range, projection_lens or pseudoscopic, whose rays start nearer to the sheet, nothing is
+/// found.
 IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, const SceneData& scene,
                                      TraceThreadData *thread);
 

@@ -81,8 +81,7 @@ void Choose_Integral_Bounding(SceneData& scene)
 /// Puts the camera where the viewer's eye is, for radiosity and whatever else asks for its place.
 static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
 {
-    const integral::Vec3 eye = scene_from_sheet(optics.placement,
-                                                {0, 0, -optics.optics.aperture().distance});
+    const integral::Vec3 eye = scene_from_sheet(optics.placement, {0, 0, -viewer_distance(optics)});
     Make_Vector(camera.Location, eye.x, eye.y, eye.z);
 }
 
@@ -122,6 +121,10 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options,
                                                                                       height);
         view->sampler = std::make_shared<integral::PixelSampler>(*view->optics, given.seed);
+        const bool projects = view->optics->projection.has_value();
+        if (given.quilt && projects)
+            throw std::invalid_argument("Integral_Quilt and projection_lens do not go together: "
+                                        "render the views without the lens");
         if (given.quilt)
         {
             Start_Quilt(*view, *given.quilt, width, height);
@@ -130,11 +133,12 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         view->rows = given.rows;
         view->error = {given.audit, given.audit_share, given.output, given.error_picture};
         view->caches_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
-        if (given.sharing == pov_base::IntegralSharing::on ||
-            (view->caches_dear_shading_only && given.antialias))
+        // What is shared and reconstructed takes the aperture for the eyes' place.
+        if (!projects && (given.sharing == pov_base::IntegralSharing::on ||
+                          (view->caches_dear_shading_only && given.antialias)))
             view->shading_cache = std::make_shared<IntegralShadingCache>(
                 *view->optics, Patches_In_Beam(*view->optics, given));
-        if (given.antialias && given.light_field)
+        if (given.antialias && given.light_field && !projects)
             view->sampling = std::make_shared<IntegralSampling>(
                 *view->optics, given.rows, given.block_side, given.most_memory, given.reconstruct,
                 least_error_of_threshold * given.threshold);
@@ -214,7 +218,7 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetFloat(kIntegralAttrib_PrintWidth, size.x);
     statistics.SetFloat(kIntegralAttrib_PrintHeight, size.y);
     statistics.SetInt(kIntegralAttrib_Draft, camera.Integral->draft);
-    statistics.SetFloat(kIntegralAttrib_ViewingDistance, view.optics->optics.aperture().distance);
+    statistics.SetFloat(kIntegralAttrib_ViewingDistance, viewer_distance(*view.optics));
     if (camera.Integral->parameters.viewing_distance)
         statistics.SetFloat(
             kIntegralAttrib_SceneDistance,

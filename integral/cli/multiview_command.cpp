@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral multiview: integral imaging beside multi-view images of the same scene.
+#include "integral/base/file_bytes.h"
+#include "integral/batch/renderer_options.h"
+#include "integral/cli/command.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/thread_options.h"
+#include "integral/cli/values.h"
+#include "integral/multiview/multiview_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace integral {
+namespace {
+
+struct MultiviewOptions : CommonOptions {
+    std::optional<std::string> output, size;
+    std::optional<int> views, eyes;
+    bool json = false;
+    ThreadOptions threads;
+};
+
+void declare(options::options_description& all, MultiviewOptions& o)
+{
+    all.add_options()("output,o", fills(o.output, "FOLDER"),
+                      "for the frames and the pictures (made if it is missing)")(
+        "views", fills(o.views, "N"),
+        "of the multi-view images (default as many as a lens has pixels)")(
+        "eyes", fills(o.eyes, "N"),
+        "across the middle 80% of the viewing zone (default four to a view)")(
+        "size", fills(o.size, "WxH"), "pixels of what they see (default 360 on the longer side)")(
+        "json", sets(o.json), "print the figures as JSON");
+    declare(all, o.threads);
+}
+
+int whole(const char* option, const std::optional<int>& given, int most)
+{
+    if (given && (*given < 2 || *given > most))
+        throw UsageError(std::string("--") + option + " " + std::to_string(*given) +
+                         ": a whole number from 2 to " + std::to_string(most) + " is expected");
+    return given.value_or(0);
+}
+
+MultiviewRequest request_of(const MultiviewOptions& o)
+{
+    MultiviewRequest request;
+    request.scene = o.inputs[0];
+    if (extension_of(request.scene) != "pov")
+        throw UsageError(request.scene + ": a scene (.pov) is expected; options of povray-integral "
+                                         "follow it");
+    request.words.assign(o.inputs.begin() + 1, o.inputs.end());
+    if (!value_of_option(request.words, "input_file_name", "i").empty() ||
+        !value_of_option(request.words, "output_file_name", "o").empty())
+        throw UsageError("+I and +O are not for here: the scene stands first, -o names the folder");
+    if (!o.output || *o.output == "-")
+        throw UsageError("-o FOLDER is missing");
+    request.folder = *o.output;
+    request.views = whole("views", o.views, most_views);
+    request.eyes = whole("eyes", o.eyes, most_eyes);
+    if (o.size) {
+        const PixelSize size = parse_size("size", *o.size, 4096);
+        request.width = size.width;
+        request.height = size.height;
+    }
+    request.threads = o.threads.count();
+    if (request.threads > 0)
+        request.words.push_back("+WT" + std::to_string(request.threads));
+    return request;
+}
+
+int run(const MultiviewOptions& o)
+{
+    const MultiviewRequest request = request_of(o);
+    read_file(request.scene); // before its folder is made
+    std::error_code error;
+    std::filesystem::create_directory(request.folder, error);
+    check_writable(request.folder + "/seen.png");
+    try {
+        const MultiviewResult result = compare_multiview(request, progress_bar("multiview"));
+        std::cout << (o.json ? multiview_json(result).dump(2) + "\n" : multiview_text(result));
+    } catch (const std::invalid_argument& wrong) {
+        throw UsageError(request.scene + ": " + wrong.what());
+    }
+    return exit_done;
+}
+
+} // namespace
+
+const Command multiview_command = {
+    "multiview",
+    "a scene's frame beside multi-view images of it: crosstalk, flipping, depth, moire",
+    "SCENE.pov [+W +H ...] -o FOLDER [--views N] [--eyes N] [--size WxH] [--json]",
+    "Renders the scene's frame, and its pictures by perspective cameras side by side\n"
+    "that it interleaves for the same lenticular sheet (thesis 5.2): parallel cameras,\n"
+    "whose image plane is the sheet; cameras that converge on the sheet's middle; and\n"
+    "the parallel ones' pictures with the same views behind every lens, as for an eye\n"
+    "at infinity. Prints what closed forms say, and what eyes across the viewing zone\n"
+    "see of each beside the scene's own perspective picture.\n"
+    "\n"
+    "FOLDER gets the frames integral.png, parallel.png, converging.png, infinity.png;\n"
+    "seen.png, rows of what five eyes see of the scene itself and of these, in this\n"
+    "order; and moire.png, a flat field that even views show white and odd ones black,\n"
+    "from the border of two views. Words of povray-integral that follow the scene hold\n"
+    "for all pictures; the scene's camera, or Integral_Camera=, has to be integral.\n",
+    1,
+    1000,
+    described<MultiviewOptions>,
+    run_with<MultiviewOptions, run>};
+
+} // namespace integral

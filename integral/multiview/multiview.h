@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Compares a scene's integral frame with multi-view images for the same lenticular sheet (thesis
+// 5.2 and 6.1): by closed forms, and by what eyes across the viewing zone see of each.
+#ifndef INTEGRAL_MULTIVIEW_MULTIVIEW_H
+#define INTEGRAL_MULTIVIEW_MULTIVIEW_H
+
+#include "integral/multiview/view_figures.h"
+#include "integral/multiview/view_switching.h"
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+struct MultiviewRequest {
+    std::string scene;              ///< .pov
+    std::vector<std::string> words; ///< of povray-integral, for the scene: +W, +H, +A, Declare=...
+    int views = 0;                  ///< 0: as many as a lens has pixels, rounded
+    int eyes = 0; ///< places from which all is looked at; 0: four to a view, in the middle 80% of
+                  ///< the zone
+    int width = 0, height = 0; ///< pixels of what eyes see; 0: 360 on the longer side
+    int threads = 0;           ///< 0: one per core
+    std::string folder; ///< for frames and pictures: integral.png, parallel.png, converging.png,
+                        ///< infinity.png, moire.png, seen.png
+};
+
+constexpr int most_views = 256, most_eyes = 4096;
+
+/// What eyes see of the scene itself, or of one frame of it.
+struct SeenFrame {
+    std::string name;
+    std::optional<ViewSwitching> switching;  ///< of multi-view images
+    double greatest_jump = 0, mean_jump = 0; ///< RMSE from one eye's picture to the next one's
+    double mean_error = 0, worst_error = 0;  ///< RMSE to the scene's own perspective picture
+};
+
+struct MultiviewResult {
+    FrameMetadata geometry;
+    int views = 0, eyes = 0;
+    ViewFigures figures;
+    std::optional<double> moire; ///< period found in replay of a flat field, mm
+    std::vector<SeenFrame> seen; ///< the scene itself first, then its frame, then multi-view images
+};
+
+/// Renders the scene's frame and its views, interleaves them, replays all and writes the pictures.
+/// Throws std::invalid_argument for what the request asks in vain, InputError where the scene
+/// cannot be rendered, OutputError, Interrupted.
+MultiviewResult compare_multiview(const MultiviewRequest& request, const Progress& progress = {});
+
+} // namespace integral
+
+#endif
