@@ -208,7 +208,7 @@ int make_rgbd(const ViewsOptions& o, const std::string& output, int threads)
     if (format_for(output) == ImageFormat::exr)
         throw UsageError("-o " + output + ": colour and depth are stored values; .png or .tiff");
     check_writable(output);
-    const Frame frame = read_frame_with_metadata(o.inputs[0], o.sheet.value_or(""));
+    const Frame frame = read_sheet_frame(o.inputs[0], o.sheet.value_or(""));
     const DepthFrame depths = read_depths(*o.rgbd);
     PixelSize size = size_to_look_at(o, frame.metadata->film);
     check_quilt_size({2, 1}, size);
@@ -234,8 +234,7 @@ int make_quilts(const ViewsOptions& o, const std::string& output, int threads)
     const Progress bar = progress_bar("views");
     const int count = int(o.inputs.size());
     for (int k = 0; k < count; ++k) {
-        const Frame frame = read_frame_with_metadata(o.inputs[std::size_t(k)],
-                                                     o.sheet.value_or(""));
+        const Frame frame = read_sheet_frame(o.inputs[std::size_t(k)], o.sheet.value_or(""));
         stop_if_interrupted();
         const ViewGrid grid = parse_view_grid(*o.views);
         const PixelSize size = size_to_look_at(o, frame.metadata->film);
@@ -259,7 +258,7 @@ int make_quilts(const ViewsOptions& o, const std::string& output, int threads)
 int make_views(const ViewsOptions& o, const std::string& name, int threads)
 {
     const std::string& input = o.inputs[0];
-    const Frame frame = read_frame_with_metadata(input, o.sheet.value_or(""));
+    const Frame frame = read_sheet_frame(input, o.sheet.value_or(""));
     stop_if_interrupted();
     const FrameMetadata& metadata = *frame.metadata;
     const bool animated = is_animation(name), upright = !o.eyes && (animated || o.upright);

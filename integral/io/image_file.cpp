@@ -182,6 +182,14 @@ void FrameReader::require_metadata() const
                          " (integral sheet --json writes one)");
 }
 
+void FrameReader::refuse_projection() const
+{
+    if (source_->frame.metadata && source_->frame.metadata->projection)
+        refuse(source_->picture.path,
+               "it is a frame for replay through a projection lens, of which this command knows "
+               "nothing; integral replay looks through it");
+}
+
 void FrameReader::read(Image& band)
 {
     guarded(source_->picture.path, [&] { source_->picture.rows->read(band); });
@@ -256,6 +264,14 @@ Frame read_frame_with_metadata(const std::string& path, const std::string& sheet
 {
     FrameReader reader(path, sheet_file);
     reader.require_metadata();
+    return reader.whole();
+}
+
+Frame read_sheet_frame(const std::string& path, const std::string& sheet_file)
+{
+    FrameReader reader(path, sheet_file);
+    reader.require_metadata();
+    reader.refuse_projection();
     return reader.whole();
 }
 

@@ -38,6 +38,8 @@ public:
 
     /// Throws InputError if the frame has no geometry.
     void require_metadata() const;
+    /// Throws InputError if the frame is for replay through a projection lens.
+    void refuse_projection() const;
 
     /// Reads the next band.height rows into `band`, which has the frame's form and width. Throws
     /// InputError.
@@ -85,6 +87,8 @@ Scan read_scan(const std::string& path);
 
 /// The same as read_frame, but throws InputError if there is no geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
+/// The same for what knows no projection lens; throws InputError if the frame is for one.
+Frame read_sheet_frame(const std::string& path, const std::string& sheet_file = "");
 
 /// Reads a geometry document from a JSON file, a frame, or a picture of views (their frame's
 /// geometry). Throws InputError.
