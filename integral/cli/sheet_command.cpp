@@ -26,7 +26,7 @@ struct SheetCommandOptions : CommonOptions {
     SheetOptions sheet;
     FilmOptions film;
     ApertureOptions aperture;
-    std::optional<std::string> pupil, detail;
+    std::optional<std::string> pupil, detail, macro_lens;
     std::string depths = "10,20,50,100,200,300";
     std::optional<std::string> print, report, picture, plot, start, output;
     bool list = false, camera = false, json = false;
@@ -41,6 +41,9 @@ void declare(options::options_description& all, SheetCommandOptions& o)
         "depths", fills(o.depths, "MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")(
         "detail", fills(o.detail, "MM"),
         "distance between the edges that sampling errors are foretold for (default 5)")(
+        "macro-lens", fills(o.macro_lens, "MM"),
+        "focal length, less than 300, of macro-lenses before two such sheets back to back (the "
+        "thesis's two-tier screen): how deep the image is that they make of a scene")(
         "print", fills(o.print, "WxH"), "size of the picture in mm, instead of --size")(
         "list", sets(o.list),
         "a table of known sheets, after the given one, if any: what each gives for that --print, "
@@ -80,6 +83,13 @@ Viewer viewer_of(const SheetCommandOptions& o)
     Viewer viewer; // its pupil and its detail are 5 mm, as in the thesis's figure 4-8
     read_positive("pupil", o.pupil, viewer.pupil);
     read_positive("detail", o.detail, viewer.detail);
+    if (o.macro_lens) {
+        read_positive("macro-lens", o.macro_lens, viewer.macro_lens.emplace());
+        if (!(*viewer.macro_lens < nearest_in_two_tiers))
+            throw UsageError("--macro-lens " + *o.macro_lens +
+                             ": it must be less than 300, the nearest that the thesis's screen "
+                             "shows");
+    }
     viewer.depths = parse_numbers("depths", o.depths, "numbers separated by commas", 1, 1000);
     for (const double depth : viewer.depths)
         if (!(depth > 0))

@@ -34,6 +34,16 @@ std::optional<double> half_lost_angle(const LensSheet& sheet)
 
 double field_lens_focus(const LensSheet& sheet) { return sheet.thickness / 2; }
 
+double macro_lens_depth(double focal_length, double nearest)
+{
+    return focal_length * focal_length / (nearest - focal_length);
+}
+
+double macro_lens_nearest(double focal_length, double depth)
+{
+    return focal_length + focal_length * focal_length / depth;
+}
+
 double pinhole_spread(const LensSheet& sheet, double distance, double width)
 {
     return sheet.thickness * width / distance;

@@ -25,6 +25,15 @@ std::optional<double> half_lost_angle(const LensSheet& sheet);
 /// onto the one opposite (figure 2-11). With them no light is lost up to greatest_angle.
 double field_lens_focus(const LensSheet& sheet);
 
+/// Two tiers (thesis 2.4.2, figure 2-13): before the micro-lenses a macro-lens makes an image of
+/// the scene, compressed in depth. Returns how deep the image of everything from `nearest` mm
+/// before the lens to infinity is: F^2/(nearest - F), by the ideal thin lens; nearest > F.
+constexpr double nearest_in_two_tiers = 300; // mm, in the thesis
+double macro_lens_depth(double focal_length, double nearest);
+
+/// Its inverse: from where to infinity an image that is so deep shows, F + F^2/depth; depth > 0.
+double macro_lens_nearest(double focal_length, double depth);
+
 /// (3-8): micro-image width by the simple pinhole, t w / d.
 double pinhole_spread(const LensSheet& sheet, double distance, double width);
 

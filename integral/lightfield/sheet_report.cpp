@@ -47,9 +47,10 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
     std::optional<WholePicture> whole;
     if (filling && width)
         whole = whole_picture(d, *filling, *width);
+    const auto budget = depth_budget(s, c.pixel);
     const char *sheet = "Sheet", *pair = "Two of it back to back", *film = "Film",
                *view = "Viewer and aperture", *depth = "Depth";
-    return {
+    std::vector<Figure> figures = {
         {sheet, "lenses_per_inch", "lenses per inch", mm_per_inch / s.pitch, "", ""},
         {sheet, "surface_radius_mm", "radius of the lens surface", surface_radius(s), "mm",
          "t(n-1)/n"},
@@ -97,11 +98,21 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
         {view, "discrete_view_distance_mm", "one pixel of all lenses is seen from",
          width ? std::optional<double>(discrete_view_distance(s, c.pixel, *width)) : none, "mm",
          "(5-1)"},
-        {depth, "depth_budget_mm", "depth budget, either side of the sheet",
-         depth_budget(s, c.pixel), "mm", "(4-6) = lenses"},
+        {depth, "depth_budget_mm", "depth budget, either side of the sheet", budget, "mm",
+         "(4-6) = lenses"},
         {depth, "lens_resolution_lp_per_mm", "resolution of the lenses themselves",
          observer_resolution(s.pitch, d, 0), "lp/mm", "(4-7) at 0"},
     };
+    if (const auto macro = viewer.macro_lens) {
+        const char* tiers = "Two tiers: macro-lenses before two of it back to back";
+        figures.push_back({tiers, "macro_lens_depth_mm", "depth of the image of 300 mm to infinity",
+                           macro_lens_depth(*macro, nearest_in_two_tiers), "mm", "2.4.2"});
+        figures.push_back(
+            {tiers, "macro_lens_nearest_mm", "the depth budgets hold infinity to",
+             budget ? std::optional<double>(macro_lens_nearest(*macro, 2 * *budget)) : none, "mm",
+             "(4-6)"});
+    }
+    return figures;
 }
 
 /// Figures at one depth: mm, line pairs per mm.

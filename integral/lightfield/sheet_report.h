@@ -14,8 +14,9 @@ namespace integral {
 
 /// The viewer, whose distance is the aperture's. mm.
 struct Viewer {
-    double pupil = 5;           ///< diameter; > 0
-    std::vector<double> depths; ///< at which to tabulate resolution; each > 0
+    double pupil = 5;                 ///< diameter; > 0
+    std::vector<double> depths;       ///< at which to tabulate resolution; each > 0
+    std::optional<double> macro_lens; ///< focal length of macro-lenses before the sheet; 0 to 300
     double detail = 5; ///< distance between the edges for which sampling errors are foretold; > 0
 };
 

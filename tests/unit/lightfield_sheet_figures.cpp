@@ -168,6 +168,14 @@ BOOST_AUTO_TEST_CASE(equation_5_1_discrete_view_distance)
     check_printed(discrete_view_distance(sheet(), 0.085, 125) / 1000, 4.53, 0.01);
 }
 
+BOOST_AUTO_TEST_CASE(two_tiers_compress_depth)
+{
+    // 1/100 = 1/300 + 1/150: what is 300 mm before a lens of 100 mm is 150 mm behind it, what is
+    // endless 100.
+    BOOST_TEST(macro_lens_depth(100, 300) == 50);
+    BOOST_TEST(std::abs(macro_lens_nearest(80, macro_lens_depth(80, 517)) - 517) < 1e-10);
+}
+
 BOOST_AUTO_TEST_CASE(moire_of_lenses_and_pixels)
 {
     // 15 pixels a lens: the images of an eye at d are p t/(n d) farther apart, so the pattern
