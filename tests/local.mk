@@ -110,6 +110,7 @@ unit_sources = \
   tests/unit/optics_mapping.cpp \
   tests/unit/optics_models.cpp \
   tests/unit/optics_oracle.h \
+  tests/unit/optics_projection.cpp \
   tests/unit/optics_properties.cpp \
   tests/unit/optics_properties.h \
   tests/unit/optics_pixel_run.cpp \

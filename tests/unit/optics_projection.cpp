@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Tests the projection lens against the thin lens's equation and its inverse.
+#include "integral/optics/projection.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+
+using namespace integral;
+
+BOOST_AUTO_TEST_SUITE(optics_projection)
+
+BOOST_AUTO_TEST_CASE(images_are_where_the_thin_lens_equation_has_them)
+{
+    // 1/100 = 1/150 + 1/300, twice as large.
+    const ProjectionLens lens{100, 150, 500};
+    BOOST_TEST(lens.magnification() == 2);
+    BOOST_TEST(lens.image_distance() == 300);
+    // All light of a sheet's point meets in its image, upside down.
+    for (const Vec2 lens_point : {Vec2{0, 0}, Vec2{5, -2}, Vec2{-30, 11}}) {
+        const Line line = projected(lens, {3, -4}, lens_point);
+        BOOST_TEST(line.origin.x == -6);
+        BOOST_TEST(line.origin.y == 8);
+        BOOST_TEST(line.origin.z == 0);
+        // At the lens it is at that point.
+        BOOST_TEST(std::abs(line.origin.x + 300 * line.direction.x - lens_point.x) < 1e-12);
+        BOOST_TEST(std::abs(line.origin.y + 300 * line.direction.y - lens_point.y) < 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_inverse_gives_both_points_back)
+{
+    std::mt19937 random(1);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (int k = 0; k < 1000; ++k) {
+        const double focal = between(10, 300);
+        const ProjectionLens lens{focal, focal * between(1.1, 4), 500};
+        const Vec2 sheet{between(-100, 100), between(-100, 100)},
+            at_lens{between(-50, 50), between(-50, 50)};
+        Line line = projected(lens, sheet, at_lens);
+        const double along = between(-200, 200), scale = between(0.1, 3);
+        line.origin = line.origin + along * line.direction;
+        line.direction = scale * line.direction;
+        const ProjectedFrom from = projected_from(lens, line);
+        BOOST_TEST(length(from.sheet_point - sheet) < 1e-10);
+        BOOST_TEST(length(from.lens_point - at_lens) < 1e-10);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
