@@ -48,6 +48,12 @@ command-pages: build/bin/integral
 	      test ! -e $$page || sed '1,/^<!-- Above: written by/d' $$page; } > $$page.new && \
 	    mv $$page.new $$page || exit 1; done
 
+# The manual as HTML pages that work from a folder.
+.PHONY: manual
+manual:
+	rm -rf build/manual && $(srcdir)/doc/html/make-manual $(srcdir) build/manual
+	@echo build/manual/index.html is the manual
+
 # For programs of others (doc/library.md): the headers, and how to compile and link with them.
 libintegral_headers = $(filter %.h,$(build_lib_libintegral_a_SOURCES))
 pkgconfigdir = $(libdir)/pkgconfig
