@@ -6,6 +6,7 @@
 //     ./use_frame frame.png
 #include "integral/depth/depth_files.h"
 #include "integral/depth/depth_input.h"
+#include "integral/depth/depth_quality.h"
 #include "integral/io/image_file.h"
 #include "integral/output/given_views.h"
 #include "integral/output/interlace.h"
@@ -46,8 +47,9 @@ static void interlace_for_panel(const Frame& frame)
 // The depth of what the eye in the middle sees, in mm behind the sheet.
 static void measure_depth(const char* path)
 {
-    const DepthInput input = read_depth_input({path}, {}, 0, {});
-    const auto map = multibaseline(input.views, MultibaselineSettings(), 0, {});
+    DepthInput input = read_depth_input({path}, {}, 0, {});
+    soften(input.views, 0); // against aliases
+    const auto map = multibaseline(input.views, settings_for(DepthQuality::good), 0, {});
     const UprightMap upright = upright_map(input.views, *map, input.width, input.height, 0);
     write_depth("depth.png", upright);
     const std::vector<float> depths = upright.depths();

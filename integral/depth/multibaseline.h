@@ -31,8 +31,8 @@ struct DepthMap {
 };
 
 /// The range in which most of the pixels are that can be told: from sparse rows, between -4 and 4
-/// pixels. Where it reaches an end of that, or few pixels can be told, the range is up to 16 pixels
-/// in front, and behind to where nothing has an end (at most 16).
+/// pixels, or that where few can be told. Where it reaches an end of that, the range is up to 16
+/// pixels in front, and behind to where nothing has an end (at most 16).
 DisparityRange find_range(const ViewSet& views, const VoteSettings& votes, int threads);
 
 /// Measures the middle view's depth. `threads` and `progress` as in for_each_row. Nothing:
