@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -27,22 +26,6 @@ using StoredColour = std::array<std::uint16_t, 4>;
 constexpr double colour_levels = 8192;
 StoredColour stored_colour(const ComparedColour& colour);
 ComparedColour colour_of(const StoredColour& stored);
-
-/// A float in 2 bytes: its upper half, with an error of less than 1 in 128.
-using ShortFloat = std::uint16_t;
-inline ShortFloat short_float(float x)
-{
-    std::uint32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return ShortFloat(bits >> 16);
-}
-inline float value(ShortFloat x)
-{
-    const std::uint32_t bits = std::uint32_t(x) << 16;
-    float value;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-}
 
 /// Memory of that many bytes, all 0. Throws std::bad_alloc.
 std::shared_ptr<void> zeroed_memory(std::size_t bytes);

@@ -126,8 +126,8 @@ void Reconstruction::set(int x, int y, const ComparedColour& mean, double varian
     Pixel& pixel = pixels_[index(x, y)];
     pixel.mean = stored_colour(mean);
     const bool clamped = *std::max_element(pixel.mean.begin(), pixel.mean.end()) == 65535;
-    pixel.variance = short_float(clamped || !(variance >= 0) ? -1 : float(variance));
-    pixel.of_halves = short_float(float(of_halves));
+    pixel.variance = clamped || !(variance >= 0) ? -1 : float(variance);
+    pixel.of_halves = float(of_halves);
 }
 
 /// Calls visit(x, y) for the pixels behind the same lens at most `reach` pixels away, itself
@@ -150,8 +150,7 @@ float Reconstruction::smooth_variance(int x, int y) const
     int near_number = 0, number = 0;
     for_each_around(x, y, risk_reach, [&](int i, int j) {
         const Pixel& other = pixels_[index(i, j)];
-        const float variance = std::max(0.0f, value(other.variance)),
-                    of_halves = value(other.of_halves);
+        const float variance = std::max<float>(0, other.variance), of_halves = other.of_halves;
         if (std::abs(i - x) <= 1 && std::abs(j - y) <= 1) {
             near_sum += variance;
             ++near_number;
@@ -233,7 +232,7 @@ void Reconstruction::for_each_overlap(int x, int y, const std::array<float, N>& 
     const auto own = *first_.lens(x, y);
     const auto at_depths = patches(x, y);
     const auto visit_usable = [&](const Pixel& other, const std::array<float, N>& overlaps) {
-        if (value(other.variance) >= 0)
+        if (other.variance >= 0)
             visit(other, overlaps);
     };
     for (const Lens& lens : lenses_[own[1] & 1]) {
@@ -326,7 +325,7 @@ Reconstruction::Trial Reconstruction::trial(int x, int y, Scratch& scratch) cons
     Trial result;
     const Pixel& own = pixels_[index(x, y)];
     const float variance = smooth_variance(x, y);
-    if (value(own.variance) < 0 || variance < least_variance_)
+    if (own.variance < 0 || variance < least_variance_)
         return result;
     result.any = true;
     result.own_risk = variance;
@@ -384,7 +383,7 @@ void Reconstruction::estimate(int left, int top, int right, int bottom)
 std::optional<ComparedColour> Reconstruction::reconstructed(int x, int y, Scratch& scratch) const
 {
     const Pixel& own = pixels_[index(x, y)];
-    if (!first_.lens(x, y) || value(own.variance) < 0)
+    if (!first_.lens(x, y) || own.variance < 0)
         return {};
     const float variance = smooth_variance(x, y);
     if (variance < least_variance_)

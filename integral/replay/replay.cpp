@@ -76,11 +76,7 @@ private:
         const Vec2 slope = (1 / distance_) * (image - eye);
         const ProjectedFrom from = projected_from(*projection_,
                                                   {{image.x, image.y, 0}, {slope.x, slope.y, 1}});
-        // A slit's length is no limit for the light: it spreads along the lenses.
-        const bool is_slit = optics_.sheet().arrangement == Arrangement::lenticular;
-        const bool across = is_slit && slit_is_horizontal(optics_.sheet());
-        if (!contains(optics_.aperture(),
-                      {is_slit && !across ? 0 : from.lens_point.x, across ? 0 : from.lens_point.y}))
+        if (!contains(optics_.aperture(), from.lens_point))
             return std::nullopt;
         return film_point_seen(from.sheet_point, from.lens_point, projection_->distance);
     }
