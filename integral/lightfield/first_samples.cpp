@@ -118,6 +118,18 @@ std::optional<FirstSamples::StoredLens> FirstSamples::lens(int x, int y) const
     return {};
 }
 
+std::array<float, 2> FirstSamples::depths_around(int x, int y) const
+{
+    const Entry& own = entries_[std::size_t(y) * width_ + x];
+    std::array<float, 2> range = {own.depth, own.depth};
+    const auto include = [&](const Entry* other) {
+        if (other)
+            range = {std::min(range[0], other->depth), std::max(range[1], other->depth)};
+    };
+    for_each_axis(own, x, y, [&](const Entry* a, const Entry* b) { include(a), include(b); });
+    return range;
+}
+
 double FirstSamples::contrast(int x, int y) const
 {
     const Entry* own = at(x, y);

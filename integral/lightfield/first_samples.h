@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -81,6 +82,9 @@ public:
     /// Calls visit(x, y) for each neighbour that is not missing.
     template <class Visit> void for_each_neighbour(int x, int y, Visit visit) const;
 
+    /// The least and the greatest depth of a pixel, which must not be empty, and its neighbours.
+    std::array<float, 2> depths_around(int x, int y) const;
+
 private:
     struct Entry {
         StoredColour colour{};
@@ -93,7 +97,12 @@ private:
     struct Step {
         int i[2], j, x, y; // i[0]: from an even row of lenses; i[1]: from an odd one
     };
-    static bool empty(const Entry& entry) { return entry.depth == 0 && !std::signbit(entry.depth); }
+    static bool empty(const Entry& entry)
+    {
+        std::uint32_t bits;
+        std::memcpy(&bits, &entry.depth, sizeof bits);
+        return bits == 0;
+    }
     /// The entry of pixel (x, y); null if it is empty or outside the frame.
     const Entry* at(int x, int y) const
     {

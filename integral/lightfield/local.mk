@@ -2,6 +2,8 @@
 # Sources of integral/lightfield: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/lightfield/beam_overlaps.cpp \
+  integral/lightfield/beam_overlaps.h \
   integral/lightfield/camera_words.cpp \
   integral/lightfield/camera_words.h \
   integral/lightfield/depth_advice.cpp \

@@ -20,7 +20,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
 #define INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
 
-#include "integral/lightfield/first_samples.h"
+#include "integral/lightfield/beam_overlaps.h"
 
 #include <cstdint>
 #include <cstring>
@@ -50,7 +50,7 @@ public:
                    std::shared_ptr<void> memory = nullptr);
 
     /// Working memory of one thread.
-    using Scratch = std::vector<float>;
+    using Scratch = BeamOverlaps::Found;
 
     static constexpr int risk_reach = 2; ///< pixels around over which a risk is averaged
 
@@ -104,18 +104,6 @@ private:
         StoredColour estimate;
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
-    /// A neighbouring lens, or the pixel's own.
-    struct Lens {
-        int i, j;  ///< the step to it in the lattice
-        Vec2 step; ///< mm, along (for a lenticular sheet: across) the film's axes
-    };
-    /// How far a beam's patch moves with the film point, for one of two depths, relative to mm on
-    /// the film; and its inverse width, 1/mm.
-    struct Patch {
-        Vec2 move, inverse_width;
-    };
-    /// Distances of patches' centres at the two depths, in patches.
-    using Apart = std::array<float, 2>;
     /// For one pixel: the two filtered colours and their risks, and the risk of its own mean.
     struct Trial {
         bool any = false;
@@ -125,32 +113,14 @@ private:
     };
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
-    std::array<Patch, 2> patches(int x, int y) const;
     float smooth_variance(int x, int y) const;
     template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
-    std::array<int, 2> range(const Apart& start, const Apart& pace, float width, int centre) const;
 
-    /// Calls visit(const Pixel&, overlaps) for pixels whose beams overlap with a pixel's, but for
-    /// those that are to be left alone; their overlaps are 0 to 1, one for each of `widths`, which
-    /// ascend.
-    template <std::size_t N, class Visit>
-    void for_each_overlap(int x, int y, const std::array<float, N>& widths, Scratch& scratch,
-                          Visit visit) const;
-    template <std::size_t N, class Visit>
-    void visit_lens(int x, int y, const std::array<Patch, 2>& at, const Lens& lens,
-                    FirstSamples::StoredLens other, const std::array<float, N>& widths,
-                    Scratch& scratch, Visit visit) const;
-    template <std::size_t N, class Visit>
-    void visit_line(int x, int y, const std::array<Patch, 2>& at, const Lens& lens,
-                    FirstSamples::StoredLens other, const std::array<float, N>& widths,
-                    Visit visit) const;
     Trial trial(int x, int y, Scratch& scratch) const;
 
-    const IntegralCamera& camera_;
     const FirstSamples& first_;
-    int width_, height_, reach_; ///< reach: rows from a pixel to those with overlapping beams
-    int pixels_across_;          ///< the greatest number of pixels across a lens
-    std::array<std::vector<Lens>, 2> lenses_; ///< from an even and from an odd row of lenses
+    BeamOverlaps overlaps_;
+    int width_, height_;
     float least_variance_;
     std::shared_ptr<void> memory_;
     Pixel* pixels_;
