@@ -48,6 +48,21 @@ command-pages: build/bin/integral
 	      test ! -e $$page || sed '1,/^<!-- Above: written by/d' $$page; } > $$page.new && \
 	    mv $$page.new $$page || exit 1; done
 
+# The INI files of papers and panels, from the program's tables.
+.PHONY: settings
+settings: build/bin/integral
+	INTEGRAL=build/bin/integral $(srcdir)/unix/make-settings $(srcdir)/include/integral
+
+# The words that editors colour, from the sources.
+.PHONY: editor-words
+editor-words:
+	$(srcdir)/doc/editors/make-words $(srcdir)/doc/editors
+
+# The gallery: minutes of rendering for each scene. What is there already is kept.
+.PHONY: gallery
+gallery: all
+	$(srcdir)/doc/gallery/make-gallery build/gallery
+
 # The manual as HTML pages that work from a folder.
 .PHONY: manual
 manual:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // See integral_paths.h.
 #include <cstdlib>
+#include <list>
+#include <string>
 #include <unistd.h>
 
 #include "vfe.h"
@@ -32,6 +34,25 @@ void UseIntegralSettings(std::string& system_conf, std::string& user_conf, std::
         system_ini = share + "/povray.ini";
     if (!Readable(user_conf))
         user_conf.clear();
+}
+
+void FindIntegralSettings(char **argv)
+{
+    static std::list<std::string> found;
+    const std::string share = IntegralShareDirectory();
+    for (; *argv != NULL; ++argv)
+    {
+        const std::string name = *argv;
+        if (name.size() < 4 || name.compare(name.size() - 4, 4, ".ini") != 0 || Readable(name))
+            continue;
+        for (const char *folder : {"/include/", "/include/integral/"})
+            if (Readable(share + folder + name))
+            {
+                found.push_back(share + folder + name);
+                *argv = &found.back()[0];
+                break;
+            }
+    }
 }
 
 void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options)

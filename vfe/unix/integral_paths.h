@@ -21,6 +21,12 @@ std::string IntegralShareDirectory();
 /// exist by the one in the share folder, and the user's povray.conf by "" if it does not exist.
 void UseIntegralSettings(std::string& system_conf, std::string& user_conf, std::string& system_ini);
 
+/// Replaces each argument that names an INI file which is not there, but is in the share folder's
+/// include or include/integral, by its path: `povray-integral print-4x6.ini +Iscene.pov` works from
+/// any folder. (POV-Ray reads INI files before it knows the library paths.) `argv` ends with a null
+/// pointer. Replaced entries point to strings that exist until the program ends.
+void FindIntegralSettings(char **argv);
+
 /// Appends the share folder and its subfolders ini, include and scenes to the library paths of the
 /// settings and the command line, so that advanced/chess2.pov and integral/biplane.pov are found
 /// from any folder.
