@@ -40,6 +40,17 @@ std::string renderer_program()
     return !error && access(beside.c_str(), X_OK) == 0 ? beside.string() : name;
 }
 
+void become_renderer(const std::vector<std::string>& words)
+{
+    const std::string program = renderer_program();
+    std::vector<char*> line = {const_cast<char*>(program.c_str())};
+    for (const std::string& word : words)
+        line.push_back(const_cast<char*>(word.c_str()));
+    line.push_back(nullptr);
+    execvp(program.c_str(), line.data());
+    throw no_renderer(program + ": " + std::strerror(errno));
+}
+
 std::string reason_in(const std::string& said)
 {
     std::string last;

@@ -30,6 +30,10 @@ private:
 /// PATH.
 std::string renderer_program();
 
+/// Has povray-integral take this program's place, with these words of its command line. Throws
+/// InputError if it cannot be run.
+[[noreturn]] void become_renderer(const std::vector<std::string>& words);
+
 /// The reason for a failure in what POV-Ray has printed: the sentence with "Error:", its broken
 /// lines joined; else the last line.
 std::string reason_in(const std::string& said);

@@ -326,18 +326,28 @@ TuneResult tune(const std::string& scene, const std::vector<std::string>& option
     return result;
 }
 
+std::vector<std::string> tuned_words(const std::string& scene,
+                                     const std::vector<std::string>& options,
+                                     const TuneResult& result, const TuneSetting& setting)
+{
+    std::vector<std::string> words = {extension_of(scene) == "pov" ? "+I" + scene : scene};
+    for (const std::string& option : options)
+        if (camera_in({option}).empty())
+            words.push_back(option);
+    for (const std::string& option : setting.options)
+        if (option != "-A")
+            words.push_back(option);
+    words.push_back(camera_option(result.camera, setting));
+    return words;
+}
+
 std::string tuned_command(const std::string& scene, const std::vector<std::string>& options,
                           const TuneResult& result, const TuneSetting& setting)
 {
-    std::string text = "povray-integral " +
-                       pasted(extension_of(scene) == "pov" ? "+I" + scene : scene);
-    for (const std::string& option : options)
-        if (camera_in({option}).empty())
-            text += " " + pasted(option);
-    for (const std::string& option : setting.options)
-        if (option != "-A")
-            text += " " + option;
-    return text + " " + pasted(camera_option(result.camera, setting));
+    std::string text = "povray-integral";
+    for (const std::string& word : tuned_words(scene, options, result, setting))
+        text += " " + pasted(word);
+    return text;
 }
 
 } // namespace integral

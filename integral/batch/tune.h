@@ -59,7 +59,12 @@ std::optional<std::size_t> best_point(const std::vector<TunePoint>& points, cons
 TuneResult tune(const std::string& scene, const std::vector<std::string>& options,
                 const TuneGoal& goal, const Progress& progress = {});
 
-/// The words to render the whole frame with a setting, for a shell.
+/// The words of povray-integral's command line that render the whole frame with a setting.
+std::vector<std::string> tuned_words(const std::string& scene,
+                                     const std::vector<std::string>& options,
+                                     const TuneResult& result, const TuneSetting& setting);
+
+/// The same with the program's name, for a shell.
 std::string tuned_command(const std::string& scene, const std::vector<std::string>& options,
                           const TuneResult& result, const TuneSetting& setting);
 

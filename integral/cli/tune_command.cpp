@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral tune: error against seconds of settings, on this scene and machine.
+#include "integral/batch/renderer.h"
 #include "integral/batch/tune.h"
 #include "integral/batch/tune_report.h"
 #include "integral/cli/command.h"
@@ -15,7 +16,7 @@ namespace {
 
 struct TuneOptions : CommonOptions {
     std::optional<std::string> target_error, seconds, plot, output;
-    bool json = false;
+    bool json = false, render = false;
 };
 
 void declare(options::options_description& all, TuneOptions& o)
@@ -27,6 +28,7 @@ void declare(options::options_description& all, TuneOptions& o)
         "how long the render may take: names the setting with the least error")(
         "plot", fills(o.plot, "FILE"), "draw error against seconds, to FILE.svg or FILE.png")(
         "json", sets(o.json), "print the figures as JSON")(
+        "render", sets(o.render), "then render the whole frame with the setting named")(
         "output,o", fills(o.output, "FILE"), "print to FILE instead of standard output");
 }
 
@@ -50,6 +52,8 @@ TuneGoal goal_of(const TuneOptions& o)
 int run(const TuneOptions& o)
 {
     const TuneGoal goal = goal_of(o);
+    if (o.render && !goal.error && !goal.seconds)
+        throw UsageError("--render needs a target: --target-error 0.02, or --seconds 60");
     const std::string& scene = o.inputs[0];
     const Words words(o.inputs.begin() + 1, o.inputs.end());
     try {
@@ -63,6 +67,10 @@ int run(const TuneOptions& o)
             write_plot(tune_plot(scene, result), *o.plot);
         print_result(o.output, o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
                                       : tune_text(scene, words, goal, result));
+        if (o.render && result.best) {
+            std::fflush(stdout);
+            become_renderer(tuned_words(scene, words, result, result.points[*result.best].setting));
+        }
         return result.best || (!goal.error && !goal.seconds) ? exit_done : exit_check_failed;
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
@@ -74,14 +82,15 @@ int run(const TuneOptions& o)
 const Command tune_command = {
     "tune",
     "which sampling settings a scene needs: error against seconds on this machine",
-    "SCENE [+W +H ...] [--target-error E | --seconds S] [--plot FILE.svg]",
+    "SCENE [+W +H ...] [--target-error E | --seconds S] [--render] [--plot FILE.svg]",
     "Renders some bands of the scene's frame at a ladder of settings, with the size, the camera "
     "and\n"
     "the other options of povray-integral that follow SCENE; prints each setting's estimated "
     "error\n"
     "and the time that the whole frame would take; and names the setting for a target, as a "
     "command\n"
-    "line to paste. The exit status is 1 if no setting reaches the target.\n",
+    "line to paste, or renders the frame with it. The exit status is 1 if no setting reaches the\n"
+    "target.\n",
     1,
     1000,
     described<TuneOptions>,

@@ -16,6 +16,7 @@ enum
                                       ///< patches
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
     kIntegralAttrib_Sheet = 'IgSf', ///< option Integral_Sheet=: file with a lens sheet
+    kIntegralAttrib_TargetError = 'IgTE', ///< option Integral_Target_Error= of an INI file
     kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel in pixels
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
     kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
@@ -53,6 +54,7 @@ enum
     {"Integral_Camera", kIntegralAttrib_Camera, kPOVMSType_UCS2String},                            \
         {"Integral_Sheet", kIntegralAttrib_Sheet, kPOVMSType_UCS2String},                          \
         {"Integral_Draft", kIntegralAttrib_Draft, kPOVMSType_UCS2String},                          \
+        {"Integral_Target_Error", kIntegralAttrib_TargetError, kPOVMSType_UCS2String},             \
         {"Integral_Audit", kIntegralAttrib_Audit, kPOVMSType_UCS2String},                          \
         {"Integral_Seed", kIntegralAttrib_Seed, kPOVMSType_Int},                                   \
         {"Integral_Depth_Image", kIntegralAttrib_DepthPicture, kPOVMSType_UCS2String},             \

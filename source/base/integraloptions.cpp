@@ -272,6 +272,10 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
     result.free_height = options.TryGetBool(kIntegralAttrib_FreeHeight, false);
     try
     {
+        if (const std::string error = text(kIntegralAttrib_TargetError); !error.empty())
+            throw std::invalid_argument("Integral_Target_Error=" + error +
+                                        " stands in an INI file; give it on the command line, from "
+                                        "which it looks for the settings before the render");
         result.draft = Draft_In(text(kIntegralAttrib_Draft));
         const bool size_is_known = result.draft == 1 && !result.free_height;
         IntegralFrame::Set_Quilt(
