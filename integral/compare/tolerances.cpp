@@ -20,20 +20,19 @@ namespace {
 std::string quoted(const std::string& text) { return '"' + excerpt(text) + '"'; }
 
 /// Throws unless a value is an object; `name` is its field's.
-const Json& object_at(int line, const std::string& name, const Json& json)
+void expect_object(int line, const std::string& name, const Json& json)
 {
     if (!json.is_object())
         refuse(line, name + " must be an object, { ... }");
-    return json;
 }
 
 std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const LinedJson& document,
                                                                      const std::string& name,
                                                                      const Json& json)
 {
+    expect_object(document.line_of(json), quoted(name), json);
     std::vector<std::pair<std::size_t, std::optional<double>>> limits;
-    for (const auto& [word, value] :
-         object_at(document.line_of(json), quoted(name), json).items()) {
+    for (const auto& [word, value] : json.items()) {
         const int line = document.line_of(value);
         std::size_t kind = 0;
         while (kind < limit_count && word != limit_kinds[kind].word)
@@ -60,15 +59,17 @@ std::vector<std::pair<std::size_t, std::optional<double>>> limits_at(const Lined
 Tolerances tolerances_from_json(const std::string& text)
 {
     const LinedJson document(text);
+    const Json& root = document.root();
+    expect_object(document.line_of(root), "the document", root);
     Tolerances tolerances;
-    for (const auto& [word, value] :
-         object_at(document.line_of(document.root()), "the document", document.root()).items()) {
+    for (const auto& [word, value] : root.items()) {
         const int line = document.line_of(value);
         if (word == "defaults") {
             for (const auto& [kind, limit] : limits_at(document, word, value))
                 tolerances.defaults[kind] = limit;
         } else if (word == "files") {
-            for (const auto& [pattern, limits] : object_at(line, quoted(word), value).items())
+            expect_object(line, quoted(word), value);
+            for (const auto& [pattern, limits] : value.items())
                 tolerances.entries.push_back(
                     {pattern, document.line_of(limits), limits_at(document, pattern, limits)});
         } else {
