@@ -61,9 +61,10 @@ void declare(options::options_description& all, SheetCommandOptions& o)
         "with --report: the scene tinted blue where it is sharp, yellow where soft, red beyond; -o "
         "FILE.html is a page with picture and report")(
         "plot", fills(o.plot, "KIND"),
-        "draw instead: spread, lens, sheets, resolution or film; needs -o FILE.svg or FILE.png")(
-        "sheet", fills(o.start, "FILE.json"),
-        "start from this geometry: a JSON document, or a frame")(
+        "draw instead: spread, lens, sheets, resolution, pixels-seen, pixel-spread or film; needs "
+        "-o "
+        "FILE.svg or FILE.png")("sheet", fills(o.start, "FILE.json"),
+                                "start from this geometry: a JSON document, or a frame")(
         "json", sets(o.json),
         "print the geometry and the figures as JSON, which --sheet of every command reads")(
         "output,o", fills(o.output, "FILE"), "print to FILE instead of standard output");
@@ -273,9 +274,12 @@ const Command sheet_command = {
     "--plot draws instead: spread, the width of a micro-image against the distance, by the\n"
     "pinhole, the extended pinhole and a real lens (figure 3-26); lens, the real lens's beam\n"
     "against the extended pinhole's ray from axis to margin; sheets, the same for the thesis's\n"
-    "sheets; resolution, against depth (figures 4-12 and 4-15); film, what of it a lens shows with "
-    "the\n"
-    "film at its focus, nearer and farther (figures 4-3 to 4-6).\n",
+    "sheets; resolution, against depth (figures 4-12 and 4-15); pixels-seen, how many of a lens "
+    "an\n"
+    "eye sees at once, against its distance (figure 4-8); pixel-spread, what a pixel covers "
+    "against\n"
+    "distance (figure 4-11); film, what of it a lens shows with the film at its focus, nearer and\n"
+    "farther (figures 4-3 to 4-6).\n",
     0,
     1000,
     described<SheetCommandOptions>,

@@ -48,7 +48,7 @@ std::optional<Image> mask_picture(const MaskRequest& request, int threads, const
 {
     const MaskGrey grey(request);
     const Film& film = request.film;
-    Image image = blank_like(form_of(request.bits, film.width, film.height, 3, Encoding{}),
+    Image image = blank_like(form_of(request.bits, film.width, film.height, 1, Encoding{}),
                              film.width, film.height);
     const bool done = for_each_row(
         film.height, threads,

@@ -47,7 +47,7 @@ private:
     Vec2 pole_;
 };
 
-/// The picture, whose samples are the greys themselves. Nothing if `progress` stopped the work.
+/// The picture of one channel, whose samples are the greys themselves. Nothing if `progress` stopped the work.
 /// Throws as MaskGrey does.
 std::optional<Image> mask_picture(const MaskRequest& request, int threads,
                                   const Progress& progress);

@@ -210,7 +210,10 @@ bool write_header(Session& s, const DecodedImage& picture)
     const Image& image = picture.image;
     png_set_write_fn(s.png, &s, on_write, on_flush);
     png_set_IHDR(s.png, s.info, png_uint_32(image.width), png_uint_32(image.height),
-                 sample_bits(image), image.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
+                 sample_bits(image),
+                 image.channels == 1   ? PNG_COLOR_TYPE_GRAY
+                 : image.channels == 4 ? PNG_COLOR_TYPE_RGBA
+                                       : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (!picture.profile.empty())
         png_set_iCCP(s.png, s.info, "printer", PNG_COMPRESSION_TYPE_BASE,

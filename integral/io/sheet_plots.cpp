@@ -210,6 +210,56 @@ Plot resolution_plot(const FrameMetadata& g, const Viewer& viewer)
     return plot;
 }
 
+Plot pixels_seen_plot(const FrameMetadata& g, const Viewer& viewer)
+{
+    const LensSheet& sheet = g.sheet;
+    const double pixel = counted(g).pixel, far = std::max(1000.0, 1.25 * g.aperture.distance);
+    Plot plot;
+    plot.title = "Pixels of each lens that an eye sees at once (figure 4-8)";
+    plot.subtitle = description(sheet) + "; " + written(mm_per_inch / pixel) + " dpi";
+    plot.x.label = "distance of the eye (mm)";
+    plot.y.label = "pixels";
+    plot.x.low = 0;
+    plot.x.high = far;
+    plot.y.low = 0;
+    PlotSeries seen = series("pupil " + written(viewer.pupil) + " mm (4-1)", Style::line);
+    constexpr int first = 10, steps = 200; // what is nearer would hide the rest
+    for (int i = first; i <= steps; ++i)
+        add(seen, far * i / steps, pixels_seen(sheet, pixel, viewer.pupil, far * i / steps));
+    plot.series.push_back(seen);
+    plot.series.push_back(level("one pixel", 0, far, 1));
+    return plot;
+}
+
+Plot pixel_spread_plot(const FrameMetadata& g)
+{
+    const LensSheet& sheet = g.sheet;
+    const double pixel = counted(g).pixel;
+    const auto angle = pixel_angle(sheet, pixel);
+    if (!angle)
+        throw std::invalid_argument("--plot pixel-spread: light from the edge of a pixel that wide "
+                                    "is totally reflected in a sheet that thin");
+    constexpr double far = 300; // mm
+    Plot plot;
+    plot.title = "What one pixel covers, against distance (figure 4-11)";
+    plot.subtitle = description(sheet) + "; " + written(mm_per_inch / pixel) + " dpi; " +
+                    written(*angle) + " degrees, " +
+                    written(pixel_spread(*angle, far)) + " mm at " + written(far) + " mm";
+    plot.x.label = "distance from the sheet (mm)";
+    plot.y.label = "width (mm)";
+    plot.x.low = 0;
+    plot.x.high = far;
+    plot.y.low = 0;
+    PlotSeries spread = series("pixel (4-5)", Style::line),
+               beam = series("with its lens's width", Style::line);
+    for (const double distance : {0.0, far}) {
+        add(spread, distance, pixel_spread(*angle, distance));
+        add(beam, distance, sheet.pitch + pixel_spread(*angle, distance));
+    }
+    plot.series = {spread, beam};
+    return plot;
+}
+
 Plot film_plot(const FrameMetadata& g)
 {
     const LensSheet& sheet = g.sheet;
@@ -264,10 +314,15 @@ Plot sheet_plot(const std::string& kind, const FrameMetadata& g, const Viewer& v
         return sheets_plot();
     if (kind == "resolution")
         return resolution_plot(g, viewer);
+    if (kind == "pixels-seen")
+        return pixels_seen_plot(g, viewer);
+    if (kind == "pixel-spread")
+        return pixel_spread_plot(g);
     if (kind == "film")
         return film_plot(g);
     throw std::invalid_argument("--plot " + kind +
-                                ": spread, lens, sheets, resolution or film is expected");
+                                ": spread, lens, sheets, resolution, pixels-seen, pixel-spread or "
+                                "film is expected");
 }
 
 } // namespace integral

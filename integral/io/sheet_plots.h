@@ -15,6 +15,8 @@ namespace integral {
 ///               to its margin
 ///   sheets      the same for each of the thesis's sheets, in one figure
 ///   resolution  against depth (figures 4-12, 4-15)
+///   pixels-seen  how many of a lens an eye sees at once, against its distance (figure 4-8)
+///   pixel-spread what a pixel covers, against distance (figure 4-11)
 ///   film        the part of the film that a lens shows to an eye at the aperture's centre, with
 ///               the film at the lens's focus, nearer and farther (figures 4-3 to 4-6)
 /// Throws std::invalid_argument for another kind, and where the sheet has no such figures.

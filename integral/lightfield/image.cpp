@@ -116,6 +116,8 @@ Colour stored_pixel(const Image& image, int x, int y)
             using Sample = typename std::decay_t<decltype(samples)>::value_type;
             const Sample* s = samples.data() + first_sample(image, x, y);
             const float scale = full_scale<Sample>();
+            if (image.channels == 1)
+                return Colour{s[0] / scale, s[0] / scale, s[0] / scale, 1};
             return Colour{s[0] / scale, s[1] / scale, s[2] / scale,
                           image.channels == 4 ? s[3] / scale : 1};
         },
@@ -129,6 +131,8 @@ void store_pixel(Image& image, int x, int y, Colour color)
             using Sample = typename std::decay_t<decltype(samples)>::value_type;
             Sample* s = samples.data() + first_sample(image, x, y);
             s[0] = sample_from<Sample>(color.r);
+            if (image.channels == 1)
+                return;
             s[1] = sample_from<Sample>(color.g);
             s[2] = sample_from<Sample>(color.b);
             if (image.channels == 4)

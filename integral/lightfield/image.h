@@ -22,7 +22,9 @@ using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_
                              std::vector<float>>;
 
 /// A picture of width x height pixels, row by row from the top left; pixel (x, y) begins at
-/// sample (y * width + x) * channels. Three channels (R, G, B) or four (and alpha, linear).
+/// sample (y * width + x) * channels. Three channels (R, G, B) or four (and alpha, linear). A mask
+/// has one, grey; PNG and TIFF are written of it, and stored_pixel and store_pixel (its red) take
+/// it.
 struct Image {
     int width = 0, height = 0;
     int channels = 3;

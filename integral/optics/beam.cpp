@@ -7,6 +7,22 @@ namespace integral {
 
 namespace {
 
+/// Whether the squares of a scene point's coordinates are neither 0 nor infinite.
+bool has_safe_squares(Vec3 point)
+{
+    constexpr double most = 1e150;
+    return std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)}) < most &&
+           std::fabs(point.z) > 1 / most;
+}
+
+Vec2 film_point_through_pole(const Medium& medium, Vec2 pole, Vec3 scene_point)
+{
+    const double sign = scene_point.z > 0 ? -1 : 1; // towards the viewer
+    const Vec2 lateral = Vec2{scene_point.x, scene_point.y} - pole;
+    return pole - offset_from_direction(medium,
+                                        {sign * lateral.x, sign * lateral.y, sign * scene_point.z});
+}
+
 /// How light is refracted where it leaves a lens.
 struct Exit {
     Vec2 across, along; // the directions b and a of lens_surface.h
@@ -116,6 +132,10 @@ std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, Lens
 std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
                                        const LensPoint& point)
 {
+    // The pole's own ray, which most calls ask for, needs no surface.
+    if (!is_lenticular(optics) && point.offset.x == 0 && point.offset.y == 0 &&
+        has_safe_squares(scene_point))
+        return film_point_through_pole(optics.medium(), optics.lattice().pole(lens), scene_point);
     const auto exit = exit_at(optics, point.offset);
     if (!exit)
         return std::nullopt;

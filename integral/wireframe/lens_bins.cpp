@@ -5,8 +5,9 @@
 
 namespace integral {
 
-LensReach::LensReach(const SheetOptics& optics, const LensRange& window, double pictures_reach)
-    : optics_(optics), window_(window)
+LensReach::LensReach(const SheetOptics& optics, const LensRange& window, double pictures_reach,
+                     double eye)
+    : optics_(optics), window_(window), eye_(eye)
 {
     const Aperture& aperture = optics.aperture();
     const Lattice& lattice = optics.lattice();
@@ -20,20 +21,20 @@ LensReach::LensReach(const SheetOptics& optics, const LensRange& window, double 
     reach_ = cell_circumradius(optics.sheet()) + pictures_reach + 0.1 * lattice.pitch();
 }
 
-/// A line from a scene point S to a point A of the aperture crosses the sheet at S + (A - S) z/(z +
-/// d). Over a convex set of S that lie in front of the eye, the crossing points' extremes belong to
-/// the set's corners.
+/// A line from a scene point S to a point A of the aperture crosses the sheet at S + (A - S) z/(z -
+/// eye). Over a convex set of S that lie on one side of the eye, the crossing points' extremes
+/// belong to the set's corners.
 LensRange LensReach::of(const Vec3* points, std::size_t count) const
 {
     const Lattice& lattice = optics_.lattice();
-    const double distance = optics_.aperture().distance;
+    const double side = points[0].z > eye_ ? 1 : -1;
     const Vec2 zero = lattice.pole({0, 0});
     double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
     for (std::size_t k = 0; k < count; ++k) {
         const Vec3 s = points[k];
-        if (!(s.z + distance > 1e-6 * distance))
+        if (!(side * (s.z - eye_) > 1e-6 * std::fabs(eye_)))
             return window_;
-        const double part = s.z / (s.z + distance);
+        const double part = s.z / (s.z - eye_);
         const Vec2 crossing = (1 - part) * Vec2{s.x, s.y} - zero;
         const double u = dot(lattice.across(), crossing), v = dot(lattice.along(), crossing);
         const double wide = std::fabs(part) * half_aperture_.x + reach_,

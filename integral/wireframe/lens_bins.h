@@ -19,18 +19,28 @@ struct LensRange {
     }
 };
 
+/// z of the aperture, mm. A pseudoscopic frame's pixels are mirrored in their lenses, so that they
+/// see what lines through their lens and an aperture as far behind the sheet would meet.
+inline double eye_depth(const SheetOptics& optics, bool pseudoscopic)
+{
+    return pseudoscopic ? optics.aperture().distance : -optics.aperture().distance;
+}
+
 /// The lenses through which the aperture may see any point of the convex hull of some scene points.
 /// `window`: the lenses that there are.
 class LensReach {
 public:
-    /// `pictures_reach`: mm from its pole up to which a lens's points are looked through.
-    LensReach(const SheetOptics& optics, const LensRange& window, double pictures_reach);
+    /// `pictures_reach`: mm from its pole up to which a lens's points are looked through. `eye`: z
+    /// of the aperture, mm: eye_depth().
+    LensReach(const SheetOptics& optics, const LensRange& window, double pictures_reach,
+              double eye);
     LensRange of(const Vec3* points, std::size_t count) const;
 
 private:
     const SheetOptics& optics_;
     LensRange window_;
     double reach_;
+    double eye_;
     Vec2 half_aperture_; ///< mm, along the lens rows and across them
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/wireframe/lens_drawing.h"
 
+#include "integral/wireframe/lens_bins.h"
+
 #include <algorithm>
 
 namespace integral {
@@ -34,31 +36,33 @@ void VertexFilm::begin(LensIndex lens, const std::vector<LensPoint>& rays)
 {
     lens_ = lens;
     rays_ = &rays;
-    state_.resize(request_.mesh.vertices.size());
-    film_.resize(state_.size() * rays.size());
+    state_.resize(mesh_.vertices.size());
+    pixel_.resize(state_.size() * rays.size());
     ++generation_;
 }
 
-bool VertexFilm::project(Vec3 point, Vec2* film) const
+bool VertexFilm::project(Vec3 point, Vec2* pixel) const
 {
     for (const LensPoint& ray : *rays_) {
         const auto at = film_point_imaging(request_.optics, point, lens_, ray);
         if (!at)
             return false;
-        *film++ = request_.pseudoscopic ? mirrored_in_lens(request_.optics, *at, lens_) : *at;
+        const Vec2 shown = request_.pseudoscopic ? mirrored_in_lens(request_.optics, *at, lens_)
+                                                 : *at;
+        *pixel++ = pixel_from_film(request_.film, shown) - shift_;
     }
     return true;
 }
 
 const Vec2* VertexFilm::of(std::uint32_t vertex)
 {
-    Vec2* film = &film_[vertex * rays_->size()];
+    Vec2* pixel = &pixel_[vertex * rays_->size()];
     std::uint32_t& state = state_[vertex];
     if (state / 2 != generation_) {
-        state = 2 * generation_ + project(request_.mesh.vertices[vertex], film);
+        state = 2 * generation_ + project(mesh_.vertices[vertex], pixel);
         ++projections_;
     }
-    return state % 2 ? film : nullptr;
+    return state % 2 ? pixel : nullptr;
 }
 
 const Vec2* VertexFilm::of_point(Vec3 point)
@@ -69,6 +73,7 @@ const Vec2* VertexFilm::of_point(Vec3 point)
 LensDrawing::LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 shift,
                          const SharpPicture& picture, VertexFilm& vertices, LensRaster& raster)
     : request_(request),
+      mesh_(vertices.mesh()),
       lens_(lens),
       shift_(shift),
       pole_(request.optics.lattice().pole(lens)),
@@ -89,15 +94,22 @@ LensDrawing::LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 s
                        std::max(request.film.pixel_pitch.x, request.film.pixel_pitch.y);
 }
 
-std::optional<FilmCorner> LensDrawing::corner(const Vec2* film, double depth, Colour colour) const
+inline FilmCorner LensDrawing::corner_at(const Vec2* pixel, double depth, Colour colour) const
 {
-    if (!film)
-        return std::nullopt;
+    if (picture_.share[0] == 1)
+        return {pixel[0], depth, colour};
     Vec2 at;
     for (std::size_t k = 0; k < picture_.share.size(); ++k)
         if (picture_.share[k] != 0)
-            at = at + picture_.share[k] * film[k];
-    return FilmCorner{pixel_from_film(request_.film, at) - shift_, depth, colour};
+            at = at + picture_.share[k] * pixel[k];
+    return {at, depth, colour};
+}
+
+std::optional<FilmCorner> LensDrawing::corner(const Vec2* pixel, double depth, Colour colour) const
+{
+    if (!pixel)
+        return std::nullopt;
+    return corner_at(pixel, depth, colour);
 }
 
 std::optional<FilmCorner> LensDrawing::corner(const End& end) const
@@ -107,7 +119,7 @@ std::optional<FilmCorner> LensDrawing::corner(const End& end) const
 
 LensDrawing::End LensDrawing::at(const MeshLine& line, double part) const
 {
-    const auto& all = request_.mesh.vertices;
+    const auto& all = mesh_.vertices;
     const Vec3 from = all[line.vertex[0]], to = all[line.vertex[1]];
     return {from + part * (to - from), between(line.colour[0], line.colour[1], part)};
 }
@@ -131,7 +143,7 @@ void LensDrawing::cover(Vec3 point, Colour colour)
 
 void LensDrawing::draw(const MeshPoint& point)
 {
-    const Vec3 at = request_.mesh.vertices[point.vertex];
+    const Vec3 at = mesh_.vertices[point.vertex];
     if (!is_in_front_of_eye(at.z))
         return;
     if (is_near(at.z))
@@ -142,15 +154,23 @@ void LensDrawing::draw(const MeshPoint& point)
 
 void LensDrawing::draw(const MeshLine& line)
 {
-    const auto& all = request_.mesh.vertices;
+    const auto& all = mesh_.vertices;
     const Vec3 from = all[line.vertex[0]], to = all[line.vertex[1]], way = to - from;
     const double before_lens = std::max(near_, 1e-6 * request_.optics.sheet().thickness);
     const bool is_far = std::min(from.z, to.z) > behind_ || std::max(from.z, to.z) < -before_lens;
     if (is_far && std::min(from.z, to.z) > foremost_) {
-        const auto a = corner(vertices_.of(line.vertex[0]), from.z, line.colour[0]);
-        const auto b = a ? corner(vertices_.of(line.vertex[1]), to.z, line.colour[1]) : a;
-        if (a && b && length(b->pixel - a->pixel) <= not_clipped)
-            return draw_curve({from, line.colour[0]}, *a, {to, line.colour[1]}, *b, 0);
+        const Vec2* start = vertices_.of(line.vertex[0]);
+        const Vec2* end = start ? vertices_.of(line.vertex[1]) : start;
+        if (start && end) {
+            const FilmCorner a = corner_at(start, from.z, line.colour[0]),
+                             b = corner_at(end, to.z, line.colour[1]);
+            const Vec2 chord = b.pixel - a.pixel;
+            const double square = dot(chord, chord);
+            if (square <= straight * straight)
+                return raster_.draw_line(a, b);
+            if (square <= not_clipped * not_clipped)
+                return draw_curve({from, line.colour[0]}, a, {to, line.colour[1]}, b, 0);
+        }
     }
     Span seen;
     keep_positive(from.z - foremost_, way.z, seen);
@@ -169,22 +189,22 @@ void LensDrawing::draw(const MeshLine& line)
 }
 
 /// Keeps what the aperture may see through the lens. The line from a scene point S through the
-/// pole's coordinate p meets the aperture plane at p + (p - S) d/z, so that |p (z + d) - d S| is at
-/// most |z| times the aperture's half extent: a bound that is linear along the line. The extent is
-/// taken a little larger, as the pixels themselves decide.
+/// pole's coordinate p meets the aperture's plane, z = e, at p + (p - S) (-e)/z, so that
+/// |p (z - e) + e S| is at most |z| times the aperture's half extent: a bound that is linear along
+/// the line. The extent is taken a little larger, as the pixels themselves decide.
 void LensDrawing::keep_in_aperture(Vec3 from, Vec3 way, bool behind, Span& span) const
 {
-    if (request_.pseudoscopic)
-        return;
     const SheetOptics& optics = request_.optics;
     const Aperture& aperture = optics.aperture();
-    const double d = aperture.distance, cell = cell_circumradius(optics.sheet()),
-                 sign = behind ? 1 : -1;
+    const double eye = eye_depth(optics, request_.pseudoscopic), d = aperture.distance,
+                 cell = cell_circumradius(optics.sheet()), sign = behind ? 1 : -1;
     const auto keep = [&](Vec2 axis, double half) {
         if (!std::isfinite(half))
             return;
         const double wide = half + aperture_margin_ + cell, p = dot(axis, pole_);
-        const auto excess = [&](Vec3 s) { return p * (s.z + d) - d * dot(axis, Vec2{s.x, s.y}); };
+        const auto excess = [&](Vec3 s) {
+            return p * (s.z - eye) + eye * dot(axis, Vec2{s.x, s.y});
+        };
         const double g = excess(from), slope = excess(from + way) - g;
         const double bound = wide * sign * from.z + cell * d, growth = wide * sign * way.z;
         keep_positive(bound - g, growth - slope, span);

@@ -12,26 +12,33 @@
 
 namespace integral {
 
-/// Film points of a mesh's vertices through the rays of one lens, each worked out when it is first
-/// asked for. Used for one lens after another.
+/// Where on the film the rays of one lens put a mesh's vertices, in continuous pixel coordinates;
+/// each is worked out when it is first asked for. Used for one lens after another.
 class VertexFilm {
 public:
-    VertexFilm(const WireframeRequest& request) : request_(request) {}
-    /// Forgets all film points.
+    /// `shift`: of a colour's subpixels from their pixels' centres, in pixels, +y down.
+    VertexFilm(const WireframeRequest& request, const Mesh& mesh, Vec2 shift)
+        : request_(request), mesh_(mesh), shift_(shift)
+    {
+    }
+    const Mesh& mesh() const { return mesh_; }
+    /// Forgets all places.
     void begin(LensIndex lens, const std::vector<LensPoint>& rays);
-    /// The film points of a vertex, one for each ray; nullptr where a ray has none.
+    /// The places of a vertex, one for each ray; nullptr where a ray has none.
     const Vec2* of(std::uint32_t vertex);
     /// The same of any scene point, kept until the next call.
     const Vec2* of_point(Vec3 point);
     double projections() const { return projections_; }
 
 private:
-    bool project(Vec3 point, Vec2* film) const;
+    bool project(Vec3 point, Vec2* pixel) const;
 
     const WireframeRequest& request_;
+    const Mesh& mesh_;
+    Vec2 shift_;
     LensIndex lens_;
     const std::vector<LensPoint>* rays_ = nullptr;
-    std::vector<Vec2> film_;
+    std::vector<Vec2> pixel_;
     std::vector<std::uint32_t> state_; ///< of each vertex: 2 generation_ + whether it has film
                                        ///< points
     std::uint32_t generation_ = 0;
@@ -39,7 +46,7 @@ private:
     double projections_ = 0;
 };
 
-/// One sharp picture of a lens.
+/// One sharp picture of a lens, of the mesh whose vertices are given.
 class LensDrawing {
 public:
     LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 shift,
@@ -58,7 +65,8 @@ private:
         double first = 0, last = 1; ///< of a line, parts of its length
         bool is_empty() const { return !(first < last); }
     };
-    std::optional<FilmCorner> corner(const Vec2* film, double depth, Colour colour) const;
+    FilmCorner corner_at(const Vec2* pixel, double depth, Colour colour) const;
+    std::optional<FilmCorner> corner(const Vec2* pixel, double depth, Colour colour) const;
     std::optional<FilmCorner> corner(const End& end) const;
     bool is_near(double z) const { return std::fabs(z) <= near_; }
     bool is_in_front_of_eye(double z) const { return z > foremost_; }
@@ -71,10 +79,23 @@ private:
     void draw_curve(const End& a, const FilmCorner& film_a, const End& b, const FilmCorner& film_b,
                     int splits);
     End at(const MeshLine& line, double part) const;
+    struct Interval {
+        double least = 1e300, most = -1e300;
+        void add(double v)
+        {
+            least = std::min(least, v);
+            most = std::max(most, v);
+        }
+    };
+    static Interval film_offsets(const Medium& medium, Interval slope, Interval other);
     PixelBox box_of(const MeshTriangle& triangle) const;
+    PixelBox box_by_slopes(const MeshTriangle& triangle) const;
+    PixelBox centres_within(Interval across, Interval down) const;
+    PixelBox pixels_within(Interval x, Interval y) const;
     void see_faces();
 
     const WireframeRequest& request_;
+    const Mesh& mesh_;
     LensIndex lens_;
     Vec2 shift_, pole_;
     const SharpPicture& picture_;

@@ -7,29 +7,6 @@
 namespace integral {
 namespace {
 
-struct Interval {
-    double least = 1e300, most = -1e300;
-    void add(double v)
-    {
-        least = std::min(least, v);
-        most = std::max(most, v);
-    }
-};
-
-/// Film offsets t s/sqrt(n^2 + m (s^2 + o^2)) for slopes s in `slope`, o in `other`.
-Interval film_offsets(const Medium& medium, Interval slope, Interval other)
-{
-    const double far = std::max(std::fabs(other.least), std::fabs(other.most));
-    const double near = other.least <= 0 && other.most >= 0
-                            ? 0
-                            : std::min(std::fabs(other.least), std::fabs(other.most));
-    const auto offset = [&](double s, double o) {
-        return medium.t * s / std::sqrt(medium.n * medium.n + medium.m * (s * s + o * o));
-    };
-    return {offset(slope.least, slope.least < 0 ? near : far),
-            offset(slope.most, slope.most > 0 ? near : far)};
-}
-
 /// Where a ray meets a triangle's plane inside the triangle: its z. Nothing elsewhere.
 std::optional<double> depth_on(const std::array<Vec3, 3>& corner, const BeamRay& ray)
 {
@@ -47,6 +24,21 @@ std::optional<double> depth_on(const std::array<Vec3, 3>& corner, const BeamRay&
 
 } // namespace
 
+/// Film offsets t s/sqrt(n^2 + m (s^2 + o^2)) for slopes s in `slope`, o in `other`.
+LensDrawing::Interval LensDrawing::film_offsets(const Medium& medium, Interval slope,
+                                                Interval other)
+{
+    const double far = std::max(std::fabs(other.least), std::fabs(other.most));
+    const double near = other.least <= 0 && other.most >= 0
+                            ? 0
+                            : std::min(std::fabs(other.least), std::fabs(other.most));
+    const auto offset = [&](double s, double o) {
+        return medium.t * s / std::sqrt(medium.n * medium.n + medium.m * (s * s + o * o));
+    };
+    return {offset(slope.least, slope.least < 0 ? near : far),
+            offset(slope.most, slope.most > 0 ? near : far)};
+}
+
 /// The ray of each of the raster's pixels.
 void LensDrawing::see_faces()
 {
@@ -60,11 +52,45 @@ void LensDrawing::see_faces()
     });
 }
 
-/// Pixels that may see the triangle. The line from a scene point through the pole leaves the lens
-/// at P and meets the aperture plane at A, its slope is (P - A)/d, and over a triangle on one side
-/// of the sheet P and A have their extremes at the corners. Where a triangle crosses the sheet, A
-/// is only known to be within the aperture.
+/// Pixels that may see the triangle. Through a point, a triangle on one side of the sheet is a
+/// triangle of slopes, whose corners the lens puts where the vertices are. Between them its film
+/// points t s/sqrt(n^2 + m s^2) leave a straight triangle by at most a sixth of their greatest
+/// second derivative, 2.3 t sqrt(m)/n^2, times the square of its extent.
 PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
+{
+    const SheetOptics& optics = request_.optics;
+    if (optics.sheet().arrangement == Arrangement::lenticular ||
+        refracts_at_surface(optics.model()))
+        return box_by_slopes(triangle);
+    Interval across, down, slope_x, slope_y, z;
+    for (const std::uint32_t vertex : triangle.vertex) {
+        const Vec3 s = mesh_.vertices[vertex];
+        const Vec2* pixel = vertices_.of(vertex);
+        if (!pixel || !is_in_front_of_eye(s.z))
+            return raster_.box();
+        across.add(pixel->x);
+        down.add(pixel->y);
+        const double nearness = 1 / s.z;
+        slope_x.add((s.x - pole_.x) * nearness);
+        slope_y.add((s.y - pole_.y) * nearness);
+        z.add(s.z);
+    }
+    if (z.least <= 0 && z.most >= 0)
+        return box_by_slopes(triangle);
+    const Medium& medium = optics.medium();
+    const double wide = slope_x.most - slope_x.least, high = slope_y.most - slope_y.least,
+                 bulge = 0.4 * medium.t * medium.root_m / (medium.n * medium.n) *
+                         (wide * wide + high * high);
+    const Vec2 margin{bulge / request_.film.pixel_pitch.x, bulge / request_.film.pixel_pitch.y};
+    return centres_within({across.least - margin.x, across.most + margin.x},
+                          {down.least - margin.y, down.most + margin.y});
+}
+
+/// The same for any lens and triangle, at more cost. The line from a scene point through the pole
+/// leaves the lens at P and meets the aperture plane at A, its slope is (P - A)/d, and over a
+/// triangle on one side of the sheet P and A have their extremes at the corners. Where a triangle
+/// crosses the sheet, A is only known to be within the aperture.
+PixelBox LensDrawing::box_by_slopes(const MeshTriangle& triangle) const
 {
     const SheetOptics& optics = request_.optics;
     const double d = optics.aperture().distance;
@@ -73,9 +99,8 @@ PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
     int sides = 0;
     const double next_to = 1e-6 * optics.sheet().thickness;
     for (const std::uint32_t vertex : triangle.vertex) {
-        const Vec3 s = request_.mesh.vertices[vertex];
-        const Vec2* film = vertices_.of(vertex);
-        if (!film || !is_in_front_of_eye(s.z))
+        const Vec3 s = mesh_.vertices[vertex];
+        if (!vertices_.of(vertex) || !is_in_front_of_eye(s.z))
             return raster_.box();
         sides |= s.z > next_to ? 1 : s.z < -next_to ? 2 : 3;
         const Vec2 p = leaving_point(optics, s, lens_), a = p + (d / s.z) * (p - Vec2{s.x, s.y});
@@ -83,13 +108,19 @@ PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
         py.add(p.y);
         ax.add(a.x);
         ay.add(a.y);
-        if (refracts_at_surface(optics.model()))
-            if (const auto pole = film_point_imaging(optics, s, lens_))
-                spread = std::max(spread, 2 * length(*film - *pole));
+        if (!refracts_at_surface(optics.model()))
+            continue;
+        if (std::fabs(s.z) < optics.sheet().thickness) // spread too unevenly for what follows
+            return raster_.box();
+        const auto pole = film_point_imaging(optics, s, lens_),
+                   seen = film_point_imaging(optics, s, lens_, picture_.through);
+        if (!pole || !seen)
+            return raster_.box();
+        spread = std::max(spread, 2 * length(*seen - *pole));
     }
-    if (request_.pseudoscopic)
-        return raster_.box();
     if (sides == 3) {
+        if (request_.pseudoscopic)
+            return raster_.box();
         const Vec2 half{0.5 * optics.aperture().width + aperture_margin_,
                         0.5 * optics.aperture().height + aperture_margin_};
         if (refracts_at_surface(optics.model()) || !std::isfinite(half.x + half.y))
@@ -101,26 +132,46 @@ PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
         slope_y{(py.least - ay.most) / d, (py.most - ay.least) / d};
     const Interval x = film_offsets(optics.medium(), slope_x, slope_y),
                    y = film_offsets(optics.medium(), slope_y, slope_x);
-    const Film& film = request_.film;
-    const Vec2 top_left = pixel_from_film(
-                              film, {px.least + x.least - spread, py.most + y.most + spread}) -
-                          shift_,
-               bottom_right = pixel_from_film(
-                                  film, {px.most + x.most + spread, py.least + y.least - spread}) -
-                              shift_;
+    return pixels_within({px.least + x.least - spread, px.most + x.most + spread},
+                         {py.least + y.least - spread, py.most + y.most + spread});
+}
+
+/// The raster's pixels that show film points of a rectangle.
+PixelBox LensDrawing::pixels_within(Interval x, Interval y) const
+{
+    Interval across, down;
+    for (const Vec2 corner : {Vec2{x.least, y.least}, Vec2{x.most, y.least}, Vec2{x.least, y.most},
+                              Vec2{x.most, y.most}}) {
+        const Vec2 shown = request_.pseudoscopic ? mirrored_in_lens(request_.optics, corner, lens_)
+                                                 : corner;
+        const Vec2 pixel = pixel_from_film(request_.film, shown) - shift_;
+        across.add(pixel.x);
+        down.add(pixel.y);
+    }
+    return centres_within(across, down);
+}
+
+/// The raster's pixels whose centres, k + 0.5, lie in a rectangle of pixel coordinates.
+PixelBox LensDrawing::centres_within(Interval across, Interval down) const
+{
+    constexpr double rounding = 1e-6;
     const PixelBox all = raster_.box();
-    const auto within = [](double v, int least, int most) {
-        return int(std::clamp(std::floor(v), double(least), double(most)));
+    const auto first = [](double v, int least, int most) {
+        return most - int(std::clamp(most - v + 0.5 + rounding, 0.0, double(most - least)));
     };
-    return {within(top_left.x - 1, all.left, all.right),
-            within(top_left.y - 1, all.top, all.bottom),
-            within(bottom_right.x + 2, all.left, all.right),
-            within(bottom_right.y + 2, all.top, all.bottom)};
+    const auto end = [](double v, int least, int most) {
+        return least + int(std::clamp(v + 0.5 + rounding - least, 0.0, double(most - least)));
+    };
+    return {first(across.least, all.left, all.right), first(down.least, all.top, all.bottom),
+            end(across.most, all.left, all.right), end(down.most, all.top, all.bottom)};
 }
 
 void LensDrawing::draw(const MeshTriangle& triangle)
 {
-    const auto& all = request_.mesh.vertices;
+    const PixelBox box = box_of(triangle);
+    if (box.left >= box.right || box.top >= box.bottom)
+        return;
+    const auto& all = mesh_.vertices;
     const std::array<Vec3, 3> corner{all[triangle.vertex[0]], all[triangle.vertex[1]],
                                      all[triangle.vertex[2]]};
     const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
@@ -145,7 +196,7 @@ void LensDrawing::draw(const MeshTriangle& triangle)
     const double pixel = std::max(request_.film.pixel_pitch.x, request_.film.pixel_pitch.y) *
                          optics.medium().n / optics.medium().t;
     constexpr double steepest = 16;
-    raster_.for_each_pixel_in(box_of(triangle), [&](std::size_t index, int, int) {
+    raster_.for_each_pixel_in(box, [&](std::size_t index, int, int) {
         const auto& ray = sights_[index];
         const auto depth = ray ? depth_on(corner, *ray) : std::nullopt;
         if (!depth || !is_in_front_of_eye(*depth))

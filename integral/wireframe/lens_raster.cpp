@@ -12,6 +12,13 @@ Colour between(Colour a, Colour b, double t)
     return {v * a.r + u * b.r, v * a.g + u * b.g, v * a.b + u * b.b, 1};
 }
 
+/// The greatest whole number that is not above a small one.
+int whole_below(double value)
+{
+    const int towards_zero = int(value);
+    return towards_zero - (value < towards_zero);
+}
+
 /// Narrows [first, last] to where least <= from + t * step <= most.
 void clip(double from, double step, double least, double most, double& first, double& last)
 {
@@ -52,39 +59,37 @@ LensRaster::LensRaster(const LensRun* begin, const LensRun* end) : begin_(begin)
 
 void LensRaster::clear() { std::fill(depth_.begin(), depth_.end(), nothing); }
 
-void LensRaster::draw_pixel(int x, int y, double depth, Colour colour)
-{
-    if (y < box_.top || y >= box_.bottom)
-        return;
-    for (const LensRun* run = first_of_row(y); run != end_ && run->row == y; ++run)
-        if (x >= run->first && x < run->end)
-            return draw_at(index_of(*run, x), depth, colour);
-}
-
 void LensRaster::draw_point(const FilmCorner& at)
 {
-    if (at.pixel.x >= box_.left && at.pixel.x < box_.right && at.pixel.y >= box_.top &&
-        at.pixel.y < box_.bottom)
-        draw_pixel(int(at.pixel.x), int(at.pixel.y), at.depth, at.colour);
+    if (!is_in_box(at.pixel))
+        return;
+    const std::size_t index = index_at(int(at.pixel.x), int(at.pixel.y));
+    if (index != outside)
+        draw_at(index, at.depth, at.colour);
 }
 
 void LensRaster::draw_line(const FilmCorner& from, const FilmCorner& to)
 {
     const Vec2 way = to.pixel - from.pixel;
     double first = 0, last = 1;
-    clip(from.pixel.x, way.x, box_.left, box_.right, first, last);
-    clip(from.pixel.y, way.y, box_.top, box_.bottom, first, last);
-    if (!(first <= last))
-        return;
+    if (!is_in_box(from.pixel) || !is_in_box(to.pixel)) {
+        clip(from.pixel.x, way.x, box_.left, box_.right, first, last);
+        clip(from.pixel.y, way.y, box_.top, box_.bottom, first, last);
+        if (!(first <= last))
+            return;
+    }
     const bool flat = std::fabs(way.x) >= std::fabs(way.y);
     const double start = flat ? from.pixel.x : from.pixel.y, step = flat ? way.x : way.y;
     const double a = start + first * step, b = start + last * step;
-    const int least = int(std::floor(std::min(a, b))), most = int(std::floor(std::max(a, b)));
+    const int least = whole_below(std::min(a, b)), most = whole_below(std::max(a, b));
     for (int k = least; k <= most; ++k) {
         const double t = step == 0 ? 0 : std::clamp((k + 0.5 - start) / step, first, last);
         const Vec2 at = from.pixel + t * way;
-        draw_pixel(flat ? k : int(std::floor(at.x)), flat ? int(std::floor(at.y)) : k,
-                   from.depth + t * (to.depth - from.depth), between(from.colour, to.colour, t));
+        const std::size_t index = index_at(flat ? k : whole_below(at.x),
+                                           flat ? whole_below(at.y) : k);
+        const double depth = from.depth + t * (to.depth - from.depth);
+        if (index != outside && is_seen_at(index, depth))
+            draw_at(index, depth, between(from.colour, to.colour, t));
     }
 }
 

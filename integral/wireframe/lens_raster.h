@@ -32,7 +32,6 @@ public:
     void clear();
 
     /// Draws what lies on the lens's own pixels, and leaves the others as they are.
-    void draw_pixel(int x, int y, double depth, Colour colour);
     void draw_point(const FilmCorner& at);
     /// A straight line, a pixel wide, both ends included.
     void draw_line(const FilmCorner& from, const FilmCorner& to);
@@ -54,10 +53,12 @@ public:
                 visit(index_of(*run, x), x, run->row);
         }
     }
+    /// Whether something at this depth is in front of what is drawn at a pixel.
+    bool is_seen_at(std::size_t index, double depth) const { return float(depth) < depth_[index]; }
     /// Draws at a pixel that for_each_pixel_in visits.
     void draw_at(std::size_t index, double depth, Colour colour)
     {
-        if (float(depth) < depth_[index]) {
+        if (is_seen_at(index, depth)) {
             depth_[index] = float(depth);
             colour_[index] = colour;
         }
@@ -67,6 +68,21 @@ public:
 
 private:
     static constexpr float nothing = 3e38f;
+    static constexpr std::size_t outside = SIZE_MAX;
+    bool is_in_box(Vec2 pixel) const
+    {
+        return pixel.x >= box_.left && pixel.x < box_.right && pixel.y >= box_.top &&
+               pixel.y < box_.bottom;
+    }
+    /// The index of a pixel; `outside` where it is not the lens's.
+    std::size_t index_at(int x, int y) const
+    {
+        if (y >= box_.top && y < box_.bottom)
+            for (const LensRun* run = first_of_row(y); run != end_ && run->row == y; ++run)
+                if (x >= run->first && x < run->end)
+                    return index_of(*run, x);
+        return outside;
+    }
     std::size_t index_of(const LensRun& run, int x) const
     {
         return offset_[std::size_t(&run - begin_)] + std::size_t(x - run.first);

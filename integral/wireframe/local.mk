@@ -2,6 +2,8 @@
 # Sources of integral/wireframe: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/wireframe/block_mesh.cpp \
+  integral/wireframe/block_mesh.h \
   integral/wireframe/lens_bins.cpp \
   integral/wireframe/lens_bins.h \
   integral/wireframe/lens_drawing.cpp \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/wireframe/wireframe.h"
 
-#include "integral/wireframe/lens_bins.h"
+#include "integral/wireframe/block_mesh.h"
 #include "integral/wireframe/lens_drawing.h"
 
 #include <algorithm>
@@ -45,64 +45,14 @@ LensRange window_of(const LensPixels& pixels)
     return window;
 }
 
-/// What is to be drawn, by the lenses that may image it.
-struct Bins {
-    Bins(const WireframeRequest& request, const LensRange& window)
-        : lines(&request.mesh.lines, &request.mesh.face_edges)
-    {
-        const Mesh& mesh = request.mesh;
-        const SheetOptics& optics = request.optics;
-        const bool lenticular = optics.sheet().arrangement == Arrangement::lenticular;
-        const int block = lenticular ? 1 : 8;
-        const LensReach reach(optics, window,
-                              refracts_at_surface(optics.model()) ? optics.sheet().pitch : 0);
-        const auto put = [&](const auto& things, auto& ranges) {
-            for (const auto& thing : things)
-                ranges.push_back(request.pseudoscopic ? window : range_of(mesh, reach, thing));
-        };
-        std::vector<LensRange> of_lines;
-        put(mesh.points, ranges[0]);
-        put(mesh.lines, ranges[1]);
-        if (request.faces != FaceStyle::flat)
-            put(mesh.face_edges, ranges[1]);
-        if (request.faces != FaceStyle::wire)
-            put(mesh.triangles, ranges[2]);
-        for (const auto& of_kind : ranges)
-            bins.emplace_back(of_kind, window, block);
-    }
-
-    static LensRange range_of(const Mesh& mesh, const LensReach& reach, const MeshPoint& point)
-    {
-        return reach.of(&mesh.vertices[point.vertex], 1);
-    }
-    template <class Thing>
-    static LensRange range_of(const Mesh& mesh, const LensReach& reach, const Thing& thing)
-    {
-        std::array<Vec3, 3> corner;
-        const std::size_t n = thing.vertex.size();
-        for (std::size_t k = 0; k < n; ++k)
-            corner[k] = mesh.vertices[thing.vertex[k]];
-        return reach.of(corner.data(), n);
-    }
-    const MeshLine& line(std::uint32_t k) const
-    {
-        return k < lines.first->size() ? (*lines.first)[k]
-                                       : (*lines.second)[k - lines.first->size()];
-    }
-
-    std::pair<const std::vector<MeshLine>*, const std::vector<MeshLine>*> lines;
-    std::array<std::vector<LensRange>, 3> ranges; ///< of points, lines, triangles
-    std::vector<LensBins> bins;                   ///< the same
-};
-
-/// Calls visit(k) for each thing of a kind that the lens may image.
-template <class Visit>
-void for_each_imaged(const Bins& all, int kind, LensIndex lens, int block, Visit visit)
+/// Calls visit(thing) for each thing that the lens may image.
+template <class Thing, class Visit>
+void for_each_imaged(const std::vector<Thing>& things, const std::vector<LensRange>& ranges,
+                     LensIndex lens, Visit visit)
 {
-    const LensBins& bins = all.bins[std::size_t(kind)];
-    for (const std::uint32_t* k = bins.begin(block); k != bins.end(block); ++k)
-        if (all.ranges[std::size_t(kind)][*k].contains(lens))
-            visit(*k);
+    for (std::size_t k = 0; k < things.size(); ++k)
+        if (ranges[k].contains(lens))
+            visit(things[k]);
 }
 
 class FrameDrawing {
@@ -123,17 +73,18 @@ public:
         cost.lenses = std::max(cost.lenses, pixels_.count());
         if (pixels_.count() == 0)
             return true;
-        const Bins bins(request_, window_);
-        std::vector<std::vector<int>> lenses(std::size_t(bins.bins[0].blocks()));
+        const MeshBlocks blocks(request_, window_);
+        std::vector<std::vector<int>> lenses(std::size_t(blocks.count()));
         for (int k = 0; k < pixels_.count(); ++k)
-            lenses[std::size_t(bins.bins[0].block_of(pixels_.lens(k)))].push_back(k);
+            lenses[std::size_t(blocks.block_of(pixels_.lens(k)))].push_back(k);
         std::mutex adding;
         return for_each_row(
             int(lenses.size()), threads_,
-            [&](int block) {
-                VertexFilm vertices(request_);
-                for (const int lens : lenses[std::size_t(block)])
-                    draw_lens(bins, lens, block, vertices);
+            [&](int number) {
+                const BlockMesh block = blocks.block(number);
+                VertexFilm vertices(request_, block.mesh, channel_.shift);
+                for (const int lens : lenses[std::size_t(number)])
+                    draw_lens(block, lens, vertices);
                 const std::lock_guard<std::mutex> lock(adding);
                 cost.projections += vertices.projections() / double(bundles_.size());
             },
@@ -141,7 +92,7 @@ public:
     }
 
 private:
-    void draw_lens(const Bins& bins, int number, int block, VertexFilm& vertices)
+    void draw_lens(const BlockMesh& block, int number, VertexFilm& vertices)
     {
         const LensIndex lens = pixels_.lens(number);
         LensRaster raster(pixels_.begin(number), pixels_.end(number));
@@ -151,13 +102,10 @@ private:
             for (const SharpPicture& picture : bundle.pictures) {
                 raster.clear();
                 LensDrawing drawing(request_, lens, channel_.shift, picture, vertices, raster);
-                const Mesh& mesh = request_.mesh;
-                for_each_imaged(bins, 2, lens, block,
-                                [&](std::uint32_t k) { drawing.draw(mesh.triangles[k]); });
-                for_each_imaged(bins, 1, lens, block,
-                                [&](std::uint32_t k) { drawing.draw(bins.line(k)); });
-                for_each_imaged(bins, 0, lens, block,
-                                [&](std::uint32_t k) { drawing.draw(mesh.points[k]); });
+                const auto draw = [&](const auto& thing) { drawing.draw(thing); };
+                for_each_imaged(block.mesh.triangles, block.ranges[2], lens, draw);
+                for_each_imaged(block.mesh.lines, block.ranges[1], lens, draw);
+                for_each_imaged(block.mesh.points, block.ranges[0], lens, draw);
                 add(raster, float(picture.weight), light);
             }
         }

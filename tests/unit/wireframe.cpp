@@ -4,6 +4,7 @@
 #include "integral/wireframe/lens_rays.h"
 #include "integral/wireframe/wireframe.h"
 
+#include "integral/lightfield/names.h"
 #include "integral/optics/beam.h"
 
 #include <boost/test/unit_test.hpp>
@@ -110,6 +111,9 @@ const struct {
               {Arrangement::square, 10},
               {Arrangement::hexagonal, 0}};
 
+const LensModel all_models[] = {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid,
+                                LensModel::full};
+
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(wireframe)
@@ -136,10 +140,14 @@ BOOST_AUTO_TEST_CASE(lines_light_what_their_points_light)
 {
     const Vec3 ends[][2] = {
         {{-8, -5, 20}, {7, 6, 60}}, {{-6, 5, -30}, {9, -4, -8}}, {{-40, 2, 500}, {5, -3, 6}}};
-    for (const auto& s : sheets)
+    for (int k = 0; k < 2 * int(std::size(sheets)); ++k)
         for (const auto& end : ends) {
+            const auto& s = sheets[k / 2];
             WireframeRequest request = request_of(sheet_of(s.arrangement, s.slant),
                                                   LensModel::extended_pinhole);
+            request.pseudoscopic = k % 2;
+            if (request.pseudoscopic && end[0].z < 0)
+                continue; // nothing is recorded of it
             request.mesh.vertices = {end[0], end[1]};
             request.mesh.lines = {{{0, 1}, {Colour{1, 1, 1, 1}, Colour{1, 1, 1, 1}}}};
             const Pixels line = lit(drawn(request));
@@ -168,6 +176,53 @@ BOOST_AUTO_TEST_CASE(lines_light_what_their_points_light)
             // A lens's border may cut off the pixel that one of them has beside the other's.
             BOOST_TEST(far_from(line, dots) <= int(line.size() / 50));
             BOOST_TEST(far_from(dots, line) <= int(dots.size() / 50));
+        }
+}
+
+BOOST_AUTO_TEST_CASE(faces_light_the_pixels_whose_rays_meet_them)
+{
+    const Vec3 corner[] = {{-3, -2, 8}, {2, -1, 16}, {-1, 3, 24}};
+    const auto is_inside = [&](const BeamRay& ray) {
+        double sign = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 a = corner[k] - ray.point, b = corner[(k + 1) % 3] - ray.point;
+            const double side = dot(ray.direction, cross(a, b));
+            if (side * sign < 0)
+                return false;
+            sign = side;
+        }
+        return true;
+    };
+    for (const auto& s : sheets)
+        for (int k = 0; k < 8; ++k) {
+            const LensModel model = all_models[k / 2];
+            WireframeRequest request = request_of(sheet_of(s.arrangement, s.slant), model, 150);
+            request.film.width = 90;
+            request.film.height = 70;
+            request.samples = 3;
+            request.faces = FaceStyle::flat;
+            request.pseudoscopic = k % 2;
+            request.mesh.vertices.assign(corner, corner + 3);
+            request.mesh.triangles = {{{0, 1, 2}, {1, 1, 1, 1}}};
+            Pixels want;
+            for (int y = 0; y < request.film.height; ++y)
+                for (int x = 0; x < request.film.width; ++x) {
+                    Vec2 film = film_from_pixel(request.film, {x + 0.5, y + 0.5});
+                    const auto owner = request.optics.map(film, request.mapping).ray;
+                    if (!owner)
+                        continue;
+                    if (request.pseudoscopic)
+                        film = mirrored_in_lens(request.optics, film, owner->lens);
+                    for (const RayBundle& bundle : bundles_of(request.optics, request.samples))
+                        for (const SharpPicture& picture : bundle.pictures) {
+                            const auto ray = beam_ray(request.optics, film, owner->lens,
+                                                      picture.through);
+                            if (ray && is_inside(*ray))
+                                want.insert({x, y});
+                        }
+                }
+            BOOST_TEST(want.size() > 20u);
+            BOOST_TEST((lit(drawn(request)) == want), name_of(model) << " " << k);
         }
 }
 
@@ -306,6 +361,10 @@ BOOST_AUTO_TEST_CASE(pseudoscopic_mirrors_what_is_behind)
         request.pseudoscopic = true;
         BOOST_TEST(lit(drawn(with_point(request, {0, 0, -20}))).empty());
         const Vec3 point{0.4, 0.3, 20};
+        WireframeCost cost;
+        draw_wireframe(with_point(request, {0.4, 0.3, 6}), 32, 1, {}, cost);
+        BOOST_TEST(cost.projections > 0);
+        BOOST_TEST(cost.projections < 0.75 * cost.lenses); // no lens that cannot image it
         const Pixels pixels = lit(drawn(with_point(request, point)));
         BOOST_TEST(!pixels.empty());
         for (const auto& [x, y] : pixels) { // the mirrored pixel's ray goes near the point
