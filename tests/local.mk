@@ -87,6 +87,7 @@ unit_sources = \
   tests/unit/output_page.cpp \
   tests/unit/output_panel.cpp \
   tests/unit/output_pitch_chart.cpp \
+  tests/unit/output_relief_chart.cpp \
   tests/unit/output_pitch_wizard.cpp \
   tests/unit/output_screens.cpp \
   tests/unit/replay_compare.cpp \

@@ -8,6 +8,7 @@
 #include "integral/cli/values.h"
 #include "integral/fabrication/mask_picture.h"
 #include "integral/io/image_file.h"
+#include "integral/output/relief_chart.h"
 
 namespace integral {
 namespace {
@@ -17,7 +18,8 @@ constexpr int most_rounds = 20;
 struct MaskOptions : CommonOptions {
     SheetOptions sheet;
     FilmOptions film;
-    std::optional<std::string> start, print, shape, conic, response, from_depth, calibrate, output;
+    std::optional<std::string> start, print, shape, conic, response, from_depth, calibrate, chart,
+        distance, output;
     std::optional<int> bits;
     bool relief = false, spinning = false, lens = false, negative = false;
     ThreadOptions threads;
@@ -44,6 +46,11 @@ void declare(options::options_description& all, MaskOptions& o)
     all.add_options()("relief", sets(o.relief),
                       "a height map for a printer that builds up, as UV relief printers do: white "
                       "is highest");
+    all.add_options()("chart", fills(o.chart, "FILE"),
+                      "with --relief: print this picture, and the relief over it; together they "
+                      "tell the printed lenses' pitch and offset");
+    all.add_options()("distance", fills(o.distance, "MM"),
+                      "of the eye that looks at the chart (default 400)");
     all.add_options()("negative", sets(o.negative), "black and white exchanged");
     all.add_options()("calibrate", fills(o.calibrate, "FILE.csv"),
                       "find a process's response by appendix C's loop of six steps; the file says "
@@ -136,6 +143,26 @@ int run_calibration(const MaskOptions& o, int bits)
     return exit_done;
 }
 
+/// The chart of --chart; nothing without it.
+std::optional<ReliefChart> chart_of(const MaskOptions& o, const MaskRequest& request)
+{
+    if (!o.chart && !o.distance)
+        return std::nullopt;
+    if (!o.chart || !o.relief || o.lens)
+        throw UsageError(std::string(o.chart ? "--chart" : "--distance") +
+                         " belongs to --relief --chart FILE, of a whole page of lenses");
+    if (format_for(*o.chart) == ImageFormat::exr || *o.chart == *o.output)
+        throw UsageError("--chart " + *o.chart + ": another file, .png or .tiff, is expected");
+    ReliefChart chart;
+    chart.sheet = request.sheet;
+    chart.film = request.film;
+    read_number("distance", o.distance, chart.distance);
+    if (!(chart.distance >= 50 && chart.distance <= 1e5))
+        throw UsageError("--distance " + *o.distance + ": 50 to 100000 mm are possible");
+    check_writable(*o.chart);
+    return chart;
+}
+
 int run(const MaskOptions& o)
 {
     const int bits = o.bits.value_or(16);
@@ -152,9 +179,15 @@ int run(const MaskOptions& o)
     request.bits = bits;
     try {
         const double deepest = SheetRelief(request.sheet, request.shape).deepest();
+        const auto chart = chart_of(o, request);
+        const auto bars = chart ? relief_bars(*chart) : std::vector<ReliefBar>();
         auto image = mask_picture(request, o.threads.count(), progress_bar("mask"));
         if (!image)
             throw Interrupted();
+        if (chart) {
+            flatten_beside(bars, o.negative ? 1 : 0, *image);
+            write_page(*o.chart, relief_chart(*chart), request.film.pixel_pitch, "", std::nullopt);
+        }
         write_page(*o.output, *image, request.film.pixel_pitch, "", std::nullopt);
         say("mask", "the lenses are " + with_digits(1000 * deepest, 5) +
                         " um deep from pole to corner; a grey level is " +

@@ -43,6 +43,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/panel_mapping.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
+  integral/output/chart_lines.cpp \
+  integral/output/chart_lines.h \
   integral/output/pitch_chart.cpp \
   integral/output/pitch_chart.h \
   integral/output/pitch_report.cpp \
@@ -55,6 +57,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/print_queue.h \
   integral/output/quilt.cpp \
   integral/output/quilt.h \
+  integral/output/relief_chart.cpp \
+  integral/output/relief_chart.h \
   integral/output/screen_picture.cpp \
   integral/output/screen_picture.h \
   integral/output/screen_play.cpp \

@@ -26,10 +26,7 @@ constexpr double least_distance = 2;
 constexpr DeviceFont words{2.2, false}, title{2.6, true};
 
 /// The bars of one direction. They fill a rectangle, in mm from the page's left and top edges.
-struct Block {
-    Vec2 wave;
-    double period_share; ///< the lines' period as a part of the pitch
-    bool upright;
+struct Block : ChartDirection {
     double left = 0, top = 0, width = 0, height = 0;
 };
 
@@ -40,21 +37,10 @@ struct Layout {
 
 std::vector<Block> directions_of(const LensSheet& sheet)
 {
-    const double angle = sheet.slant * pi / 180;
-    const auto block = [&](double turn, double share) {
-        Vec2 wave{std::cos(angle + turn), std::sin(angle + turn)};
-        const bool upright = std::fabs(wave.y) > std::fabs(wave.x) * (1 + 1e-9);
-        if ((upright ? wave.y : wave.x) < 0)
-            wave = -1.0 * wave;
-        return Block{wave, share, upright};
-    };
-    if (sheet.arrangement == Arrangement::lenticular)
-        return {block(0, 1)};
-    if (sheet.arrangement == Arrangement::square)
-        return {block(0, 1), block(pi / 2, 1)};
-    // The lenses of neighbouring rows are shifted by half a pitch along the rows. Lines half a
-    // pitch apart look the same under all of them.
-    return {block(0, 0.5), block(pi / 2, std::sqrt(0.75))};
+    std::vector<Block> blocks;
+    for (const ChartDirection& direction : chart_directions(sheet))
+        blocks.push_back({direction});
+    return blocks;
 }
 
 std::string name_of_sheet(const LensSheet& sheet)
@@ -209,37 +195,6 @@ std::vector<ChartBar> bars_of(const PitchChart& chart, const Layout& layout)
     return bars;
 }
 
-/// The integral from 0 to u of the lines' light less its mean: of a wave of period 1 that is 1/2
-/// within a quarter of a period of every whole number, and -1/2 elsewhere.
-double first_integral(double u)
-{
-    u -= std::floor(u + 0.25);
-    return u <= 0.25 ? u / 2 : (0.5 - u) / 2;
-}
-
-/// The integral of first_integral.
-double second_integral(double u)
-{
-    u -= std::floor(u + 0.25);
-    return u <= 0.25 ? u * u / 4 : 1.0 / 32 - (u - 0.5) * (u - 0.5) / 4;
-}
-
-void draw_lines(const PitchChart& chart, const ChartBar& bar, Image& image)
-{
-    const Film& film = chart.film;
-    const double a = std::fabs(bar.wave.x) * film.pixel_pitch.x / 2 / bar.period,
-                 b = std::fabs(bar.wave.y) * film.pixel_pitch.y / 2 / bar.period;
-    for (int y = 0; y < bar.height; ++y)
-        for (int x = 0; x < bar.width; ++x) {
-            const bool second = bar.upright ? x >= bar.width / 2 : y >= bar.height / 2;
-            const Vec2 place = film_from_pixel(film, {bar.left + x + 0.5, bar.top + y + 0.5}) -
-                               bar.origin;
-            const float light = float(
-                line_coverage(dot(bar.wave, place) / bar.period - (second ? 0.25 : 0), a, b));
-            store_linear(image, bar.left + x, bar.top + y, {light, light, light, 1});
-        }
-}
-
 /// Writes a label at each end of a bar: its number, and its pitch in mm and lpi.
 void write_labels(const Film& film, const ChartBar& bar, Image& image)
 {
@@ -313,20 +268,6 @@ void check(const PitchChart& chart)
 
 } // namespace
 
-double line_coverage(double phase, double a, double b)
-{
-    if (a < b)
-        std::swap(a, b);
-    double mean;
-    if (b < 1e-7) // the second difference of nearly equal numbers would lose all digits
-        mean = (first_integral(phase + a) - first_integral(phase - a)) / (2 * a);
-    else
-        mean = (second_integral(phase + a + b) - second_integral(phase + a - b) -
-                second_integral(phase - a + b) + second_integral(phase - a - b)) /
-               (4 * a * b);
-    return std::clamp(0.5 + mean, 0.0, 1.0);
-}
-
 std::string chart_advice(const PitchChart& chart)
 {
     const std::vector<Block> blocks = directions_of(chart.sheet);
@@ -369,7 +310,7 @@ Image pitch_chart(const PitchChart& chart)
     auto& samples = std::get<std::vector<std::uint8_t>>(image.samples);
     std::fill(samples.begin(), samples.end(), std::uint8_t(255));
     for (const ChartBar& bar : bars) {
-        draw_lines(chart, bar, image);
+        draw_lines(chart.film, bar, image);
         write_labels(chart.film, bar, image);
     }
     for (const Block& block : layout.blocks)

@@ -8,7 +8,7 @@
 #ifndef INTEGRAL_OUTPUT_PITCH_CHART_H
 #define INTEGRAL_OUTPUT_PITCH_CHART_H
 
-#include "integral/lightfield/image.h"
+#include "integral/output/chart_lines.h"
 #include "integral/output/pitch_wizard.h"
 
 namespace integral {
@@ -26,21 +26,11 @@ struct PitchChart {
     std::string panel;
 };
 
-/// One bar: a rectangle of the page, in pixels, with light and dark lines of equal width. The lines
-/// are perpendicular to `wave`, a unit vector of the sheet frame (y upwards), and light lines are
-/// `period` apart. In the bar's first half (the upper half; of an upright bar the left one) the
-/// middle of a light line passes through `origin`, mm in the sheet frame; in the second half it
-/// passes through origin + wave period/4.
-struct ChartBar {
+/// One bar. All of a direction have their phase in common in the middle of their block.
+struct ChartBar : ChartLines {
     /// As printed, from 1. The bars of a 2-D sheet's second direction follow those of the first.
     int number;
     double pitch; ///< mm: lenses of this visual pitch show the bar even
-    /// mm: the pitch; for hexagonal lenses p/2 along the rows, and across them p sqrt(3)/2, the
-    /// distance of the rows.
-    double period;
-    Vec2 wave, origin;
-    bool upright; ///< whether the bar's longer side is vertical: its lines are nearly horizontal
-    int left, top, width, height;
 };
 
 /// The bars with their places: of one direction for lenticular sheets, of two for the others.
@@ -52,15 +42,9 @@ std::vector<ChartBar> chart_bars(const PitchChart& chart);
 /// under the lenses.
 std::string chart_advice(const PitchChart& chart);
 
-/// The page, 8 bits a channel, sRGB, film.width x film.height pixels. The linear light of a bar's
-/// pixel is exactly the part of its area that light lines cover, so that no pitch is rounded to
-/// pixels. Throws as chart_bars does.
+/// The page, 8 bits a channel, sRGB, film.width x film.height pixels. Throws as
+/// chart_bars does.
 Image pitch_chart(const PitchChart& chart);
-
-/// The part of a pixel's area that light lines cover. `phase`: from the middle of a light line to
-/// the pixel's middle, periods. Projected along the lines, the pixel's area is the convolution of
-/// two boxes; `a` and `b` are their half widths in periods, >= 0, one of them > 0.
-double line_coverage(double phase, double a, double b);
 
 } // namespace integral
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Bars of lines in charts by which lens sheets are measured.
+#ifndef INTEGRAL_OUTPUT_CHART_LINES_H
+#define INTEGRAL_OUTPUT_CHART_LINES_H
+
+#include "integral/lightfield/image.h"
+
+#include <vector>
+
+namespace integral {
+
+/// A direction in which a sheet's lenses repeat.
+struct ChartDirection {
+    Vec2 wave;           ///< unit vector of the sheet frame (y upwards), perpendicular to the lines
+    double period_share; ///< the lines' period as a part of the lenses' pitch: 1; for hexagonal
+                         ///< lenses 1/2 along the rows, and across them sqrt(3)/2, that of the rows
+    bool upright;        ///< whether bars are upright: their lines are nearly horizontal
+};
+
+/// One for lenticular sheets, two for the others.
+std::vector<ChartDirection> chart_directions(const LensSheet& sheet);
+
+/// One bar: a rectangle of the page, in pixels, with light and dark lines of equal width. Light
+/// lines are `period` apart along `wave`. The middle of one passes through `origin`, mm in the
+/// sheet frame; with `halves`, in the bar's second half (the lower one; of an upright bar the
+/// right) through origin + wave period/4.
+struct ChartLines {
+    double period; ///< mm
+    Vec2 wave, origin;
+    bool upright, halves = true;
+    int left, top, width, height;
+};
+
+/// The part of a pixel's area that light lines cover. `phase`: from the middle of a light line to
+/// the pixel's middle, periods. Projected along the lines, the pixel's area is the convolution of
+/// two boxes; `a` and `b` are their half widths in periods, >= 0, one of them > 0.
+double line_coverage(double phase, double a, double b);
+
+/// Draws a bar. The linear light of its pixel is exactly the part of its area that light lines
+/// cover, so that no pitch is rounded to pixels.
+void draw_lines(const Film& film, const ChartLines& bar, Image& image);
+
+} // namespace integral
+
+#endif
