@@ -2,8 +2,10 @@
 # Sources of integral/lightfield: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
-  integral/lightfield/beam_overlaps.cpp \
-  integral/lightfield/beam_overlaps.h \
+  integral/lightfield/beam_patch.cpp \
+  integral/lightfield/beam_patch.h \
+  integral/lightfield/beam_samples.cpp \
+  integral/lightfield/beam_samples.h \
   integral/lightfield/camera_words.cpp \
   integral/lightfield/camera_words.h \
   integral/lightfield/depth_advice.cpp \
@@ -42,6 +44,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/reconstruction.h \
   integral/lightfield/refinement.cpp \
   integral/lightfield/refinement.h \
+  integral/lightfield/sample_layers.cpp \
+  integral/lightfield/sample_layers.h \
   integral/lightfield/sample_points.cpp \
   integral/lightfield/sample_points.h \
   integral/lightfield/sampling_forecast.cpp \

@@ -286,10 +286,24 @@ void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& pole_ray, double 
                                     : mirrored * by_pixel / lattice.row_spacing());
 }
 
+PointSeeds PixelSampler::beam_seeds(Vec2 centre, int channel, bool alike) const
+{
+    return point_seeds(random_bits(alike ? seed_ : pixel_key(centre), std::uint64_t(channel + 1)));
+}
+
+BeamRay PixelSampler::first_sample(Vec2 centre, const LensRay& pole_ray, bool alike) const
+{
+    const auto unit = scrambled_point(beam_seeds(centre, PixelRay::all_channels, alike), 0);
+    const Vec2 film_point = moved(film_from_pixel(camera_.film, centre), {unit[2], unit[3]});
+    std::vector<PixelRay> rays;
+    if (const auto ray = sample_ray(film_point, pole_ray.lens))
+        append_ray(film_point, *ray, lens_point({unit[0], unit[1]}, *ray), {}, rays);
+    return rays.empty() ? pole_beam(pole_ray) : rays[0].ray;
+}
+
 PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
 {
     PixelBeam beam;
-    const std::uint64_t key = alike ? seed_ : pixel_key(centre);
     const bool divided = camera_.film.subpixels != Subpixels::none;
     for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0);
          ++channel) {
@@ -309,7 +323,7 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
         own.film_centre = film_centre;
         own.lens = pole_ray->lens;
         own.whole = camera_.display_prefilter || (has(0, 0) && has(0, 1) && has(1, 0) && has(1, 1));
-        own.seeds = point_seeds(random_bits(key, std::uint64_t(channel + 1)));
+        own.seeds = beam_seeds(centre, channel, alike);
         aim(own, *pole_ray, depth);
     }
     return beam;

@@ -77,6 +77,11 @@ public:
     /// is none.
     std::optional<BeamRay> pole_ray(Vec2 centre) const;
 
+    /// The first sample of the beam of a pixel that has one film point: sample 0 of beam() and
+    /// append_sample, but for how it is spread over cell and area. `pole_ray`: of the pixel's
+    /// centre. The pole ray itself if the sample belongs to another lens, or no light gets through.
+    BeamRay first_sample(Vec2 centre, const LensRay& pole_ray, bool alike) const;
+
     /// Appends one ray per channel of the same pixel, at a random point of its area and of the
     /// lens's cell, independent for each `index`. The mean over all indices is the converged 4-D
     /// reference. For hybrid the reference is the full model. If the lens images only a tiny part
@@ -113,6 +118,7 @@ private:
     Vec2 channel_centre(Vec2 centre, int channel) const;
     Vec2 moved(Vec2 film_point, Vec2 unit) const;
     std::optional<LensRay> sample_ray(Vec2 film_point, LensIndex lens) const;
+    PointSeeds beam_seeds(Vec2 centre, int channel, bool alike) const;
     void aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;
     void append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/reconstruction.h"
 
+#include "integral/lightfield/sample_layers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -15,62 +17,50 @@ namespace {
 // POV-Ray's.
 constexpr float usual_excess = 3, weight_of_usual = 8;
 
-/// About exp(-x) for x >= 0; 0 from 8 on.
-float fall_off(float x)
+float squared_difference(const TabulatedCurve& encode, const LinearColour& a, const LinearColour& b)
 {
-    float power = std::max(0.0f, 1 - x / 8);
-    power *= power;
-    power *= power;
-    return power * power;
-}
-
-/// A colour's four components, side by side in a vector register (of GCC and Clang).
-typedef float Components __attribute__((vector_size(16)));
-
-Components components(const StoredColour& colour)
-{
-    typedef std::uint16_t Shorts __attribute__((vector_size(8)));
-    typedef std::int32_t Integers __attribute__((vector_size(16)));
-    Shorts shorts;
-    std::memcpy(&shorts, &colour, sizeof shorts);
-    return __builtin_convertvector(__builtin_convertvector(shorts, Integers), Components);
-}
-
-float squared_difference(Components a, Components b)
-{
-    const Components difference = a - b, squares = difference * difference;
-    return ((squares[0] + squares[1]) + (squares[2] + squares[3])) *
-           float(1 / (colour_levels * colour_levels));
-}
-
-/// A weighted mean of colours.
-struct Sum {
-    Components colour{};
-    float weights = 0;
-    void add(Components other, float weight)
-    {
-        weights += weight;
-        colour += weight * other;
+    float sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float difference = encode(a[k]) - encode(b[k]);
+        sum += difference * difference;
     }
-    StoredColour mean() const
-    {
-        StoredColour mean;
-        for (std::size_t k = 0; k < mean.size(); ++k)
-            mean[k] = std::uint16_t(colour[k] / weights + 0.5f);
-        return mean;
-    }
-};
+    return sum + (a[3] - b[3]) * (a[3] - b[3]);
+}
 
 } // namespace
 
-int rows_compared(const LensSheet& sheet, const Film& film)
+/// By how much a pixel's own mean differs from its layers: smoothed over the pixels around, and the
+/// squares of that and of the rest in the encoding of comparison, with what noise lets expect.
+struct Reconstruction::Difference {
+    bool any = false;
+    LinearColour smooth{};
+    float smooth_square = 0, smooth_noise = 0, rest_square = 0, noise = 0;
+};
+
+struct Reconstruction::Scratch {
+    LendingPixels::Scratch lending;
+    SampleLayers layers;
+    std::vector<Difference> differences;
+};
+
+void Reconstruction::FreeScratch::operator()(Scratch* scratch) const { delete scratch; }
+
+Reconstruction::ScratchPointer Reconstruction::make_scratch()
 {
-    return std::max(rows_looked_at(sheet, film), Reconstruction::risk_reach);
+    return ScratchPointer(new Scratch);
 }
+
+int rows_estimated_from(const LensSheet& sheet, const Film& film)
+{
+    return std::max({Reconstruction::reach_around, LendingPixels(Lattice(sheet), film).rows(),
+                     rows_looked_at(sheet, film)});
+}
+
+int rows_finished_from() { return 2 * Reconstruction::reach_around; }
 
 int rows_reconstructed_from(const LensSheet& sheet, const Film& film)
 {
-    return 2 * rows_compared(sheet, film) + Reconstruction::risk_reach;
+    return rows_finished_from() + rows_estimated_from(sheet, film);
 }
 
 int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side)
@@ -79,32 +69,34 @@ int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_si
     return blocks * block_side + rows_looked_at(sheet, film);
 }
 
-bool Reconstruction::possible(const Film& film) { return film.subpixels.order == Subpixels::none; }
-
-std::size_t Reconstruction::bytes(const Film& film)
+bool Reconstruction::possible(const IntegralCamera& camera)
 {
-    return bytes_a_pixel * film.width * film.height;
+    return camera.film.subpixels.order == Subpixels::none && !camera.display_prefilter &&
+           !camera.pseudoscopic && !camera.projection && camera.pixel_samples == 1 &&
+           camera.beam_samples == 1 && !refracts_at_surface(camera.optics.model());
 }
 
 Reconstruction::Reconstruction(const IntegralCamera& camera, const FirstSamples& first,
-                               double least_error, std::shared_ptr<void> memory)
-    : first_(first),
-      overlaps_(camera, first, rows_compared(camera.optics.sheet(), camera.film)),
+                               const BeamSamples& samples, double least_error,
+                               std::shared_ptr<void> memory)
+    : camera_(camera),
+      first_(first),
+      samples_(samples),
+      lending_(camera.optics.lattice(), camera.film),
       width_(camera.film.width),
       height_(camera.film.height),
       least_variance_(float(3 * least_error * least_error)),
-      memory_(memory ? std::move(memory) : zeroed_memory(bytes(camera.film))),
+      memory_(memory ? std::move(memory)
+                     : zeroed_memory(bytes_a_pixel * camera.film.width * camera.film.height)),
       pixels_(static_cast<Pixel*>(memory_.get()))
 {
 }
 
-void Reconstruction::set(int x, int y, const ComparedColour& mean, double variance,
-                         double of_halves)
+void Reconstruction::set(int x, int y, const LinearColour& mean, double variance, double of_halves)
 {
     Pixel& pixel = pixels_[index(x, y)];
-    pixel.mean = stored_colour(mean);
-    const bool clamped = *std::max_element(pixel.mean.begin(), pixel.mean.end()) == 65535;
-    pixel.variance = clamped || !(variance >= 0) ? -1 : float(variance);
+    pixel.mean = StoredLight(mean);
+    pixel.variance = pixel.mean.is_clamped() || !(variance >= 0) ? -1 : float(variance);
     pixel.of_halves = float(of_halves);
 }
 
@@ -127,7 +119,7 @@ float Reconstruction::smooth_variance(int x, int y) const
 {
     float near_sum = 0, expected = 0, seen = 0;
     int near_number = 0, number = 0;
-    for_each_around(x, y, risk_reach, [&](int i, int j, std::size_t at) {
+    for_each_around(x, y, reach_around, [&](int i, int j, std::size_t at) {
         const Pixel& other = pixels_[at];
         const float variance = std::max<float>(0, other.variance), of_halves = other.of_halves;
         if (std::abs(i - x) <= 1 && std::abs(j - y) <= 1) {
@@ -147,91 +139,137 @@ float Reconstruction::smooth_variance(int x, int y) const
     return mean * (seen + usual_excess * weight) / (expected + weight);
 }
 
-Reconstruction::Trial Reconstruction::trial(int x, int y, Scratch& scratch) const
+/// Sets the layers of a pixel from the samples of all pixels that it may use.
+void Reconstruction::gather(int x, int y, Scratch& scratch) const
 {
-    Trial result;
-    const Pixel& own = pixels_[index(x, y)];
-    const float variance = smooth_variance(x, y);
-    if (own.variance < 0 || variance < least_variance_)
-        return result;
-    result.any = true;
-    result.own_risk = variance;
-    std::array<Sum, 2> sums;
-    overlaps_.find(x, y, scratch);
-    for (const BeamOverlaps::Overlap& overlap : scratch) {
-        const Pixel& other = pixels_[overlap.pixel];
-        if (other.variance < 0)
-            continue;
-        const Components mean = components(other.mean);
-        sums[0].add(mean, overlap.narrow);
-        sums[1].add(mean, overlap.wide);
-    }
-    for (int k = 0; k < 2; ++k) {
-        result.colours[k] = sums[k].mean();
-        result.risks[k] = squared_difference(components(result.colours[k]), components(own.mean)) -
-                          variance + 2 * variance / sums[k].weights; // own overlap is 1
-    }
-    return result;
+    const BeamSamples::Pixel& own = samples_.pixel(x, y);
+    const BeamPatch patch(camera_, own.centre);
+    std::array<float, 2> depths = first_.depths_around(x, y);
+    for (int k = 0; k + 1 < own.number; ++k)
+        depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
+    for (float& depth : depths)
+        depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
+    scratch.layers.begin(patch, own.centre);
+    const auto lend = [&](int i, int j, FirstSamples::StoredLens lens) {
+        if (i < 0 || j < 0 || i >= width_ || j >= height_ || !first_.is_behind(index(i, j), lens) ||
+            pixels_[index(i, j)].variance < 0)
+            return;
+        const BeamSamples::Pixel& pixel = samples_.pixel(index(i, j));
+        scratch.layers.add(samples_, pixel, &pixel == &own);
+    };
+    lending_.for_each(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending, lend);
 }
 
-void Reconstruction::estimate(int left, int top, int right, int bottom)
+/// Whether the pixel or one around it has an error that counts. One sample tells nothing of its
+/// own error.
+bool Reconstruction::is_noisy(int x, int y) const
 {
-    const int x0 = std::max(0, left - risk_reach), y0 = std::max(0, top - risk_reach),
-              x1 = std::min(width_ - 1, right + risk_reach),
-              y1 = std::min(height_ - 1, bottom + risk_reach);
-    std::vector<Trial> trials(std::size_t(x1 - x0 + 1) * (y1 - y0 + 1));
-    const auto trial_at = [&](int x, int y) -> Trial& {
-        return trials[std::size_t(y - y0) * (x1 - x0 + 1) + (x - x0)];
-    };
-    Scratch scratch;
-    for (int y = y0; y <= y1; ++y)
-        for (int x = x0; x <= x1; ++x)
-            if (first_.lens(x, y))
-                trial_at(x, y) = trial(x, y, scratch);
-    for (int y = top; y <= bottom; ++y)
-        for (int x = left; x <= right; ++x) {
+    bool found = smooth_variance(x, y) >= least_variance_;
+    if (!found && samples_.pixel(x, y).number == 1)
+        for_each_around(x, y, reach_around, [&](int, int, std::size_t at) {
+            found = found || pixels_[at].variance >= least_variance_;
+        });
+    return found;
+}
+
+void Reconstruction::estimate(const PictureBlock& block, Scratch& scratch)
+{
+    for (int y = block.top; y <= block.bottom; ++y)
+        for (int x = block.left; x <= block.right; ++x) {
             Pixel& pixel = pixels_[index(x, y)];
-            pixel.estimate = pixel.mean;
-            const Trial& own = trial_at(x, y);
-            if (!own.any)
+            pixel.others = 0;
+            if (!first_.lens(x, y) || pixel.variance < 0 || !is_noisy(x, y))
                 continue;
-            float least = 0;
-            std::array<float, 2> risks{};
-            for_each_around(x, y, risk_reach, [&](int i, int j, std::size_t) {
-                const Trial& other = trial_at(i, j);
-                least += other.own_risk;
-                for (int k = 0; k < 2; ++k)
-                    risks[k] += other.risks[k];
-            });
-            for (int k = 0; k < 2; ++k)
-                if (risks[k] < least) {
-                    least = risks[k];
-                    pixel.estimate = own.colours[k];
-                }
+            gather(x, y, scratch);
+            const auto light = scratch.layers.light();
+            if (!light)
+                continue;
+            pixel.layers = StoredLight(light->light);
+            pixel.others = 1 - light->own_part;
+            pixel.expected = samples_.pixel(x, y).number == 1 ? light->variance : 0;
         }
 }
 
-std::optional<ComparedColour> Reconstruction::reconstructed(int x, int y, Scratch& scratch) const
+/// A tent over the pixels around, of which the variance of independent values' mean follows.
+constexpr float tent(int i, int j)
 {
+    constexpr int width = Reconstruction::reach_around + 1;
+    return float((width - std::abs(i)) * (width - std::abs(j)));
+}
+
+Reconstruction::Difference Reconstruction::difference(int x, int y,
+                                                      const TabulatedCurve& encode) const
+{
+    Difference result;
     const Pixel& own = pixels_[index(x, y)];
-    if (!first_.lens(x, y) || own.variance < 0)
-        return {};
-    const float variance = smooth_variance(x, y);
-    if (variance < least_variance_)
-        return {};
-    const Components own_estimate = components(own.estimate);
-    const float by_variance = 1 / variance;
-    Sum sum;
-    overlaps_.find(x, y, scratch);
-    for (const BeamOverlaps::Overlap& overlap : scratch) {
-        const Pixel& other = pixels_[overlap.pixel];
-        if (other.variance < 0)
-            continue;
-        const float likeness = fall_off(
-            by_variance * squared_difference(components(other.estimate), own_estimate));
-        sum.add(components(other.mean), overlap.wide * likeness);
+    if (!(own.others > 0))
+        return result;
+    result.any = true;
+    float weights = 0, squares = 0;
+    for_each_around(x, y, reach_around, [&](int i, int j, std::size_t at) {
+        if (!(pixels_[at].others > 0))
+            return;
+        const float weight = tent(i - x, j - y);
+        const LinearColour mean = pixels_[at].mean.light(), layers = pixels_[at].layers.light();
+        for (std::size_t k = 0; k < mean.size(); ++k)
+            result.smooth[k] += weight * (mean[k] - layers[k]);
+        weights += weight;
+        squares += weight * weight;
+    });
+    const LinearColour mean = own.mean.light(), layers = own.layers.light();
+    LinearColour smooth = layers;
+    for (std::size_t k = 0; k < smooth.size(); ++k) {
+        result.smooth[k] /= weights;
+        smooth[k] += result.smooth[k];
     }
-    return colour_of(sum.mean());
+    const float all = own.others * std::max<float>(own.expected, smooth_variance(x, y)),
+                part = squares / (weights * weights);
+    result.smooth_square = squared_difference(encode, smooth, layers);
+    result.smooth_noise = part * all;
+    result.noise = (1 + part - 2 * tent(0, 0) / weights) * all;
+    result.rest_square = squared_difference(encode, mean, smooth);
+    return result;
+}
+
+void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve& encode,
+                                 Scratch& scratch,
+                                 std::vector<std::optional<LinearColour>>& pixels) const
+{
+    constexpr int around = reach_around;
+    const int x0 = std::max(0, block.left - around), y0 = std::max(0, block.top - around),
+              x1 = std::min(width_ - 1, block.right + around),
+              y1 = std::min(height_ - 1, block.bottom + around);
+    scratch.differences.clear();
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x)
+            scratch.differences.push_back(difference(x, y, encode));
+    const auto difference_at = [&](int x, int y) -> const Difference& {
+        return scratch.differences[std::size_t(y - y0) * (x1 - x0 + 1) + (x - x0)];
+    };
+    pixels.clear();
+    for (int y = block.top; y <= block.bottom; ++y)
+        for (int x = block.left; x <= block.right; ++x) {
+            pixels.emplace_back();
+            const Difference& own = difference_at(x, y);
+            if (!own.any)
+                continue;
+            float smooth = 0, smooth_noise = 0, rest = 0, noise = 0;
+            for_each_around(x, y, around, [&](int i, int j, std::size_t) {
+                const Difference& other = difference_at(i, j);
+                smooth += other.smooth_square;
+                smooth_noise += other.smooth_noise;
+                rest += other.rest_square;
+                noise += other.noise;
+            });
+            const float smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0,
+                        rest_part = rest > noise ? 1 - noise / rest : 0;
+            const LinearColour mean = pixels_[index(x, y)].mean.light();
+            LinearColour light = pixels_[index(x, y)].layers.light();
+            for (std::size_t k = 0; k < light.size(); ++k)
+                light[k] += smooth_part * own.smooth[k] +
+                            rest_part * (mean[k] - light[k] - own.smooth[k]);
+            pixels.back() = light;
+        }
 }
 
 } // namespace integral

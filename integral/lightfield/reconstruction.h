@@ -1,36 +1,39 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reconstructs an anti-aliased frame: takes the noise out of each pixel with the help of other
-// pixels whose beams meet the same places of the scene.
+// Reconstructs an anti-aliased frame: works out each pixel's light from its own samples and from
+// those of other pixels whose beams meet the same places of the scene.
 //
-// A pixel sees the scene through a beam: at a depth z it covers a patch that is as wide as a lens
-// at the sheet and grows by a pixel's span of slopes. Pixels behind the same lens and behind the
-// neighbouring ones have beams that overlap there: the nearer their patches' centres, the more.
-// Between pixels with overlapping beams a frame cannot change quickly, so their mean, weighted by
-// the overlap, has less noise and hardly another value (axis-aligned and sheared filtering of light
-// fields: Egan and others 2011, Mehta and others 2012).
+// A beam is as wide as a lens, so that many pixels behind the same lens and behind the neighbouring
+// ones look at the same place of a surface. A matte place looks alike from all of them. So a sample
+// of any of these pixels counts as one of the pixel's own, weighted by the density of the pixel's
+// beam at the place that the sample met (light field reconstruction: Lehtinen and others 2011).
 //
-// Three steps, each for all pixels before the next:
-// 1. set: the mean of the pixel's samples and the variance of that mean, which is corrected later
-//    by how far the halves of the samples differ in the pixels around;
-// 2. estimate: the pixel's own mean, or one of two overlap-weighted means, narrow and wide: the one
-//    with the least squared error by Stein's unbiased risk estimate (1981) over the pixels around;
-// 3. reconstructed: an overlap-weighted mean that counts a pixel less the more its first estimate
-//    differs, compared with the noise. It keeps outlines, reflections and highlights, which do not
-//    move as the overlap says.
+// Where surfaces lie at clearly different depths, they are layers (layered reconstruction:
+// Vaidyanathan and others 2015). What part of the beam a layer covers is counted among all samples
+// that reach it, whether they end there or pass it; what lies behind is seen through the rest.
+//
+// Mirrors, highlights and glass do not look alike from everywhere. So what the pixel's own samples
+// say is compared with the layers, on two scales: the difference of a pixel, and its mean over the
+// pixels around. Each is added to the layers' light as far as it is more than noise (Wiener's
+// filter).
 #ifndef INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
 #define INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
 
-#include "integral/lightfield/beam_overlaps.h"
+#include "integral/lightfield/beam_patch.h"
+#include "integral/lightfield/pass_schedule.h"
+#include "integral/lightfield/tabulated_curve.h"
 
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace integral {
 
-/// The greatest distance in rows of the pixels with which a pixel is compared in one step.
-int rows_compared(const LensSheet& sheet, const Film& film);
+/// The distance in rows of the refined pixels on which the layers of a pixel depend, and of the
+/// estimated ones on which a reconstructed pixel depends.
+int rows_estimated_from(const LensSheet& sheet, const Film& film);
+int rows_finished_from();
 
 /// The distance in rows of the refined pixels on which a reconstructed pixel depends.
 int rows_reconstructed_from(const LensSheet& sheet, const Film& film);
@@ -42,38 +45,47 @@ int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_si
 /// Different threads may work on different pixels in the same step.
 class Reconstruction {
 public:
-    /// Refers to `camera` and to `first`, whose lenses and depths it uses; both must outlive it.
-    /// `least_error`: the standard error of a colour's component from which on a pixel is worked
-    /// on. `memory`: bytes(camera.film) bytes, all 0, aligned to 4; null: the object allocates its
-    /// own.
-    Reconstruction(const IntegralCamera& camera, const FirstSamples& first, double least_error,
+    /// Refers to `camera`, to `first` and to `samples`, which must outlive it. `least_error`: the
+    /// standard error of a colour's component from which on a pixel is worked on. `memory`:
+    /// bytes_a_pixel for each of the film's pixels, all 0, aligned to 4; null: the object allocates
+    /// its own.
+    Reconstruction(const IntegralCamera& camera, const FirstSamples& first,
+                   const BeamSamples& samples, double least_error,
                    std::shared_ptr<void> memory = nullptr);
 
+    /// Pixels around over which differences and errors are averaged.
+    static constexpr int reach_around = 2;
+
+    /// Whether frames of a camera can be reconstructed: not those of subpixels, whose channels have
+    /// beams of their own, nor where the camera has several rays a pixel or other beams than a
+    /// lens's cell and a pixel's area.
+    static bool possible(const IntegralCamera& camera);
+
+    static constexpr std::size_t bytes_a_pixel = 24;
+
+    /// The mean light of the pixel's samples, and the squared error expected of it in the encoding
+    /// of comparison, summed over the colour's components: by the samples' variance
+    /// (Refinement::squared_error), and as the halves of the samples show it (-1: not at all). A
+    /// pixel of more than 64 is left alone.
+    void set(int x, int y, const LinearColour& mean, double variance, double of_halves = -1);
+
     /// Working memory of one thread.
-    using Scratch = BeamOverlaps::Found;
+    struct Scratch;
+    struct FreeScratch {
+        void operator()(Scratch* scratch) const;
+    };
+    using ScratchPointer = std::unique_ptr<Scratch, FreeScratch>;
+    static ScratchPointer make_scratch();
 
-    static constexpr int risk_reach = 2; ///< pixels around over which a risk is averaged
+    /// Works out the layers of a block's pixels, for which all samples and errors around have been
+    /// set.
+    void estimate(const PictureBlock& block, Scratch& scratch);
 
-    /// Whether frames of a film can be reconstructed: not those of subpixels, whose channels have
-    /// beams of their own.
-    static bool possible(const Film& film);
-
-    /// Bytes of memory for a film, stored row by row from the top.
-    static constexpr std::size_t bytes_a_pixel = 20;
-    static std::size_t bytes(const Film& film);
-
-    /// The mean colour of the pixel's samples, and the squared error expected of it, summed over
-    /// the colour's components: by the samples' variance (Refinement::squared_error), and as the
-    /// halves of the samples show it (-1: not at all). Colours are clamped to 0 to 8; a pixel
-    /// beyond that is left alone.
-    void set(int x, int y, const ComparedColour& mean, double variance, double of_halves = -1);
-
-    /// Makes the first estimates of the pixels from (left, top) to (right, bottom), inclusive.
-    void estimate(int left, int top, int right, int bottom);
-
-    /// The reconstructed colour; nothing if the pixel is to be left alone: it is empty, or its
-    /// error is less than least_error.
-    std::optional<ComparedColour> reconstructed(int x, int y, Scratch& scratch) const;
+    /// The reconstructed light of a block's pixels, row by row; nothing for those that are to be
+    /// left alone: empty ones, and those whose error is less than least_error. Those around have
+    /// been estimated. `encode`: linear light to the encoding of comparison.
+    void reconstruct(const PictureBlock& block, const TabulatedCurve& encode, Scratch& scratch,
+                     std::vector<std::optional<LinearColour>>& pixels) const;
 
 private:
     /// A float in 2 bytes: its upper half, with an error of less than 1 in 128. 0 in zeroed memory.
@@ -97,29 +109,29 @@ private:
         std::uint16_t upper_;
     };
     struct Pixel {
-        StoredColour mean;
+        StoredLight mean;
         /// The variance of the mean; below 0: to be left alone; 0 also for an empty pixel.
         ShortFloat variance;
         ShortFloat of_halves; ///< as the halves of the samples show it; below 0: not at all
-        StoredColour estimate;
+        StoredLight layers;
+        ShortFloat others;   ///< the part of other pixels' samples in the layers; 0: no layers
+        ShortFloat expected; ///< of a pixel with one sample: its variance, by all samples in the
+                             ///< beam; else 0
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
-    /// For one pixel: the two filtered colours and their risks, and the risk of its own mean.
-    struct Trial {
-        bool any = false;
-        std::array<StoredColour, 2> colours{};
-        std::array<float, 2> risks{};
-        float own_risk = 0;
-    };
+    struct Difference;
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
     float smooth_variance(int x, int y) const;
+    bool is_noisy(int x, int y) const;
     template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
+    void gather(int x, int y, Scratch& scratch) const;
+    Difference difference(int x, int y, const TabulatedCurve& encode) const;
 
-    Trial trial(int x, int y, Scratch& scratch) const;
-
+    const IntegralCamera& camera_;
     const FirstSamples& first_;
-    BeamOverlaps overlaps_;
+    const BeamSamples& samples_;
+    LendingPixels lending_;
     int width_, height_;
     float least_variance_;
     std::shared_ptr<void> memory_;

@@ -20,8 +20,9 @@ constexpr double scatter_of_contrast = 0.4, weight_of_contrast = 4;
 // n^-1.4, its derivative to n^-2.4; worth is the root of that.
 constexpr double order = 1.2;
 
-// Chosen so that a threshold of 0.3 takes about 10 samples at a black and white edge.
-constexpr double threshold_of_worth = 3;
+// Chosen so that a threshold of 0.3 takes about 10 samples at a black and white edge, or 4 if other
+// pixels' samples count, too: those make more of a few samples than of many.
+double threshold_of_worth(const RefinementRule& rule) { return rule.lent ? 0.5 : 3; }
 
 constexpr double greatest_contrast = 3;
 
@@ -34,13 +35,15 @@ double variance_of(double contrast)
 
 } // namespace
 
+double least_contrast(const RefinementRule& rule) { return (rule.lent ? 2 : 1) * rule.threshold; }
+
 double squared_error_of_one(double contrast) { return variance_of(std::max(0.0, contrast)); }
 
 double samples_at_edges(const RefinementRule& rule)
 {
     if (rule.method == 1)
         return double(rule.depth) * rule.depth;
-    const double contrast = greatest_contrast, worth = rule.threshold / threshold_of_worth;
+    const double contrast = greatest_contrast, worth = rule.threshold / threshold_of_worth(rule);
     return std::min(std::ldexp(1.0, 2 * rule.depth),
                     std::pow(scatter_of_contrast * contrast / worth, 1 / order));
 }
@@ -54,10 +57,10 @@ int Refinement::wanted() const
 {
     if (rule_.method == 1)
         return rule_.depth * rule_.depth - tried_;
-    if (tried_ == 0)
-        return first_step;
+    if (tried_ < first_step)
+        return first_step - tried_;
     const int most = 1 << (2 * rule_.depth);
-    return tried_ < most && threshold_of_worth * worth() > rule_.threshold ? tried_ : 0;
+    return tried_ < most && threshold_of_worth(rule_) * worth() > rule_.threshold ? tried_ : 0;
 }
 
 void Refinement::add(const ComparedColour& colour)

@@ -12,9 +12,14 @@ namespace integral {
 struct RefinementRule {
     int method = 1; ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... up to 4^depth, as long as the
                     ///< benefit of another sample (worth) is at least threshold/3
-    double threshold = 0.3; ///< least contrast at which a pixel is refined
+    double threshold = 0.3; ///< see least_contrast
     int depth = 3;          ///< 1 to 9
+    bool lent = false;      ///< other pixels' samples will count, too (reconstruction.h): fewer are
+                            ///< taken
 };
+
+/// The least contrast (FirstSamples::contrast) at which a pixel is refined.
+double least_contrast(const RefinementRule& rule);
 
 /// The approximate number of samples that the rule takes in a pixel with a black and white edge.
 double samples_at_edges(const RefinementRule& rule);

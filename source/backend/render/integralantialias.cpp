@@ -34,10 +34,24 @@ public:
     {
         return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
     }
+    const integral::TabulatedCurve& Curve() const { return curve; }
 
 private:
     integral::TabulatedCurve curve;
 };
+
+integral::LinearColour Linear(const Colour& colour)
+{
+    return {colour.red(), colour.green(), colour.blue(), colour.transm()};
+}
+
+/// What the tracer's last sample saw.
+integral::BeamSamples::Seen Last_Seen(ViewData& view, TracePixel& trace, const Colour& colour)
+{
+    return {integral::sight_slope(view.GetCamera().Integral_View->optics->optics.lattice(),
+                                  trace.Integral().Sampled()),
+            trace.Integral().Depth(), Linear(colour)};
+}
 
 IntegralSampling *Sampling_Of(const Camera& camera)
 {
@@ -56,14 +70,17 @@ public:
           trace(trace),
           cooperate(cooperate),
           options(options),
+          rule(options.rule),
           sampling(sampling),
           compared(compared)
     {
+        rule.lent = sampling.Lent() != NULL;
     }
 
     /// Refines the block's pixels.
     void Run(const integral::PictureBlock& of)
     {
+        const double least = integral::least_contrast(rule);
         block = of;
         waiting.clear();
         expected.assign(std::size_t(Width()) * (block.bottom - block.top + 1), -1);
@@ -71,7 +88,7 @@ public:
             for (int x = block.left; x <= block.right; x++)
             {
                 const double contrast = sampling.First().contrast(x, y);
-                if (contrast >= options.rule.threshold)
+                if (contrast >= least)
                     Want(x, y, contrast);
                 if (contrast >= 0)
                     Keep(x, y, integral::squared_error_of_one(contrast));
@@ -81,10 +98,12 @@ public:
             const int x = waiting[next].first, y = waiting[next].second;
             const integral::Refinement result = Refine(x, y);
             // The first samples of its neighbours may have missed the same edge.
-            if (result.scatter() >= options.rule.threshold)
+            if (result.scatter() >= least)
                 sampling.First().for_each_neighbour(
                     x, y, [&](int i, int j) { Want(i, j, result.contrast_shown()); });
         }
+        if (integral::BeamSamples *const lent = sampling.Lent())
+            lent->store(block.top, gathered);
     }
 
 private:
@@ -109,10 +128,20 @@ private:
     integral::Refinement Refine(int x, int y)
     {
         thread.Stats()[Number_Of_Pixels_Supersampled]++;
-        trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y));
-        integral::Refinement refinement(options.rule, expected[Index(x, y)]);
+        integral::BeamSamples *const lent = sampling.Lent();
+        integral::Refinement refinement(rule, expected[Index(x, y)]);
         bool any = false;
         std::uint32_t index = 0;
+        const Colour first = sampling.At(x, y);
+        trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y),
+                                lent ? &first : NULL);
+        if (lent)
+        {
+            gathered.begin(x, y);
+            refinement.add(compared(first));
+            thread.Stats()[Number_Of_Samples]++;
+            index++;
+        }
         while (const int wanted = refinement.wanted())
             for (int k = 0; k < wanted; k++)
             {
@@ -123,6 +152,8 @@ private:
                     refinement.add(compared(seen));
                 else
                     refinement.add_none();
+                if (lent && trace.Integral().Imaged())
+                    gathered.add(*lent, Last_Seen(view, trace, seen));
                 any = any || trace.Integral().Imaged();
                 thread.Stats()[Number_Of_Samples]++;
                 cooperate();
@@ -132,14 +163,14 @@ private:
             sampling.At(x, y) = trace.Integral().Refined();
             Keep(x, y, refinement.squared_error(), refinement.squared_error_of_halves());
         }
-        trace.Integral().End_Refinement();
+        trace.Integral().Take_Camera_Rays();
         return refinement;
     }
 
     void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1)
     {
         if (integral::Reconstruction *const reconstruction = sampling.Reconstruction())
-            reconstruction->set(x, y, compared(sampling.At(x, y)), squared_error,
+            reconstruction->set(x, y, Linear(sampling.At(x, y)), squared_error,
                                 squared_error_of_halves);
     }
 
@@ -148,11 +179,13 @@ private:
     TracePixel& trace;
     Trace::CooperateFunctor& cooperate;
     const IntegralRefinementOptions& options;
+    integral::RefinementRule rule;
     IntegralSampling& sampling;
     const ComparedEncoding& compared;
     integral::PictureBlock block;
     std::vector<double> expected; ///< the contrast of each pixel in `waiting`, -1 elsewhere
     std::vector<std::pair<int, int>> waiting;
+    integral::BeamSamples::Gathered gathered;
 };
 
 /// One thread's share of all passes.
@@ -186,7 +219,7 @@ public:
             }
             Work(item->pass, item->block);
             schedule.finish(*item);
-            sampling.Done(item->block);
+            sampling.Done(item->pass, item->block);
             thread.AfterTile();
             cooperate();
         }
@@ -198,7 +231,7 @@ private:
         if (pass == sampling.Last_Pass())
             Finish(block);
         else if (pass == IntegralSampling::estimation)
-            sampling.Reconstruction()->estimate(block.left, block.top, block.right, block.bottom);
+            sampling.Reconstruction()->estimate(block, *scratch);
         else
         {
             radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left
@@ -220,6 +253,10 @@ private:
     /// Takes the first samples of a block.
     void Sample(const integral::PictureBlock& block)
     {
+        integral::BeamSamples *const lent = sampling.Lent();
+        if (lent)
+            trace.Integral().Take_First_Samples(!options.jitter);
+        const integral::Lattice& lattice = view.GetCamera().Integral_View->optics->optics.lattice();
         for (int y = block.top; y <= block.bottom; y++)
             for (int x = block.left; x <= block.right; x++)
             {
@@ -229,8 +266,12 @@ private:
                 if (trace.Integral().Imaged())
                     sampling.First().set(x, y, compared(colour), trace.Integral().Lens(),
                                          trace.Integral().Depth());
+                if (lent && trace.Integral().Imaged())
+                    lent->set_first(x, y, integral::sight_slope(lattice, trace.Integral().Centre()),
+                                    Last_Seen(view, trace, colour));
                 cooperate();
             }
+        trace.Integral().Take_Camera_Rays();
     }
 
     /// Hands over a block as it is now, reconstructed if that is wanted.
@@ -243,27 +284,22 @@ private:
         const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
         if (sampling.Reconstruction())
         {
-            auto pixel = pixels.begin();
-            for (int y = block.top; y <= block.bottom; y++)
-                for (int x = block.left; x <= block.right; x++, ++pixel)
-                    if (rows.Have(y))
-                        Reconstruct(x, y, *pixel);
+            sampling.Reconstruction()->reconstruct(block, compared.Curve(), *scratch,
+                                                   reconstructed);
+            for (std::size_t k = 0; k < pixels.size(); k++)
+                if (const auto& light = reconstructed[k];
+                    light && rows.Have(block.top + int(k) / (block.right - block.left + 1)))
+                {
+                    for (int channel = 0; channel < 3; channel++)
+                        pixels[k][channel] = (*light)[channel];
+                    pixels[k].transm() = (*light)[3];
+                }
         }
         // A block without rows that count is never marked final, so that +C may be used with other
         // rows.
         view.CompletedRectangle(To_Rect(block), serial, pixels, 1,
                                 options.final && rows.Meet(block.top, block.bottom),
                                 1 - sampling.Progress(block));
-    }
-
-    void Reconstruct(int x, int y, Colour& colour)
-    {
-        const auto reconstructed = sampling.Reconstruction()->reconstructed(x, y, scratch);
-        if (!reconstructed)
-            return;
-        for (int k = 0; k < 3; k++)
-            colour[k] = GammaCurve::Decode(options.gamma, float((*reconstructed)[k]));
-        colour.transm() = float((*reconstructed)[3]);
     }
 
     /// Sets `pixels` to the block's colours.
@@ -290,7 +326,8 @@ private:
     ComparedEncoding compared;
     BlockRefinement refinement;
     std::vector<Colour> pixels;
-    integral::Reconstruction::Scratch scratch;
+    integral::Reconstruction::ScratchPointer scratch = integral::Reconstruction::make_scratch();
+    std::vector<std::optional<integral::LinearColour>> reconstructed;
 };
 
 }

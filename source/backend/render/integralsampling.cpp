@@ -9,12 +9,37 @@
 #include "backend/scene/view.h"
 
 #include <algorithm>
+#include <numeric>
 
 // this must be the last file included
 #include "base/povdebug.h"
 
 namespace pov
 {
+
+namespace
+{
+
+enum Part
+{
+    lent_part, ///< the first one, because it needs the greatest alignment
+    colours_part,
+    first_part,
+    reconstruction_part
+};
+
+std::vector<std::size_t> Parts(bool reconstructs)
+{
+    std::vector<std::size_t> parts = {0, sizeof(Colour), integral::FirstSamples::bytes_a_pixel};
+    if (reconstructs)
+    {
+        parts[lent_part] = integral::BeamSamples::bytes_a_pixel;
+        parts.push_back(integral::Reconstruction::bytes_a_pixel);
+    }
+    return parts;
+}
+
+}
 
 IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
                                    const pov_base::IntegralRows& rows, int side,
@@ -23,26 +48,26 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       width(camera.film.width),
       height(camera.film.height),
       side(side),
-      reconstructs(reconstructs && integral::Reconstruction::possible(camera.film)),
+      reconstructs(reconstructs && integral::Reconstruction::possible(camera)),
       reach(integral::rows_looked_at(camera.optics.sheet(), camera.film)),
-      step(integral::rows_compared(camera.optics.sheet(), camera.film)),
       halo(this->reconstructs
                ? integral::rows_reconstructed_from(camera.optics.sheet(), camera.film)
                : 0),
+      parts(Parts(this->reconstructs)),
       memory(Memory(camera.film, most_memory)),
-      first(camera, Part(sizeof(Colour), camera.film)),
-      colours(reinterpret_cast<Colour *>(memory->Data()))
+      first(camera, Part(first_part)),
+      colours(static_cast<Colour *>(Part(colours_part).get()))
 {
-    if (this->reconstructs)
-        reconstructor.reset(new integral::Reconstruction(
-            camera, first, least_error,
-            Part(sizeof(Colour) + integral::FirstSamples::bytes_a_pixel, camera.film)));
+    if (!this->reconstructs)
+        return;
+    lent.reset(new integral::BeamSamples(camera, Part(lent_part)));
+    reconstructor.reset(
+        new integral::Reconstruction(camera, first, *lent, least_error, Part(reconstruction_part)));
 }
 
 std::size_t IntegralSampling::Bytes_A_Pixel() const
 {
-    return sizeof(Colour) + integral::FirstSamples::bytes_a_pixel +
-           (reconstructs ? integral::Reconstruction::bytes_a_pixel : 0);
+    return std::accumulate(parts.begin(), parts.end(), std::size_t(0));
 }
 
 std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film,
@@ -56,22 +81,32 @@ std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integra
     const bool in_file = Bytes_A_Pixel() * (below - above) > most;
     auto memory = std::make_shared<pov_base::IntegralMemory>(Bytes_A_Pixel() * pixels, in_file);
     std::size_t begin = 0;
-    for (std::size_t bytes : {sizeof(Colour), integral::FirstSamples::bytes_a_pixel,
-                              integral::Reconstruction::bytes_a_pixel})
+    for (const std::size_t bytes : parts)
     {
-        if (begin + bytes > Bytes_A_Pixel())
-            break;
         memory->Reserve(begin * pixels + bytes * above, begin * pixels + bytes * below);
         begin += bytes;
     }
     return memory;
 }
 
-/// The part of the memory that begins after that many bytes per pixel.
-std::shared_ptr<void> IntegralSampling::Part(std::size_t bytes_before,
-                                             const integral::Film& film) const
+std::shared_ptr<void> IntegralSampling::Part(std::size_t number) const
 {
-    return {memory, memory->Data() + bytes_before * film.width * film.height};
+    const std::size_t before = std::accumulate(parts.begin(), parts.begin() + number,
+                                               std::size_t(0));
+    return {memory, memory->Data() + before * width * height};
+}
+
+void IntegralSampling::Done(int pass, const integral::PictureBlock& block)
+{
+    memory->Used(Bytes_A_Pixel() * (block.right - block.left + 1) * (block.bottom - block.top + 1));
+    if (!lent || pass != Last_Pass())
+        return;
+    std::lock_guard<std::mutex> lock(mutex);
+    const auto row = rows_left.find(block.top);
+    if (row != rows_left.end() && --row->second == 0)
+        rows_left.erase(row);
+    // Blocks are at most `side` rows high.
+    lent->forget_above((rows_left.empty() ? height : rows_left.begin()->first) - halo - side);
 }
 
 void IntegralSampling::Begin(ViewData& view)
@@ -130,10 +165,13 @@ void IntegralSampling::Make_Schedule()
     const std::vector<bool> refined = Rows_Of_Blocks(Around(counting, halo));
     scheduled = {{Around(refined, reach), 0}, {refined, reach}};
     if (reconstructs)
-        scheduled.push_back({Around(counting, step), step + integral::Reconstruction::risk_reach});
-    scheduled.push_back({wanted, reconstructs ? step : 0});
+        scheduled.push_back({Around(counting, integral::rows_finished_from()),
+                             halo - integral::rows_finished_from()});
+    scheduled.push_back({wanted, reconstructs ? integral::rows_finished_from() : 0});
     schedule.reset(new integral::PassSchedule(
         {int(area.left), int(area.top), int(area.right), int(area.bottom)}, side, scheduled));
+    for (const auto& block : serials)
+        rows_left[block.first.second]++;
 }
 
 bool IntegralSampling::Is_Wanted(const integral::PictureBlock& block, unsigned int& serial) const

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Anti-aliases (+A) the frame of an integral camera in passes over its blocks: the first takes one
 // sample of every pixel; the second takes more samples of pixels that differ from their neighbours
-// in the light field; the third makes first estimates of the pixels from each other, and the last
-// reconstructs the frame with their help.
+// in the light field; the third and the last reconstruct the frame from the samples of all pixels.
 #ifndef POVRAY_BACKEND_INTEGRALSAMPLING_H
 #define POVRAY_BACKEND_INTEGRALSAMPLING_H
 
@@ -36,9 +35,10 @@ struct IntegralRefinementOptions
     bool jitter, reproducible, final;
 };
 
-/// The results of the passes: 36 bytes per pixel of the rows that need samples, and 20 more with
+/// The results of the passes: 36 bytes per pixel of the rows that need samples, and 80 more with
 /// reconstruction. They are kept in a file if they exceed POV-Ray's limit for images in main
-/// memory.
+/// memory. Further samples (20 bytes each, at most 15 a pixel) are kept in main memory, for the
+/// rows between the second pass and the last.
 class IntegralSampling
 {
 public:
@@ -77,31 +77,31 @@ public:
     /// The part of a block's progress that the passes before the last report, 0 to 1.
     float Progress(const integral::PictureBlock& block) const;
 
-    /// Reports that a pass is done with a block.
-    void Done(const integral::PictureBlock& block)
-    {
-        memory->Used(Bytes_A_Pixel() * (block.right - block.left + 1) *
-                     (block.bottom - block.top + 1));
-    }
+    /// Reports that a pass is done with a block, after the schedule knows it.
+    void Done(int pass, const integral::PictureBlock& block);
 
     integral::FirstSamples& First() { return first; }
     /// Null: the frame is not reconstructed.
     integral::Reconstruction *Reconstruction() const { return reconstructor.get(); }
+    /// The samples that pixels lend each other; null if the frame is not reconstructed.
+    integral::BeamSamples *Lent() const { return lent.get(); }
     Colour& At(int x, int y) { return colours[std::size_t(y) * width + x]; }
 
 private:
     pov_base::IntegralRows rows;
     int width, height, side;
     bool reconstructs;
-    /// Rows to a pixel's neighbours, to those with which it is compared in a step of its
-    /// reconstruction, and to all that its reconstruction needs.
-    int reach, step, halo;
-    std::shared_ptr<pov_base::IntegralMemory> memory; ///< colours, first samples, reconstruction
+    /// Rows to a pixel's neighbours, and to all that its reconstruction needs.
+    int reach, halo;
+    std::vector<std::size_t> parts; ///< bytes a pixel of each part of the memory
+    std::shared_ptr<pov_base::IntegralMemory> memory;
     integral::FirstSamples first;
+    std::unique_ptr<integral::BeamSamples> lent;
     std::unique_ptr<integral::Reconstruction> reconstructor;
     Colour *colours;
-    std::mutex mutex;                                    ///< of Begin
-    POVRect area;                                        ///< the rendered part of the frame
+    std::mutex mutex;             ///< of Begin and of rows_left
+    std::map<int, int> rows_left; ///< unfinished blocks of the last pass, by their first row
+    POVRect area;                 ///< the rendered part of the frame
     std::map<std::pair<int, int>, unsigned int> serials; ///< of the blocks to be rendered, by left
                                                          ///< and top
     std::unique_ptr<integral::PassSchedule> schedule;
@@ -112,7 +112,7 @@ private:
     void Make_Schedule();
     std::shared_ptr<pov_base::IntegralMemory> Memory(const integral::Film& film,
                                                      std::size_t most) const;
-    std::shared_ptr<void> Part(std::size_t pixels_before, const integral::Film& film) const;
+    std::shared_ptr<void> Part(std::size_t number) const;
 };
 
 /// Runs one thread's share of the passes. `final`: hand the blocks over as finished. Does nothing

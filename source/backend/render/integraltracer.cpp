@@ -110,6 +110,30 @@ bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, R
     return imaged;
 }
 
+/// The same for the first sample of the pixel's beam.
+bool IntegralTracer::Choose_First_Sample(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
+                                         DBL& length)
+{
+    const integral::Vec2 at{x + 0.5, y + 0.5};
+    const int place = Place_In_Run(x, y);
+    const integral::MappedPoint mapped = place >= 0
+                                             ? run.mapped[place]
+                                             : view->optics->optics.map(integral::film_from_pixel(
+                                                                            view->optics->film, at),
+                                                                        view->optics->mapping);
+    const integral::PixelOutcome outcome = integral::outcome_of(mapped);
+    imaged = outcome.imaged > 0;
+    lens = outcome.lens;
+    if (counted)
+        Count(outcome, imaged);
+    if (!imaged)
+        return false;
+    centre = integral::pole_beam(*mapped.ray);
+    sampled = view->sampler->first_sample(at, *mapped.ray, alike_samples);
+    Make_Ray(ray, sampled, pretrace, length);
+    return true;
+}
+
 /// The same for a quilt.
 bool IntegralTracer::Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
                                       DBL& length)
@@ -129,11 +153,13 @@ bool IntegralTracer::Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace,
     return imaged;
 }
 
-void IntegralTracer::Refine(int x, int y, bool alike, double depth)
+void IntegralTracer::Refine(int x, int y, bool alike, double depth, const Colour *first)
 {
     mode = refinement;
     beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, depth);
     refined = Light();
+    if (first)
+        refined.Add(integral::PixelRay(), *first);
 }
 
 /// Makes the ray that sees along a line what the viewer would see.

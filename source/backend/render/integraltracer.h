@@ -46,17 +46,30 @@ public:
         audit_index = index;
     }
 
+    /// From now on Trace_Pixel traces the first sample of each pixel's beam. For cameras with one
+    /// ray per pixel. `alike`: use the same sample pattern in every pixel.
+    void Take_First_Samples(bool alike)
+    {
+        mode = first_samples;
+        alike_samples = alike;
+    }
+
     /// From now on Trace_Pixel traces single samples of the beam of pixel (x, y), counted from 0;
-    /// Take chooses which. `alike`: use the same sample pattern in every pixel. `depth`: depth of
-    /// the surface that the pixel shows, as returned by Depth.
-    void Refine(int x, int y, bool alike, double depth);
+    /// Take chooses which. `depth`: depth of the surface that the pixel shows, as returned by
+    /// Depth. `first`: the colour of the first sample if it was taken already; else null.
+    void Refine(int x, int y, bool alike, double depth, const Colour *first);
     void Take(std::uint32_t index) { sample_index = index; }
 
     /// The mean of the samples that were traced since Refine.
     Colour Refined() const { return refined.Mean(2); }
 
     /// From now on Trace_Pixel traces the camera's own rays again.
-    void End_Refinement() { mode = camera_rays; }
+    void Take_Camera_Rays() { mode = camera_rays; }
+
+    /// The last ray of the last sample, and, of a first sample, the ray from its pixel's centre
+    /// through the lens's pole.
+    const integral::BeamRay& Sampled() const { return sampled; }
+    const integral::BeamRay& Centre() const { return centre; }
 
     /// Whether the last pixel, or sample, imaged anything; and the lens that did.
     bool Imaged() const { return imaged; }
@@ -78,6 +91,7 @@ private:
     {
         camera_rays,
         audit,
+        first_samples,
         refinement
     };
 
@@ -95,6 +109,7 @@ private:
     };
 
     bool Choose_Rays(DBL x, DBL y, bool counted);
+    bool Choose_First_Sample(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     bool Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     bool Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     void Count(const integral::PixelOutcome& outcome, std::size_t traced) const;
@@ -104,7 +119,7 @@ private:
     void Count_Error(DBL y, const Light& light);
     void Met(const Ray& ray, DBL distance)
     {
-        if (keeps_depth && mode == camera_rays)
+        if (keeps_depth && mode != audit)
             Keep_Depth(ray, distance);
     }
     void Keep_Depth(const Ray& ray, DBL distance);
@@ -119,8 +134,10 @@ private:
     bool imaged = false;                  ///< whether there are such rays
     Mode mode = camera_rays;
     std::uint64_t audit_index = 0;
-    integral::PixelBeam beam; ///< of the pixel that is being refined
-    Light refined;            ///< of its samples
+    bool alike_samples = false;
+    integral::BeamRay sampled, centre; ///< of the last sample
+    integral::PixelBeam beam;          ///< of the pixel that is being refined
+    Light refined;                     ///< of its samples
     std::uint32_t sample_index = 0;
     bool active = false, counts_error = false;
     bool keeps_depth = false; ///< whether Depth is available
@@ -138,11 +155,12 @@ void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Tr
     const bool counted = !pretrace && mode != audit && tally;
     colour.clear();
     DBL length;
-    if (mode == camera_rays && one_ray)
+    if ((mode == camera_rays && one_ray) || mode == first_samples)
     {
         Ray ray;
-        if (quilt ? Choose_Quilt_Ray(x, y, counted, pretrace, ray, length)
-                  : Choose_One_Ray(x, y, counted, pretrace, ray, length))
+        if (mode == first_samples ? Choose_First_Sample(x, y, counted, pretrace, ray, length)
+            : quilt               ? Choose_Quilt_Ray(x, y, counted, pretrace, ray, length)
+                                  : Choose_One_Ray(x, y, counted, pretrace, ray, length))
             Met(ray, trace(ray, length, colour));
         else
             colour.transm() = 1.0;
@@ -156,7 +174,8 @@ void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Tr
     if (rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
     {
         Ray ray;
-        Make_Ray(ray, rays[0].ray, pretrace, length);
+        sampled = rays[0].ray;
+        Make_Ray(ray, sampled, pretrace, length);
         Met(ray, trace(ray, length, colour));
         if (mode == refinement)
             refined.Add(rays[0], colour);

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/beam_patch.h"
+
+#include <algorithm>
+
+namespace integral {
+
+namespace {
+
+// How far, in pixels, the direction of a pixel may be from that of one whose samples it uses.
+// Behind a line of lenses fewer pixels share a place, so that it pays to go further.
+constexpr double most_pixels = 2.2, most_pixels_across_lines = 5.2;
+
+// Two patches meet if their centres are nearer than this part of the sum of their widths. Where
+// they are further apart, less than a thirtieth of one lies in the other.
+constexpr float least_part = 0.75f;
+
+/// A pixel's width along an axis. A square one that is turned is taken for an upright one.
+double pixel_along(Vec2 pixel, Vec2 axis)
+{
+    return std::fabs(axis.x) > std::fabs(axis.y) ? pixel.x : pixel.y;
+}
+
+/// The direction of the slit in the aperture of a sheet of lines.
+Vec2 slit_direction(const Lattice& lattice)
+{
+    return std::fabs(lattice.along().y) >= std::fabs(lattice.along().x) ? Vec2{1, 0} : Vec2{0, 1};
+}
+
+} // namespace
+
+BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
+{
+    const Lattice& lattice = camera.optics.lattice();
+    const Medium& medium = camera.optics.medium();
+    const Vec2 pixel = camera.film.pixel_pitch;
+    const double n = medium.n, m = n * n - 1;
+    // The slope is n q/sqrt(1 - m q^2), q being the way on the film divided by the thickness.
+    const double sx = centre.slope[0], sy = centre.slope[1],
+                 rest = n * n / (n * n + m * (sx * sx + sy * sy));
+    const auto steepness = [&](double slope) {
+        const double q = slope * std::sqrt(rest) / n;
+        return n / medium.t / std::sqrt(rest) * (1 + m * q * q / rest);
+    };
+    axes_[0].cell_at_sheet = float(lattice.pitch());
+    axes_[0].pixel_slope = float(steepness(sx) * pixel_along(pixel, lattice.across()));
+    if (lattice.arrangement() != Arrangement::lenticular) {
+        axes_[1].cell_at_sheet = float(lattice.row_spacing());
+        axes_[1].pixel_slope = float(steepness(sy) * pixel_along(pixel, lattice.along()));
+        return;
+    }
+    // Across the slit, the slit in the aperture's plane decides, and along the slit the lens. If
+    // the lines lean, the way along them has something of both.
+    const Vec2 slit = slit_direction(lattice);
+    const double d = camera.optics.aperture().distance;
+    const double height = n * d / (n * d + medium.t) * pixel_along(pixel, lattice.along());
+    axes_[1].pixel_at_sheet = float(height);
+    axes_[1].pixel_slope = float(height / d);
+    axes_[1].cell_slope = float(camera.slit_height({0, 0}) / d +
+                                axes_[0].pixel_slope * std::fabs(dot(slit, lattice.along())));
+}
+
+LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
+    : lines_(lattice.arrangement() == Arrangement::lenticular)
+{
+    for (int row = 0; row < 2; ++row)
+        for (int j = lines_ ? 0 : -1; j <= (lines_ ? 0 : 1); ++j)
+            for (int i = -1; i <= 1; ++i)
+                add_pixels(lattice, film, row, {i, j});
+}
+
+/// Adds the pixels behind the lens that is a step away from one in an even (0) or odd row (1).
+void LendingPixels::add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step)
+{
+    Vec2 way = lattice.pole({step.i, row + step.j}) - lattice.pole({0, row});
+    if (!(length(way) < 1.5 * lattice.pitch()))
+        return;
+    const Vec2 a = lattice.across(), b = lattice.along(), pixel = film.pixel_pitch;
+    const double across = pixel_along(pixel, a), along = pixel_along(pixel, b);
+    double most = most_pixels, most_along = most_pixels;
+    if (lines_) { // not the shortest way across the lines, but the one along the slit
+        const Vec2 slit = slit_direction(lattice);
+        way = (dot(way, a) / dot(slit, a)) * slit;
+        most = most_pixels_across_lines;
+        most_along = std::fabs(dot(slit, b)) > 1e-6 ? most_pixels : 0.5;
+    }
+    const int right = int(std::lround(way.x / pixel.x)), down = int(std::lround(-way.y / pixel.y)),
+              around = int(std::ceil(most)) + 1;
+    for (int v = -around; v <= around; ++v)
+        for (int u = -around; u <= around; ++u) {
+            const Vec2 film_way = {(right + u) * pixel.x, -(down + v) * pixel.y},
+                       off = film_way - way;
+            const double x = dot(off, a) / across, y = dot(off, b) / along;
+            if (std::fabs(x) > most || std::fabs(y) > most_along)
+                continue;
+            Lender lender{right + u, down + v, std::int16_t(step.i), std::int16_t(step.j), {}};
+            lender.steps = {index_of(0, dot(way, a), x),
+                            lines_ ? index_of(1, 0, 0) : index_of(1, dot(way, b), y)};
+            lenders_[row].push_back(lender);
+            rows_ = std::max(rows_, std::abs(lender.y));
+        }
+}
+
+/// The index of a step along an axis, which is added if it is new.
+int LendingPixels::index_of(int axis, double lens, double pixels)
+{
+    std::vector<Step>& steps = steps_[axis];
+    const auto alike = [&](const Step& step) {
+        return std::fabs(step.lens - lens) < 1e-6 * (1 + std::fabs(lens)) &&
+               std::fabs(step.pixels - pixels) < 1e-4;
+    };
+    const auto found = std::find_if(steps.begin(), steps.end(), alike);
+    if (found != steps.end())
+        return int(found - steps.begin());
+    steps.push_back({float(lens), float(pixels)});
+    return int(steps.size()) - 1;
+}
+
+/// Whether the patch of a pixel that is a step away meets a patch at any depth of a range.
+bool LendingPixels::may_meet(const Step& step, int axis, const BeamPatch& patch, float nearest,
+                             float furthest)
+{
+    const float slope = step.pixels * patch.axis(axis).pixel_slope;
+    const auto meet = [&](float depth) {
+        return std::fabs(step.lens + slope * depth) <= 2 * least_part * patch.reach(axis, depth);
+    };
+    if (meet(nearest) || meet(furthest) || (nearest < 0 && furthest > 0 && meet(0)))
+        return true;
+    const float crossing = -step.lens / slope; // where the centres meet; infinite if they do not
+    return nearest < crossing && crossing < furthest;
+}
+
+} // namespace integral

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/beam_samples.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace integral {
+
+namespace {
+
+std::int16_t rounded(float x)
+{
+    return std::int16_t(std::lround(std::fmin(std::fmax(x, -32767.0f), 32767.0f)));
+}
+
+} // namespace
+
+SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray)
+{
+    const Vec2 slope = (1 / ray.direction.z) * Vec2{ray.direction.x, ray.direction.y};
+    const Vec2 point = Vec2{ray.point.x, ray.point.y} - ray.point.z * slope;
+    const auto along_axes = [&](Vec2 v) {
+        return std::array<float, 2>{float(dot(v, lattice.across())),
+                                    float(dot(v, lattice.along()))};
+    };
+    return {along_axes(point), along_axes(slope)};
+}
+
+StoredLight::StoredLight(const LinearColour& light)
+{
+    for (std::size_t k = 0; k < light.size(); ++k)
+        // fmax makes 0 of NaN.
+        roots_[k] = std::uint16_t(
+            std::fmin(std::sqrt(std::fmax(light[k], 0.0f)) * levels + 0.5f, 65535.0f));
+}
+
+bool StoredLight::is_clamped() const
+{
+    return *std::max_element(roots_.begin(), roots_.end()) == 65535;
+}
+
+BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
+    : width_(camera.film.width),
+      memory_(memory ? std::move(memory)
+                     : zeroed_memory(bytes_a_pixel * camera.film.width * camera.film.height)),
+      pixels_(static_cast<Pixel*>(memory_.get()))
+{
+    // A sample is at most a lens's cell and a pixel away from the centre; four times that is room.
+    const LensSheet& sheet = camera.optics.sheet();
+    const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y);
+    point_unit_ = float(4 * std::max(sheet.pitch, pixel) / 32767);
+    slope_unit_ = float(16 * sheet.ior * pixel / sheet.thickness / 32767);
+}
+
+BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& seen) const
+{
+    Sample sample;
+    // fmin makes the furthest depth of NaN.
+    sample.depth = std::fmax(-furthest_depth, std::fmin(float(seen.depth), furthest_depth));
+    for (int k = 0; k < 2; ++k) {
+        sample.point[k] = rounded((seen.line.point[k] - centre.point[k]) / point_unit_);
+        sample.slope[k] = rounded((seen.line.slope[k] - centre.slope[k]) / slope_unit_);
+    }
+    sample.light = StoredLight(seen.light);
+    return sample;
+}
+
+void BeamSamples::set_first(int x, int y, const SightSlope& centre, const Seen& seen)
+{
+    Pixel& pixel = pixels_[std::size_t(y) * width_ + x];
+    pixel.centre = centre;
+    pixel.first = stored(centre, seen);
+    pixel.number = 1;
+}
+
+void BeamSamples::Gathered::add(const BeamSamples& store, const Seen& seen)
+{
+    const Begun& pixel = pixels_.back();
+    if (samples_.size() - pixel.at < std::size_t(most_stored - 1))
+        samples_.push_back(store.stored(store.pixel(pixel.x, pixel.y).centre, seen));
+}
+
+void BeamSamples::store(int top, Gathered& gathered)
+{
+    if (!gathered.samples_.empty()) {
+        auto samples = std::make_unique<Sample[]>(gathered.samples_.size());
+        std::copy(gathered.samples_.begin(), gathered.samples_.end(), samples.get());
+        std::size_t end = gathered.samples_.size();
+        for (auto begun = gathered.pixels_.rbegin(); begun != gathered.pixels_.rend(); ++begun) {
+            Pixel& pixel = pixels_[std::size_t(begun->y) * width_ + begun->x];
+            pixel.more = samples.get() + begun->at;
+            pixel.number = std::uint16_t(1 + end - begun->at);
+            end = begun->at;
+        }
+        std::lock_guard<std::mutex> lock(mutex_);
+        further_.emplace(top, std::move(samples));
+    }
+    gathered.pixels_.clear();
+    gathered.samples_.clear();
+}
+
+void BeamSamples::forget_above(int row)
+{
+    std::lock_guard<std::mutex> lock(mutex_);
+    further_.erase(further_.begin(), further_.lower_bound(row));
+}
+
+} // namespace integral

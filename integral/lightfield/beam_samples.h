@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Stores what the samples of a frame's pixels saw, and along which lines, so that pixels whose
+// beams meet the same places can use each other's samples (reconstruction.h).
+#ifndef INTEGRAL_LIGHTFIELD_BEAM_SAMPLES_H
+#define INTEGRAL_LIGHTFIELD_BEAM_SAMPLES_H
+
+#include "integral/lightfield/first_samples.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace integral {
+
+/// A line of sight, along a lattice's axes (x across, y along): where it crosses the plane of the
+/// poles (mm), and how far it moves for each mm away from the viewer.
+struct SightSlope {
+    std::array<float, 2> point{}, slope{};
+};
+SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray);
+
+/// Red, green, blue and transparency in linear light, each from 0 to 64.
+using LinearColour = std::array<float, 4>;
+
+/// A LinearColour in 8 bytes: square roots, so that the error is below 0.0002 of full scale.
+class StoredLight {
+public:
+    StoredLight() = default;
+    explicit StoredLight(const LinearColour& light);
+    LinearColour light() const
+    {
+        LinearColour light;
+        for (std::size_t k = 0; k < light.size(); ++k)
+            light[k] = float(roots_[k]) * float(roots_[k]) * of_squared_root;
+        return light;
+    }
+    /// Whether a component was above 64.
+    bool is_clamped() const;
+
+    /// A component is this, times the square of the stored integer.
+    static constexpr float levels = 8191, of_squared_root = 1 / (levels * levels);
+
+private:
+    std::array<std::uint16_t, 4> roots_{};
+};
+
+/// Stored samples, up to most_stored of a pixel. Different threads may store samples of different
+/// pixels at the same time.
+class BeamSamples {
+public:
+    static constexpr int most_stored = 16;
+
+    /// One sample: relative to the line from its pixel's centre through the lens's pole.
+    struct Sample {
+        float depth = 0; ///< mm from the sheet away from the viewer, at most furthest_depth
+        std::array<std::int16_t, 2> point{}, slope{};
+        StoredLight light;
+    };
+    static constexpr float furthest_depth = 1e5f;
+
+    struct Pixel {
+        SightSlope centre;
+        Sample first;
+        const Sample* more = nullptr; ///< those after the first
+        std::uint16_t number = 0;     ///< 0: the pixel is empty
+    };
+    static constexpr std::size_t bytes_a_pixel = 56;
+
+    /// `memory`: bytes_a_pixel for each of the film's pixels, all 0, aligned to 8; null: the object
+    /// allocates its own.
+    explicit BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory = nullptr);
+
+    /// A sample before it is stored.
+    struct Seen {
+        SightSlope line;
+        double depth = 0; ///< mm, may be infinite
+        LinearColour light{};
+    };
+    /// Sets a pixel's centre and its first sample.
+    void set_first(int x, int y, const SightSlope& centre, const Seen& seen);
+
+    /// Further samples of the pixels of one block, gathered by one thread.
+    class Gathered {
+    public:
+        void begin(int x, int y) { pixels_.push_back({x, y, samples_.size()}); }
+        void add(const BeamSamples& store, const Seen& seen);
+
+    private:
+        friend class BeamSamples;
+        struct Begun {
+            int x, y;
+            std::size_t at;
+        };
+        std::vector<Begun> pixels_;
+        std::vector<Sample> samples_;
+    };
+    /// Stores what was gathered, of a block whose first row is `top`, and empties it.
+    void store(int top, Gathered& gathered);
+
+    /// Frees the further samples of blocks whose first row is above `row`. No other thread may be
+    /// using them.
+    void forget_above(int row);
+
+    const Pixel& pixel(std::size_t index) const { return pixels_[index]; }
+    const Pixel& pixel(int x, int y) const { return pixels_[std::size_t(y) * width_ + x]; }
+
+    /// The units of Sample::point (mm) and Sample::slope.
+    float point_unit() const { return point_unit_; }
+    float slope_unit() const { return slope_unit_; }
+
+private:
+    Sample stored(const SightSlope& centre, const Seen& seen) const;
+
+    int width_;
+    float point_unit_, slope_unit_;
+    std::shared_ptr<void> memory_;
+    Pixel* pixels_;
+    std::mutex mutex_;
+    std::multimap<int, std::unique_ptr<Sample[]>> further_; ///< by the first row of their block
+};
+static_assert(sizeof(BeamSamples::Pixel) == BeamSamples::bytes_a_pixel);
+
+} // namespace integral
+
+#endif
