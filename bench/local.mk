@@ -104,6 +104,13 @@ build_bench_strangers_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 strangers: all build/bench/strangers
 	build/bench/strangers -o build/bench/strangers-tables
 
+# Frames judged by an eye that moves past them: bench/moving_eye REFERENCE FRAME...
+EXTRA_PROGRAMS += build/bench/moving_eye
+build_bench_moving_eye_SOURCES = bench/moving_eye.cpp bench/error_against_time.h \
+  bench/error_against_time_renderer.cpp bench/pictures.cpp bench/pictures.h bench/program.h \
+  bench/views.cpp bench/views.h
+build_bench_moving_eye_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+
 # The thesis's table 4-1: doc/images/table-4-1.png and its figures. Takes a few minutes of rendering.
 EXTRA_PROGRAMS += build/bench/table_4_1
 build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \
