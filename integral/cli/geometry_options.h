@@ -4,7 +4,8 @@
 #define INTEGRAL_CLI_GEOMETRY_OPTIONS_H
 
 #include "integral/cli/command.h"
-#include "integral/lightfield/frame_metadata.h"
+#include "integral/cli/values.h"
+#include "integral/lightfield/names.h"
 
 namespace integral {
 
@@ -25,6 +26,18 @@ struct ApertureOptions {
 void declare(options::options_description& all, SheetOptions& sheet);
 void declare(options::options_description& all, FilmOptions& film);
 void declare(options::options_description& all, ApertureOptions& aperture);
+
+/// Reads the name of a kind of things (lightfield/names.h), if it was given. Throws UsageError.
+template <class Kind>
+void read_kind(const char* option, const std::optional<std::string>& text, Kind& kind)
+{
+    if (!text)
+        return;
+    const auto named = kind_named<Kind>(*text);
+    if (!named)
+        refuse(option, *text, legal_names<Kind>());
+    kind = *named;
+}
 
 /// The name of the first of these options that the line has; none: nullptr.
 const char* first_given(const SheetOptions& sheet);
