@@ -14,6 +14,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/frame_of_views.cpp \
+  integral/output/frame_of_views.h \
   integral/output/frame_print.cpp \
   integral/output/frame_print.h \
   integral/output/given_views.cpp \
