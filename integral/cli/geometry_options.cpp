@@ -2,6 +2,7 @@
 #include "integral/cli/geometry_options.h"
 
 #include "integral/cli/values.h"
+#include "integral/io/image_file.h"
 #include "integral/lightfield/known_sheets.h"
 
 #include <algorithm>
@@ -85,6 +86,16 @@ FrameMetadata default_geometry()
     FrameMetadata geometry;
     geometry.film.pixel_pitch = {mm_per_inch / default_dpi, mm_per_inch / default_dpi};
     geometry.aperture.distance = default_distance;
+    return geometry;
+}
+
+FrameMetadata given_geometry(const std::optional<std::string>& file, const SheetOptions& sheet,
+                             const FilmOptions& film, const std::optional<std::string>& print)
+{
+    FrameMetadata geometry = file ? read_metadata(*file) : default_geometry();
+    change_sheet(sheet, geometry.sheet);
+    change_film(film, print, geometry.film);
+    check_geometry(geometry);
     return geometry;
 }
 

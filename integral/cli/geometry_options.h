@@ -45,6 +45,12 @@ const char* first_given(const SheetOptions& sheet);
 /// Geometry to start from: the thesis's sheet and printer, seen from 300 mm.
 FrameMetadata default_geometry();
 
+/// The geometry of a file, or else the one to start from, changed by what the options give. Throws
+/// UsageError, also for numbers out of the scene language's range, and InputError.
+FrameMetadata given_geometry(const std::optional<std::string>& file, const SheetOptions& sheet,
+                             const FilmOptions& film,
+                             const std::optional<std::string>& print = std::nullopt);
+
 /// Changes what the options give, and nothing else. Throws UsageError.
 void change_sheet(const SheetOptions& given, LensSheet& sheet);
 void change_film(const FilmOptions& given, Film& film);

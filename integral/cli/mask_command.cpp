@@ -85,10 +85,7 @@ void set_one_lens(const MaskOptions& o, MaskRequest& request)
 
 MaskRequest request_of(const MaskOptions& o)
 {
-    FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, o.print, geometry.film);
-    check_geometry(geometry);
+    const FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
     MaskRequest request;
     request.sheet = geometry.sheet;
     request.film = geometry.film;

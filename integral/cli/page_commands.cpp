@@ -6,13 +6,16 @@
 namespace integral {
 namespace {
 
-/// The words that an option may be given, separated by blanks; empty where any text is possible.
-/// Where the value's word lists them itself (draft|good|best), no row of the table is needed.
-std::string choices_of(const std::string& option, const std::string& value)
+/// The words that an option of a command may be given, separated by blanks; empty where any text is
+/// possible. Where the value's word lists them itself (draft|good|best), no row of the table is
+/// needed.
+std::string choices_of(const std::string& command, const std::string& option,
+                       const std::string& value)
 {
     static const std::vector<std::pair<const char*, const char*>> known = {
         {"--arrangement KIND", "lenticular square hexagonal"},
-        {"--plot KIND", "spread lens sheets resolution film"},
+        {"--plot KIND", "spread lens sheets resolution pixels-seen pixel-spread film"},
+        {"wireframe --lens-model MODEL", "extended_pinhole pinhole hybrid full"},
         {"--lens-model MODEL", "extended_pinhole pinhole full"},
         {"--lens-mapping RULE", "auto closest accurate exhaustive"},
         {"--path KIND[,SPAN]", "turntable sweep sway circle dolly"},
@@ -28,13 +31,13 @@ std::string choices_of(const std::string& option, const std::string& value)
         {"--shape KIND", "spherical aspheric"},
     };
     for (const auto& [name, words] : known)
-        if (option + " " + value == name)
+        if (name == option + " " + value || name == command + " " + option + " " + value)
             return words;
     static const std::regex list("[a-z]+([|][a-z]+)*");
     return std::regex_match(value, list) ? std::regex_replace(value, std::regex("[|]"), " ") : "";
 }
 
-PageOption page_option(const options::option_description& declared)
+PageOption page_option(const std::string& command, const options::option_description& declared)
 {
     PageOption option;
     option.name = "--" + declared.long_name();
@@ -57,7 +60,7 @@ PageOption page_option(const options::option_description& declared)
         }
         option.value.resize(by_itself);
     }
-    option.choices = choices_of(option.name, option.value);
+    option.choices = choices_of(command, option.name, option.value);
     return option;
 }
 
@@ -68,7 +71,7 @@ PageCommand page_command(const Command& command)
     PageCommand page{command.name, command.summary, command.usage, command.description, {}};
     const options::options_description declared = command.make_options();
     for (const auto& option : declared.options())
-        page.options.push_back(page_option(*option));
+        page.options.push_back(page_option(page.name, *option));
     return page;
 }
 

@@ -68,12 +68,9 @@ void declare(options::options_description& all, RectifyOptions& o)
 /// The geometry that the print was made for. A film of 0 by 0 is the size that the scan holds.
 FrameMetadata read_geometry(const RectifyOptions& o)
 {
-    const std::string start = o.start.value_or("");
-    FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, geometry.film);
-    check_geometry(geometry);
-    change_aperture(o.aperture, geometry, !start.empty() && !changes_lenses(o.sheet, o.aperture));
+    const bool given = !o.start.value_or("").empty();
+    FrameMetadata geometry = given_geometry(given ? o.start : std::nullopt, o.sheet, o.film);
+    change_aperture(o.aperture, geometry, given && !changes_lenses(o.sheet, o.aperture));
     return geometry;
 }
 

@@ -43,10 +43,7 @@ ResolutionRequest request_of(const ResolveOptions& o)
     ResolutionRequest request;
     FilmOptions film;
     film.dpi = o.dpi;
-    FrameMetadata geometry = default_geometry();
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(film, geometry.film);
-    check_geometry(geometry);
+    const FrameMetadata geometry = given_geometry(std::nullopt, o.sheet, film);
     request.sheet = geometry.sheet;
     request.pixel_pitch = geometry.film.pixel_pitch;
     request.depths = {0, 5, 10, 15, 25, 30, 35};

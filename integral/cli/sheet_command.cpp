@@ -164,17 +164,16 @@ FrameMetadata geometry_of(const SheetCommandOptions& o)
 {
     if (o.inputs.size() > 1)
         throw UsageError("one FRAME is expected");
-    std::string start = o.start.value_or("");
-    if (!o.inputs.empty() && !start.empty())
+    const auto none_if_empty = [](const std::string& name) {
+        return name.empty() ? std::nullopt : std::optional<std::string>(name);
+    };
+    std::optional<std::string> start = none_if_empty(o.start.value_or(""));
+    if (!o.inputs.empty() && start)
         throw UsageError("FRAME and --sheet both give the geometry; give one of them");
     if (!o.inputs.empty())
-        start = o.inputs[0];
-
-    FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, o.print, geometry.film);
-    check_geometry(geometry);
-    change_aperture(o.aperture, geometry, !start.empty() && !changes_lenses(o.sheet, o.aperture));
+        start = none_if_empty(o.inputs[0]);
+    FrameMetadata geometry = given_geometry(start, o.sheet, o.film, o.print);
+    change_aperture(o.aperture, geometry, start && !changes_lenses(o.sheet, o.aperture));
     return geometry;
 }
 

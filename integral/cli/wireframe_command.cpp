@@ -133,12 +133,9 @@ MeshPlace place_of(const WireframeOptions& o)
 /// The frame's geometry that the line says.
 FrameMetadata geometry_of(const WireframeOptions& o)
 {
-    FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, o.print, geometry.film);
+    FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
     if (geometry.film.width < 1)
         set_film_size("print", default_print, geometry.film);
-    check_geometry(geometry);
     change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
     geometry.quilt.reset();
     return geometry;
