@@ -53,6 +53,11 @@ constexpr double least_significance = 8;
 std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch& search,
                                          int threads = 0, const Progress& progress = {});
 
+/// The same of the scan that messages call `name`. Throws InputError where the lattice is too small
+/// or too coarse, or is less significant than least_significance; Interrupted.
+FoundLattice find_sure_lattice(const std::string& name, const Image& scan,
+                               const LatticeSearch& search, int threads, const Progress& progress);
+
 } // namespace integral
 
 #endif

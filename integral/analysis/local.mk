@@ -18,4 +18,5 @@ build_lib_libintegral_a_SOURCES += \
   integral/analysis/scan_colour.h \
   integral/analysis/scan_map.h \
   integral/analysis/spectrum.cpp \
-  integral/analysis/spectrum.h
+  integral/analysis/spectrum.h \
+  integral/analysis/sure_lattice.cpp

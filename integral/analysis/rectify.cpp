@@ -4,6 +4,7 @@
 #include "integral/base/constants.h"
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace integral {
 namespace {
@@ -47,6 +48,22 @@ Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixe
     film.pixel_pitch = pixel_pitch;
     film.width = side(half.x, pixel_pitch.x, like.width & 1);
     film.height = side(half.y, pixel_pitch.y, like.height & 1);
+    return film;
+}
+
+Film film_to_make(const Film& wanted, bool of_that_size, const ScanMap& map, const Image& scan)
+{
+    constexpr int largest_frame_side = 65500; // pixels
+    const Film held = film_of_scan(map, scan.width, scan.height, wanted.pixel_pitch, wanted);
+    Film film = wanted;
+    if (!of_that_size) {
+        film.width = wanted.width > 0 ? std::min(wanted.width, held.width) : held.width;
+        film.height = wanted.height > 0 ? std::min(wanted.height, held.height) : held.height;
+    }
+    if (std::max(film.width, film.height) > largest_frame_side)
+        throw std::invalid_argument("a frame of " + std::to_string(film.width) + "x" +
+                                    std::to_string(film.height) +
+                                    " pixels is too large; fewer --dpi, or --size, would help");
     return film;
 }
 

@@ -16,6 +16,10 @@ namespace integral {
 Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixel_pitch,
                   const Film& like);
 
+/// The film to make of a scan: `wanted`, cut to what the scan holds unless it is to be
+/// `of_that_size`. Throws std::invalid_argument for more than 65500 pixels across or down.
+Film film_to_make(const Film& wanted, bool of_that_size, const ScanMap& map, const Image& scan);
+
 /// The film's pixels: each is the scan around its centre, weighted by Lanczos's kernel of three
 /// lobes, in linear light, and multiplied by `light`. If the scan is finer than the film, the
 /// kernel is wider by that factor. Pixels whose centre is outside the scan are black. 16 bits,

@@ -2,6 +2,8 @@
 # Sources of integral/base: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/base/command_pages.cpp \
+  integral/base/command_pages.h \
   integral/base/constants.h \
   integral/base/file_bytes.cpp \
   integral/base/file_bytes.h \

@@ -54,6 +54,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/step_record.h \
   integral/batch/strips.cpp \
   integral/batch/strips.h \
+  integral/batch/terminal_progress.cpp \
+  integral/batch/terminal_progress.h \
   integral/batch/tune.cpp \
   integral/batch/tune.h \
   integral/batch/tune_report.cpp \

@@ -6,8 +6,8 @@
 #include "integral/batch/batch_run.h"
 #include "integral/batch/batch_strips.h"
 #include "integral/batch/cluster.h"
+#include "integral/batch/terminal_progress.h"
 #include "integral/cli/batch_check.h"
-#include "integral/cli/batch_progress.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
@@ -44,52 +44,46 @@ struct BatchOptions : CommonOptions {
 
 void declare_cluster(options::options_description& all, BatchOptions& o)
 {
-    all.add_options()("slurm", sets(o.slurm),
-                      "submit what is not done, and not in the queue, to a Slurm cluster whose "
-                      "nodes share these folders; again: what is left");
-    all.add_options()("follow", sets(o.follow),
-                      "wait until the cluster has done it, then write the summary; an interrupt "
-                      "leaves the tasks in the queue");
-    all.add_options()("cancel", sets(o.cancel),
-                      "take the batch from the cluster's queue; what is done is kept");
-    all.add_options()("strips", fills(o.strips, "N"),
-                      "with --slurm: render each frame in so many strips of rows, 1 to 10000, and "
-                      "join them");
-    all.add_options()("cpus", fills(o.cpus, "N (=1)"), "with --slurm: cores of each task");
-    all.add_options()("partition", fills(o.partition, "NAME"),
-                      "with --slurm: the cluster's partition. --memory is each task's");
-    all.add_options()("time", fills(o.time, "TIME"),
-                      "with --slurm: the most that a task may take, minutes or "
-                      "DAYS-HOURS:MINUTES");
-    all.add_options()("sbatch", fills(o.sbatch, "OPTION"),
-                      "with --slurm: one more option of sbatch's, as in --sbatch=--account=art; "
-                      "may be given again");
+    add(all, "slurm", o.slurm,
+        "submit what is not done, and not in the queue, to a Slurm cluster whose nodes share these "
+        "folders; again: what is left");
+    add(all, "follow", o.follow,
+        "wait until the cluster has done it, then write the summary; an interrupt leaves the tasks "
+        "in the queue");
+    add(all, "cancel", o.cancel, "take the batch from the cluster's queue; what is done is kept");
+    add(all, "strips", o.strips, "N",
+        "with --slurm: render each frame in so many strips of rows, 1 to 10000, and join them");
+    add(all, "cpus", o.cpus, "N (=1)", "with --slurm: cores of each task");
+    add(all, "partition", o.partition, "NAME",
+        "with --slurm: the cluster's partition. --memory is each task's");
+    add(all, "time", o.time, "TIME",
+        "with --slurm: the most that a task may take, minutes or DAYS-HOURS:MINUTES");
+    add(all, "sbatch", o.sbatch, "OPTION",
+        "with --slurm: one more option of sbatch's, as in --sbatch=--account=art; may be given "
+        "again");
 }
 
 void declare(options::options_description& all, BatchOptions& o)
 {
-    all.add_options()("only", fills(o.only, "JOB"),
-                      "only this job; may be given again. Several such runs may work in one folder "
-                      "at once, also on several machines; they write no summary");
-    all.add_options()("jobs", fills(o.jobs, "N"),
-                      "programs that run at the same time, 1 to 4096 (default: one per core)");
-    all.add_options()("memory", fills(o.memory, "MB"),
-                      "memory that they may take together (default: what the machine has free)");
+    add(all, "only", o.only, "JOB",
+        "only this job; may be given again. Several such runs may work in one folder at once, also "
+        "on several machines; they write no summary");
+    add(all, "jobs", o.jobs, "N",
+        "programs that run at the same time, 1 to 4096 (default: one per core)");
+    add(all, "memory", o.memory, "MB",
+        "memory that they may take together (default: what the machine has free)");
     all.add_options()("retry", fills(o.retry, "N")->default_value(o.retry),
                       "how often a step that failed is tried again, 0 to 100 (default 0)");
-    all.add_options()("dry-run", sets(o.dry_run), "only say what would be done");
-    all.add_options()("summary", sets(o.summary),
-                      "only write summary.json and index.html, of what is there");
-    all.add_options()("json", sets(o.json), "print the summary, or the plan of --dry-run, as JSON");
+    add(all, "dry-run", o.dry_run, "only say what would be done");
+    add(all, "summary", o.summary, "only write summary.json and index.html, of what is there");
+    add(all, "json", o.json, "print the summary, or the plan of --dry-run, as JSON");
     declare_cluster(all, o);
 }
 
 void declare_internal(options::options_description& all, BatchOptions& o)
 {
-    all.add_options()("strip", fills(o.strip, "JOB:K"),
-                      "render the K-th strip of a frame that --slurm has cut");
-    all.add_options()("merge", fills(o.merge, "JOB"),
-                      "make the frame of its strips, then all that is made of it");
+    add(all, "strip", o.strip, "JOB:K", "render the K-th strip of a frame that --slurm has cut");
+    add(all, "merge", o.merge, "JOB", "make the frame of its strips, then all that is made of it");
 }
 
 int job_called(const char* option, const std::string& name, const Manifest& manifest)
@@ -111,7 +105,7 @@ RunOptions run_options(const BatchOptions& o, const Manifest& manifest)
     if (o.memory) {
         run.memory = parse_number("memory", *o.memory, "a number of MB") * (1 << 20);
         if (!(run.memory > 0))
-            throw UsageError("--memory " + *o.memory + ": more than 0 MB is expected");
+            refuse("memory", *o.memory, "more than 0 MB");
     }
     run.output_pixels = output_pixels;
     for (const std::string& name : o.only)
@@ -244,15 +238,12 @@ const Command batch_command = {
     "a manifest of scenes, sheets, papers and panels: frames, prints, panel images, previews",
     "MANIFEST.json [--only JOB] [--jobs N] [--retry N] [--dry-run] [--slurm [--strips N]] "
     "[--follow] [--cancel]",
-    "Renders every scene of a manifest behind every sheet, and makes of each frame its prints, "
-    "panel\n"
-    "images and previews, on all cores. What is there already, of the same inputs, is kept: a "
-    "batch\n"
-    "that was interrupted or killed goes on where it was, and after a change only what depends on "
-    "it\n"
-    "is made again. A failed step does not stop the others; its program's words are kept in "
-    "logs/.\n"
-    "The output folder gets summary.json and index.html. doc/commands/batch.md explains the manifest.\n",
+    R"(Renders every scene of a manifest behind every sheet, and makes of each frame its prints, panel
+images and previews, on all cores. What is there already, of the same inputs, is kept: a batch
+that was interrupted or killed goes on where it was, and after a change only what depends on it
+is made again. A failed step does not stop the others; its program's words are kept in logs/.
+The output folder gets summary.json and index.html. doc/commands/batch.md explains the manifest.
+)",
     1,
     1,
     described<BatchOptions>,

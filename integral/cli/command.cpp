@@ -35,7 +35,7 @@ options::variables_map parsed(const options::options_description& described, con
 
 void declare_help(options::options_description& all, CommonOptions& read)
 {
-    all.add_options()("help", sets(read.help), "print this");
+    add(all, "help", read.help, "print this");
 }
 
 void read_words(const options::options_description& described, const Words& words, Words& inputs)
@@ -67,6 +67,14 @@ std::string help_for(const Command& command)
          << command.description << "\n"
          << command.make_options();
     return text.str();
+}
+
+void print_figures(const std::string& text, bool output_is_taken)
+{
+    if (output_is_taken)
+        std::cerr << text << std::flush;
+    else
+        write_file("-", text);
 }
 
 void print_result(const std::optional<std::string>& output, const std::string& text)

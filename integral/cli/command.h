@@ -2,15 +2,14 @@
 // What a command of the integral program is, and how every command reads its line.
 //
 // 1. A command's options are a plain struct, derived from CommonOptions, with its defaults in
-// place.
-//    It holds what the line says: text, whole numbers, switches; std::optional where it matters
-//    whether an option was given.
-// 2. A function declare(description, struct) beside the struct lists each option, its help and the
-//    field that it fills (fills, sets). Options that several commands have are a struct with a
-//    declare of its own (geometry_options.h), which is a member of those commands' structs.
+//    place. It holds what the line says: text, whole numbers, switches; std::optional where it
+//    matters whether an option was given.
+// 2. A function declare(description, struct) beside the struct adds each option, with the field
+//    that it fills and its help. Options that several commands have are a struct with a declare of
+//    its own (geometry_options.h), which is a member of those commands' structs.
 // 3. The command's run(struct) turns text into the plain structs of the rooms (View, PageRequest),
 //    refuses by UsageError what makes no sense, makes one call of a room, and writes files and
-//    figures.
+//    figures. What a room refuses by std::invalid_argument is reported as a UsageError.
 //
 // So no command looks an option up by its name. Boost's variables_map, its table of the options
 // that a line has, is needed only between reading the line and filling the struct (command.cpp).
@@ -44,6 +43,17 @@ enum ExitStatus {
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Does `work`. A request that a room refuses by std::invalid_argument is a UsageError, whose
+/// message begins with `place`.
+template <class Work> auto usage_checked(const std::string& place, const Work& work)
+{
+    try {
+        return work();
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(place + error.what());
+    }
+}
 
 /// The words of a line that follow the command's name.
 using Words = std::vector<std::string>;
@@ -91,8 +101,19 @@ template <class T> options::typed_value<T>* fills(std::optional<T>& field, const
         [&field](const T& read) { field = read; });
 }
 
-/// For a declare function: an option without a value, which sets a field true.
-inline options::typed_value<bool>* sets(bool& field) { return options::bool_switch(&field); }
+/// For a declare function: adds an option whose value fills a field.
+template <class T>
+void add(options::options_description& all, const char* name, T& field, const char* word,
+         const char* help)
+{
+    all.add_options()(name, fills(field, word), help);
+}
+
+/// The same for an option without a value, which sets the field true.
+inline void add(options::options_description& all, const char* name, bool& field, const char* help)
+{
+    all.add_options()(name, options::bool_switch(&field), help);
+}
 
 /// --help, which every command has as its last option.
 void declare_help(options::options_description& all, CommonOptions& read);
@@ -136,8 +157,12 @@ template <class Options, int (*work)(const Options&)>
 int run_with(const Command& command, const Words& words)
 {
     const Options read = read_options<Options>(words);
-    return help_is_given(command, read) ? int(exit_done) : work(read);
+    return help_is_given(command, read) ? int(exit_done)
+                                        : usage_checked("", [&] { return work(read); });
 }
+
+/// Prints figures to standard output, or to standard error where a picture or a report has that.
+void print_figures(const std::string& text, bool output_is_taken);
 
 /// Prints a result to standard output, or to -o's FILE whole. Throws OutputError.
 void print_result(const std::optional<std::string>& output, const std::string& text);

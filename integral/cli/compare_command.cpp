@@ -39,31 +39,28 @@ std::string option_of(const LimitKind& kind)
 
 void declare(options::options_description& all, CompareOptions& o)
 {
-    all.add_options()(
-        "output,o", fills(o.output, "DIFFERENCE"),
-        "write the difference picture, |A - B| of each channel: .png, .exr or .tiff; - "
-        "writes a PNG to standard output and the figures to standard error")(
-        "gain", fills(o.gain, "G (=1)"), "multiply the difference picture by G")(
-        "sheet", fills(o.sheet, "FILE.json"),
-        "geometry for frames that carry none, or instead of their own")(
-        "json", sets(o.json), "print the figures as JSON (a PSNR that is infinite is null)");
+    add(all, "output,o", o.output, "DIFFERENCE",
+        "write the difference picture, |A - B| of each channel: .png, .exr or .tiff; - writes a "
+        "PNG to standard output and the figures to standard error");
+    add(all, "gain", o.gain, "G (=1)", "multiply the difference picture by G");
+    add(all, "sheet", o.sheet, "FILE.json",
+        "geometry for frames that carry none, or instead of their own");
+    add(all, "json", o.json, "print the figures as JSON (a PSNR that is infinite is null)");
     for (std::size_t i = 0; i < limit_count; ++i)
-        all.add_options()(option_of(limit_kinds[i]).c_str(),
-                          fills(o.limits[i], limit_kinds[i].value_name),
-                          limit_kinds[i].explanation);
+        add(all, option_of(limit_kinds[i]).c_str(), o.limits[i], limit_kinds[i].value_name,
+            limit_kinds[i].explanation);
     options::options_description group("With --suite");
-    group.add_options()("suite", fills(o.suite, "FOLDER"),
-                        "compare the pictures of a folder with their references. -o writes a "
-                        "report, one HTML page; --json "
-                        "prints all figures; the limits above take the place of the file's "
-                        "defaults; --gain multiplies the report's differences, "
-                        "by itself each so that it is seen")(
-        "references", fills(o.references, "FOLDER"),
-        "where the references are (default: the folder references beside --suite's)")(
-        "tolerances", fills(o.tolerances, "FILE"),
+    add(group, "suite", o.suite, "FOLDER",
+        "compare the pictures of a folder with their references. -o writes a report, one HTML "
+        "page; --json prints all figures; the limits above take the place of the file's defaults; "
+        "--gain multiplies the report's differences, by itself each so that it is seen");
+    add(group, "references", o.references, "FOLDER",
+        "where the references are (default: the folder references beside --suite's)");
+    add(group, "tolerances", o.tolerances, "FILE",
         "limits for all pictures and for some (default: suite.json among the references, if it is "
-        "there)")("junit", fills(o.junit, "FILE"),
-                  "write the outcome as JUnit XML, for CI systems")(
+        "there)");
+    add(group, "junit", o.junit, "FILE", "write the outcome as JUnit XML, for CI systems");
+    group.add_options()(
         "accept", fills(o.accept, "NAME...")->multitoken()->composing(),
         "compare nothing: make these results, by their names within the folder, the references");
     declare(group, o.threads);
@@ -119,15 +116,6 @@ void check_suite_options(const CompareOptions& o)
         throw UsageError("-o and --junit do not both go to standard output");
 }
 
-SuiteFolders folders_of(const CompareOptions& o)
-{
-    try {
-        return suite_folders(*o.suite, o.references);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
-}
-
 int accept(const Words& names, const SuiteFolders& folders)
 {
     accept_results(names, folders,
@@ -157,10 +145,7 @@ int report(const Suite& suite, const CompareOptions& o)
     for (const std::string& fault : suite.unused)
         say("compare", suite.tolerances + ": " + fault);
     const std::string said = o.json ? suite_json(suite) : suite_summary(suite) + "\n";
-    if (output == "-" || junit == "-") // the report has standard output
-        std::fputs(said.c_str(), stderr);
-    else
-        write_file("-", said);
+    print_figures(said, output == "-" || junit == "-");
     return suite.passed() ? exit_done : exit_check_failed;
 }
 
@@ -171,7 +156,7 @@ int run_suite(const CompareOptions& o)
     SuitePictures pictures;
     pictures.wanted = !o.output.value_or("").empty();
     read_number("gain", o.gain, pictures.gain);
-    const SuiteFolders folders = folders_of(o);
+    const SuiteFolders folders = suite_folders(*o.suite, o.references);
     if (o.accept)
         return accept(*o.accept, folders);
 
@@ -217,10 +202,7 @@ int run(const CompareOptions& o)
     Json json = figures_json(comparison);
     json["passed"] = missed.empty();
     const std::string figures = o.json ? json.dump(2) + "\n" : figures_text(comparison);
-    if (output == "-") // the picture has standard output
-        std::fputs(figures.c_str(), stderr);
-    else
-        write_file("-", figures);
+    print_figures(figures, output == "-");
     for (const auto& what : missed)
         say("compare", o.inputs[1] + ": " + what);
     return missed.empty() ? exit_done : exit_check_failed;
@@ -231,27 +213,23 @@ int run(const CompareOptions& o)
 const Command compare_command = {
     "compare",
     "how far two frames or views are apart: RMSE, PSNR, SSIM, worst micro-image",
-    "A B [-o DIFFERENCE] [--max-rmse R] [--min-psnr P] [--min-ssim S]\n"
-    "       integral compare --suite FOLDER [--references FOLDER] [-o REPORT.html] [--junit "
-    "FILE.xml]",
-    "Compares two pictures of one size in their output encoding, 0 to 1 at full scale (linear\n"
-    "pictures in the other's encoding). Colours are compared over black; alpha is a fourth\n"
-    "channel where both have it. RMSE and PSNR (0 dB is full scale; inf: equal) are over all\n"
-    "channels of all pixels; SSIM is of the lumas, over 11x11 Gaussian windows of sigma 1.5. With\n"
-    "a frame's geometry, the micro-image with the greatest RMSE is named: the lens's column and "
-    "row\n"
-    "and its place on the sheet.\n"
-    "\n"
-    "With --suite, the pictures of a folder (PNG, EXR, TIFF; its sub-folders too) are compared "
-    "with\n"
-    "those of the same names among the references. A picture fails if it misses a limit, or if "
-    "size\n"
-    "or geometry differ, a file is damaged, or one of the two is missing. Limits stand in a file:\n"
-    "  {\"defaults\": {\"max_rmse\": 0.002},\n"
-    "   \"files\": {\"glass/*\": {\"max_rmse\": 0.01}, \"noise.png\": {\"min_ssim\": 0.9}}}\n"
-    "A name's or glob's limits take the place of the defaults; a later match that of an earlier "
-    "one;\n"
-    "null lifts a limit. A picture without any limit must equal its reference.\n",
+    R"(A B [-o DIFFERENCE] [--max-rmse R] [--min-psnr P] [--min-ssim S]
+       integral compare --suite FOLDER [--references FOLDER] [-o REPORT.html] [--junit FILE.xml])",
+    R"(Compares two pictures of one size in their output encoding, 0 to 1 at full scale (linear
+pictures in the other's encoding). Colours are compared over black; alpha is a fourth
+channel where both have it. RMSE and PSNR (0 dB is full scale; inf: equal) are over all
+channels of all pixels; SSIM is of the lumas, over 11x11 Gaussian windows of sigma 1.5. With
+a frame's geometry, the micro-image with the greatest RMSE is named: the lens's column and row
+and its place on the sheet.
+
+With --suite, the pictures of a folder (PNG, EXR, TIFF; its sub-folders too) are compared with
+those of the same names among the references. A picture fails if it misses a limit, or if size
+or geometry differ, a file is damaged, or one of the two is missing. Limits stand in a file:
+  {"defaults": {"max_rmse": 0.002},
+   "files": {"glass/*": {"max_rmse": 0.01}, "noise.png": {"min_ssim": 0.9}}}
+A name's or glob's limits take the place of the defaults; a later match that of an earlier one;
+null lifts a limit. A picture without any limit must equal its reference.
+)",
     0,
     2,
     described<CompareOptions>,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral depth: how far off everything is that a frame, or a set of views, shows.
-#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
@@ -9,14 +8,11 @@
 #include "integral/depth/depth_files.h"
 #include "integral/depth/depth_input.h"
 #include "integral/depth/depth_quality.h"
-#include "integral/depth/depth_scores.h"
+#include "integral/depth/depth_report.h"
 #include "integral/depth/ray_trace.h"
 #include "integral/depth/relief_frame.h"
 #include "integral/depth/relief_input.h"
 #include "integral/io/image_file.h"
-#include "integral/io/pfm_file.h"
-
-#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cmath>
@@ -37,48 +33,45 @@ struct DepthOptions : CommonOptions {
 
 void declare(options::options_description& all, DepthOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "FILE"),
-                      "the depth map: .png (in colours, with a scale), .exr or .pfm (mm behind the "
-                      "sheet; disparities where mm are not known), .ply (a cloud of points)");
-    all.add_options()("rgbd", sets(o.rgbd),
-                      "write the middle view and, to its right, its depth in greys, near white: "
-                      "for programs that make views of the two; .png or .tiff");
-    all.add_options()("refocus", fills(o.refocus, "MM"),
-                      "write, in place of depth, the picture that a lens takes before the middle "
-                      "of the eyes, in focus MM behind the sheet (negative: in front); .png, .exr "
-                      "or .tiff, --width PIXELS");
-    all.add_options()("pupil", fills(o.pupil, "MM"), "diameter of the lens of --refocus");
-    all.add_options()("method", fills(o.method, "multibaseline|raytrace"),
-                      "multibaseline (the default) searches the depth at which most views agree "
-                      "(thesis 5.4.4); raytrace counts where rays of like colours meet (5.4.3): "
-                      "coarse, with false points near the sheet, to compare");
-    all.add_options()("quality", fills(o.quality, "draft|good|best"),
-                      "draft compares the views in a cross about the middle one, coarsely; good "
-                      "(the default) also those on the diagonals; best all");
-    all.add_options()("width", fills(o.width, "PIXELS"),
-                      "pixels of the map across (default: about as many as the views have)");
-    all.add_options()("range", fills(o.range, "FAR,NEAR"),
-                      "disparities to search: pixels from one view to the next, less than 0 "
-                      "behind the sheet (default: found)");
-    all.add_options()("views", fills(o.views, "CxR"),
-                      "how many views there are across and up, where a quilt's name or files do "
-                      "not say it");
-    all.add_options()("top-first", sets(o.top_first),
-                      "the views' first row is the one from above, as in the HCI light-field "
-                      "benchmark, in place of the one from below, as in quilts");
-    all.add_options()("eyes", fills(o.eyes, "SPACING,DISTANCE,WIDTH"),
-                      "where views were taken from that do not say it, in mm: between "
-                      "neighbouring eyes, from there to the plane without parallax, and how wide a "
-                      "view is there. Without it depth is in disparities");
-    all.add_options()("truth", fills(o.truth, "FILE"),
-                      "score the map against the frame's depth frame (.exr, "
-                      "Integral_Depth_Image) or true disparities (.pfm)");
-    all.add_options()("border", fills(o.border, "PIXELS (=0)"),
-                      "leave so many out at each side of the map when scoring (the HCI toolkit: "
-                      "15)");
-    all.add_options()("json", sets(o.json), "print the figures as JSON");
-    all.add_options()("sheet", fills(o.sheet, "FILE.json"),
-                      "geometry for a frame that carries none, or instead of its own");
+    add(all, "output,o", o.output, "FILE",
+        "the depth map: .png (in colours, with a scale), .exr or .pfm (mm behind the sheet; "
+        "disparities where mm are not known), .ply (a cloud of points)");
+    add(all, "rgbd", o.rgbd,
+        "write the middle view and, to its right, its depth in greys, near white: for programs "
+        "that make views of the two; .png or .tiff");
+    add(all, "refocus", o.refocus, "MM",
+        "write, in place of depth, the picture that a lens takes before the middle of the eyes, in "
+        "focus MM behind the sheet (negative: in front); .png, .exr or .tiff, --width PIXELS");
+    add(all, "pupil", o.pupil, "MM", "diameter of the lens of --refocus");
+    add(all, "method", o.method, "multibaseline|raytrace",
+        "multibaseline (the default) searches the depth at which most views agree (thesis 5.4.4); "
+        "raytrace counts where rays of like colours meet (5.4.3): coarse, with false points near "
+        "the sheet, to compare");
+    add(all, "quality", o.quality, "draft|good|best",
+        "draft compares the views in a cross about the middle one, coarsely; good (the default) "
+        "also those on the diagonals; best all");
+    add(all, "width", o.width, "PIXELS",
+        "pixels of the map across (default: about as many as the views have)");
+    add(all, "range", o.range, "FAR,NEAR",
+        "disparities to search: pixels from one view to the next, less than 0 behind the sheet "
+        "(default: found)");
+    add(all, "views", o.views, "CxR",
+        "how many views there are across and up, where a quilt's name or files do not say it");
+    add(all, "top-first", o.top_first,
+        "the views' first row is the one from above, as in the HCI light-field benchmark, in place "
+        "of the one from below, as in quilts");
+    add(all, "eyes", o.eyes, "SPACING,DISTANCE,WIDTH",
+        "where views were taken from that do not say it, in mm: between neighbouring eyes, from "
+        "there to the plane without parallax, and how wide a view is there. Without it depth is in "
+        "disparities");
+    add(all, "truth", o.truth, "FILE",
+        "score the map against the frame's depth frame (.exr, Integral_Depth_Image) or true "
+        "disparities (.pfm)");
+    add(all, "border", o.border, "PIXELS (=0)",
+        "leave so many out at each side of the map when scoring (the HCI toolkit: 15)");
+    add(all, "json", o.json, "print the figures as JSON");
+    add(all, "sheet", o.sheet, "FILE.json",
+        "geometry for a frame that carries none, or instead of its own");
     declare(all, o.threads);
 }
 
@@ -103,7 +96,7 @@ DepthQuality quality_of(const DepthOptions& o)
 {
     const auto quality = depth_quality(o.quality.value_or("good"));
     if (!quality)
-        throw UsageError("--quality " + *o.quality + ": draft, good or best is expected");
+        refuse("quality", *o.quality, "draft, good or best");
     return *quality;
 }
 
@@ -114,83 +107,24 @@ MultibaselineSettings settings_of(const DepthOptions& o)
         const auto ends = parse_numbers("range", *o.range, "FAR,NEAR", 2, 2);
         constexpr double widest = 100;
         if (!(ends[0] < ends[1] && ends[0] >= -widest && ends[1] <= widest))
-            throw UsageError("--range " + *o.range +
-                             ": FAR less than NEAR, from -100 to 100, is "
-                             "expected");
+            refuse("range", *o.range, "FAR less than NEAR, from -100 to 100,");
         settings.range = DisparityRange{ends[0], ends[1]};
     }
     return settings;
 }
 
-/// The true disparities of a file. Throws UsageError, InputError.
-std::vector<float> truth_of(const std::string& path, const DepthInput& input)
-{
-    const std::string extension = extension_of(path);
-    if (extension == "exr") {
-        if (!input.frame)
-            throw UsageError("--truth " + path + ": a depth frame is for a frame; views need .pfm");
-        try {
-            return true_disparities(input.views, *input.frame, read_depths(path));
-        } catch (const std::invalid_argument& error) {
-            throw UsageError("--truth " + path + ": " + error.what());
-        }
-    }
-    FloatMap map = read_pfm(path);
-    if (map.width != input.views.width || map.height != input.views.height)
-        throw UsageError("--truth " + path + ": it has " + size_text(map.width, map.height) +
-                         " pixels, and a view " + size_text(input.views.width, input.views.height));
-    return std::move(map.values);
-}
-
-nlohmann::json as_json(const RegionScores& scores)
-{
-    return {{"pixels", scores.pixels},   {"bad_0.07", scores.bad[0]}, {"bad_0.03", scores.bad[1]},
-            {"bad_0.01", scores.bad[2]}, {"mse_x_100", scores.mse},   {"q25", scores.lower}};
-}
-
-std::string line_of(const char* name, const RegionScores& s)
-{
-    if (s.pixels == 0)
-        return std::string(name) + "none\n";
-    std::string line = name;
-    for (int k = 0; k < 3; ++k)
-        line += with_decimals(s.bad[k], 2) + "% ";
-    return line + " MSE x 100 " + with_decimals(s.mse, 3) + "  Q25 " + with_decimals(s.lower, 3) +
-           "  of " + counted((long long)s.pixels, "pixel") + "\n";
-}
-
 void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMap& map,
                    double seconds)
 {
-    std::optional<DepthScores> scores;
+    DepthFigures figures{
+        input.views.others.size() + 1, map.width, map.height, map.range, seconds, std::nullopt};
     if (o.truth) {
         const int border = in_range("border", o.border.value_or(0), 0, 10000);
-        scores = depth_scores(input.views, map.disparity, truth_of(*o.truth, input), border);
+        const auto truth = usage_checked("--truth " + *o.truth + ": ",
+                                         [&] { return read_truth(*o.truth, input); });
+        figures.scores = depth_scores(input.views, map.disparity, truth, border);
     }
-    const std::size_t views = input.views.others.size() + 1;
-    if (o.json) {
-        nlohmann::json figures = {
-            {"views", views},         {"width", map.width},         {"height", map.height},
-            {"far", map.range.least}, {"near", map.range.greatest}, {"seconds", seconds}};
-        if (scores)
-            figures["scores"] = {{"all", as_json(scores->all)},
-                                 {"edges", as_json(scores->edges)},
-                                 {"planes", as_json(scores->planes)},
-                                 {"bumpiness", scores->bumpiness},
-                                 {"texture", as_json(scores->texture)}};
-        std::cout << figures.dump(2) << '\n';
-        return;
-    }
-    std::cout << views << " views of " << size_text(map.width, map.height)
-              << " pixels, disparities from " << with_decimals(map.range.least, 2) << " to "
-              << with_decimals(map.range.greatest, 2) << ", " << with_decimals(seconds, 2)
-              << " s\n";
-    if (scores)
-        std::cout << "bad beyond 0.07, 0.03, 0.01:\n"
-                  << line_of("  all      ", scores->all) << line_of("  edges    ", scores->edges)
-                  << line_of("  planes   ", scores->planes)
-                  << line_of("  texture  ", scores->texture) << "  bumpiness of planes "
-                  << with_decimals(scores->bumpiness, 3) << '\n';
+    std::cout << (o.json ? figures_json(figures).dump(2) + "\n" : figures_text(figures));
 }
 
 void check_options(const DepthOptions& o)
@@ -198,7 +132,7 @@ void check_options(const DepthOptions& o)
     if (!o.output && !o.truth)
         throw UsageError("-o FILE is missing");
     if (o.method && *o.method != "multibaseline" && *o.method != "raytrace")
-        throw UsageError("--method " + *o.method + ": multibaseline or raytrace is expected");
+        refuse("method", *o.method, "multibaseline or raytrace");
     if (o.method == "raytrace" && o.quality)
         throw UsageError("--quality is for multibaseline, not for --method raytrace");
     if (o.rgbd && (!o.output || format_for(*o.output) == ImageFormat::exr))
@@ -241,7 +175,7 @@ void write(const DepthOptions& o, const UprightMap& map)
 }
 
 /// --refocus: a picture in focus at one depth.
-int refocus(const DepthOptions& o, const DepthInput& input, int threads, const Progress& bar)
+void refocus(const DepthOptions& o, const DepthInput& input, int threads, const Progress& bar)
 {
     constexpr double least_longer_side = 500; // pixels
     Refocus lens;
@@ -260,7 +194,6 @@ int refocus(const DepthOptions& o, const DepthInput& input, int threads, const P
     say("depth", with_decimals(100 * picture.figures.holes / picture.figures.lines, 2) +
                      "% of the lines of sight end where no view has seen anything: filled with "
                      "what is beside, farther off");
-    return exit_done;
 }
 
 int run(const DepthOptions& o)
@@ -270,7 +203,7 @@ int run(const DepthOptions& o)
     const MultibaselineSettings settings = settings_of(o);
     const DepthRequest request = request_of(o);
     const Progress bar = progress_bar("depth");
-    try {
+    usage_checked(o.inputs[0] + ": ", [&] {
         DepthInput input = read_depth_input(o.inputs, request, threads, piece_of(bar, 0, 2));
         if (o.refocus)
             return refocus(o, input, threads, piece_of(bar, 1, 2));
@@ -285,9 +218,7 @@ int run(const DepthOptions& o)
             write(o,
                   upright_map(input.views, *map, input.width, input.height, o.width.value_or(0)));
         print_figures(o, input, *map, seconds.count());
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(o.inputs[0] + ": " + error.what());
-    }
+    });
     return exit_done;
 }
 
@@ -297,10 +228,11 @@ const Command depth_command = {
     "depth",
     "the depth of what a frame or a set of views shows, as a map or points",
     "FRAME -o DEPTH | VIEWS... -o DEPTH [--views CxR] [--eyes SPACING,DISTANCE,WIDTH]",
-    "Measures how far behind or in front of the sheet everything is that a frame shows (thesis\n"
-    "5.4.4), from the many views that its lenses give: a point that is nearer or farther stands\n"
-    "elsewhere in each of them. It also takes a quilt, or the files of views. The map shows what\n"
-    "the eye at the aperture's centre, or the middle view, sees.\n",
+    R"(Measures how far behind or in front of the sheet everything is that a frame shows (thesis
+5.4.4), from the many views that its lenses give: a point that is nearer or farther stands
+elsewhere in each of them. It also takes a quilt, or the files of views. The map shows what
+the eye at the aperture's centre, or the middle view, sees.
+)",
     1,
     most_views_a_side* most_views_a_side,
     described<DepthOptions>,

@@ -2,8 +2,8 @@
 #include "integral/cli/geometry_options.h"
 
 #include "integral/cli/values.h"
+#include "integral/io/image_file.h"
 #include "integral/lightfield/known_sheets.h"
-#include "integral/lightfield/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,34 +40,33 @@ void set_lpi(const SheetOptions& given, LensSheet& sheet)
 
 void declare(options::options_description& all, SheetOptions& sheet)
 {
-    all.add_options()("arrangement", fills(sheet.arrangement, "KIND"),
-                      "lenticular, square or hexagonal (default lenticular)")(
-        "pitch", fills(sheet.pitch, "MM"), "width of a lens (default 1.27)")(
-        "lpi", fills(sheet.lpi, "N"),
+    add(all, "arrangement", sheet.arrangement, "KIND",
+        "lenticular, square or hexagonal (default lenticular)");
+    add(all, "pitch", sheet.pitch, "MM", "width of a lens (default 1.27)");
+    add(all, "lpi", sheet.lpi, "N",
         "the same as lenses per inch; with 20, 40, 60, 75 and 100 thickness and index are those of "
-        "a common sheet, unless given (integral sheet --list)")(
-        "thickness", fills(sheet.thickness, "MM"),
-        "from the lenses' poles to the film (default 3.08)")(
-        "ior", fills(sheet.ior, "N"), "refractive index of the sheet (default 1.6)")(
-        "slant", fills(sheet.slant, "DEGREES"),
-        "turn of the lenses, anticlockwise as the viewer sees it (default 0)")(
-        "offset", fills(sheet.offset, "X,Y"),
+        "a common sheet, unless given (integral sheet --list)");
+    add(all, "thickness", sheet.thickness, "MM",
+        "from the lenses' poles to the film (default 3.08)");
+    add(all, "ior", sheet.ior, "N", "refractive index of the sheet (default 1.6)");
+    add(all, "slant", sheet.slant, "DEGREES",
+        "turn of the lenses, anticlockwise as the viewer sees it (default 0)");
+    add(all, "offset", sheet.offset, "X,Y",
         "where the lens at index 0,0 is, mm from the sheet's centre");
 }
 
 void declare(options::options_description& all, FilmOptions& film)
 {
-    all.add_options()("dpi", fills(film.dpi, "D[,D]"),
-                      "film pixels per inch, across and down (default 300)")(
-        "pixel-pitch", fills(film.pixel_pitch, "MM[,MM]"),
-        "the same as the width of a pixel")("size", fills(film.size, "WxH"), "pixels of the film");
+    add(all, "dpi", film.dpi, "D[,D]", "film pixels per inch, across and down (default 300)");
+    add(all, "pixel-pitch", film.pixel_pitch, "MM[,MM]", "the same as the width of a pixel");
+    add(all, "size", film.size, "WxH", "pixels of the film");
 }
 
 void declare(options::options_description& all, ApertureOptions& aperture)
 {
-    all.add_options()("distance", fills(aperture.distance, "MM"),
-                      "from the viewer, and the capture aperture, to the sheet (default 300)")(
-        "aperture", fills(aperture.aperture, "W[,H]"),
+    add(all, "distance", aperture.distance, "MM",
+        "from the viewer, and the capture aperture, to the sheet (default 300)");
+    add(all, "aperture", aperture.aperture, "W[,H]",
         "extent of the capture aperture, mm (default: what fills a lens)");
 }
 
@@ -90,18 +89,22 @@ FrameMetadata default_geometry()
     return geometry;
 }
 
+FrameMetadata given_geometry(const std::optional<std::string>& file, const SheetOptions& sheet,
+                             const FilmOptions& film, const std::optional<std::string>& print)
+{
+    FrameMetadata geometry = file ? read_metadata(*file) : default_geometry();
+    change_sheet(sheet, geometry.sheet);
+    change_film(film, print, geometry.film);
+    check_geometry(geometry);
+    return geometry;
+}
+
 void change_sheet(const SheetOptions& given, LensSheet& sheet)
 {
     read_number("pitch", given.pitch, sheet.pitch);
     if (given.lpi)
         set_lpi(given, sheet);
-    if (given.arrangement) {
-        const auto kind = kind_named<Arrangement>(*given.arrangement);
-        if (!kind)
-            throw UsageError("--arrangement " + *given.arrangement + ": " +
-                             legal_names<Arrangement>() + " is expected");
-        sheet.arrangement = *kind;
-    }
+    read_kind("arrangement", given.arrangement, sheet.arrangement);
     read_number("thickness", given.thickness, sheet.thickness);
     read_number("ior", given.ior, sheet.ior);
     read_number("slant", given.slant, sheet.slant);
@@ -160,15 +163,14 @@ void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool
     Aperture& aperture = geometry.aperture;
     read_number("distance", given.distance, aperture.distance);
     if (!(aperture.distance >= 1e-2 && aperture.distance <= 1e9))
-        throw UsageError("--distance " + given.distance.value_or("") +
-                         ": 0.01 to 1e9 mm is expected");
+        refuse("distance", given.distance.value_or(""), "0.01 to 1e9 mm");
     if (given.aperture) {
         const auto numbers = parse_numbers("aperture", *given.aperture, "W or W,H", 1, 2);
         Vec2 extent{numbers.front(), numbers.back()};
         if (numbers.size() == 1 && geometry.sheet.arrangement == Arrangement::lenticular)
             (slit_is_horizontal(geometry.sheet) ? extent.y : extent.x) = 0; // a slit
         if (!(extent.x >= 0 && extent.y >= 0 && extent.x <= 1e12 && extent.y <= 1e12))
-            throw UsageError("--aperture " + *given.aperture + ": 0 to 1e12 mm is expected");
+            refuse("aperture", *given.aperture, "0 to 1e12 mm");
         aperture.width = extent.x;
         aperture.height = extent.y;
     } else if (!keep) {

@@ -4,7 +4,8 @@
 #define INTEGRAL_CLI_GEOMETRY_OPTIONS_H
 
 #include "integral/cli/command.h"
-#include "integral/lightfield/frame_metadata.h"
+#include "integral/cli/values.h"
+#include "integral/lightfield/names.h"
 
 namespace integral {
 
@@ -26,11 +27,29 @@ void declare(options::options_description& all, SheetOptions& sheet);
 void declare(options::options_description& all, FilmOptions& film);
 void declare(options::options_description& all, ApertureOptions& aperture);
 
+/// Reads the name of a kind of things (lightfield/names.h), if it was given. Throws UsageError.
+template <class Kind>
+void read_kind(const char* option, const std::optional<std::string>& text, Kind& kind)
+{
+    if (!text)
+        return;
+    const auto named = kind_named<Kind>(*text);
+    if (!named)
+        refuse(option, *text, legal_names<Kind>());
+    kind = *named;
+}
+
 /// The name of the first of these options that the line has; none: nullptr.
 const char* first_given(const SheetOptions& sheet);
 
 /// Geometry to start from: the thesis's sheet and printer, seen from 300 mm.
 FrameMetadata default_geometry();
+
+/// The geometry of a file, or else the one to start from, changed by what the options give. Throws
+/// UsageError, also for numbers out of the scene language's range, and InputError.
+FrameMetadata given_geometry(const std::optional<std::string>& file, const SheetOptions& sheet,
+                             const FilmOptions& film,
+                             const std::optional<std::string>& print = std::nullopt);
 
 /// Changes what the options give, and nothing else. Throws UsageError.
 void change_sheet(const SheetOptions& given, LensSheet& sheet);

@@ -1,194 +1,56 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral lcd: frames, quilts and views as a light-field panel's image; and pictures shown on a
 // display.
-#include "integral/base/number_text.h"
 #include "integral/cli/lcd_options.h"
 #include "integral/io/image_file.h"
-#include "integral/io/picture_series.h"
-#include "integral/lightfield/camera_words.h"
-#include "integral/output/quilt.h"
-
-#include <nlohmann/json.hpp>
+#include "integral/output/panel_files.h"
+#include "integral/output/panel_text.h"
+#include "integral/output/screen_text.h"
 
 #include <chrono>
-#include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <limits>
-#include <set>
 
 namespace integral {
 namespace {
 
-void list_panels(bool json)
+void print(bool as_json, const Json& json, const std::string& text)
 {
-    if (json) {
-        nlohmann::ordered_json list = nlohmann::ordered_json::array();
-        for (const Panel& panel : known_panels())
-            list.push_back({{"name", panel.name},
-                            {"width", panel.film.width},
-                            {"height", panel.film.height},
-                            {"pixel_pitch_mm", panel.film.pixel_pitch.x},
-                            {"lens_pitch_mm", panel.sheet.pitch},
-                            {"slant_degrees", panel.sheet.slant},
-                            {"viewing_distance_mm", panel.aperture.distance}});
-        std::cout << list.dump(2) << '\n';
-        return;
-    }
-    std::printf("%-28s %11s %9s %10s %8s %9s\n", "", "pixels", "pixel mm", "lens mm", "slant",
-                "from mm");
-    for (const Panel& panel : known_panels()) {
-        const std::string size = std::to_string(panel.film.width) + "x" +
-                                 std::to_string(panel.film.height);
-        std::printf("%-28s %11s %9.4f %10.4f %8.2f %9.0f\n", panel.name.c_str(), size.c_str(),
-                    panel.film.pixel_pitch.x, panel.sheet.pitch, panel.sheet.slant,
-                    panel.aperture.distance);
-    }
+    std::cout << (as_json ? json.dump(2) + "\n" : text);
 }
 
-void list_displays(bool json)
-{
-    const Desktop desktop;
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    int number = 0;
-    for (const Screen& screen : desktop.screens()) {
-        ++number;
-        if (json)
-            list.push_back({{"number", number},
-                            {"name", screen.name},
-                            {"width", screen.width},
-                            {"height", screen.height},
-                            {"rate", screen.rate},
-                            {"x", screen.x},
-                            {"y", screen.y},
-                            {"scaled", screen.scaled}});
-        else
-            std::cout << number << "  " << screen.name << "  "
-                      << size_text(screen.width, screen.height)
-                      << (screen.rate > 0 ? "  " + with_decimals(screen.rate, 2) + " Hz" : "")
-                      << "  at " << screen.x << "," << screen.y << "  "
-                      << (screen.scaled.empty() ? "pixel for pixel" : screen.scaled) << '\n';
-    }
-    if (json)
-        std::cout << list.dump(2) << '\n';
-}
-
-void print_report(const PlayReport& report, bool as_json)
-{
-    char text[300];
-    if (as_json) {
-        const nlohmann::ordered_json json = {{"shown", report.shown},
-                                             {"dropped", report.dropped},
-                                             {"seconds", report.seconds},
-                                             {"rate", report.rate},
-                                             {"worst_lateness_ms", 1000 * report.worst_lateness}};
-        std::cout << json.dump(2) << '\n';
-        return;
-    }
-    std::snprintf(text, sizeof text,
-                  "shown               %lld\n"
-                  "dropped             %lld\n"
-                  "rate                %.3f a second\n"
-                  "worst lateness      %.1f ms\n",
-                  report.shown, report.dropped, report.rate, 1000 * report.worst_lateness);
-    std::cout << text;
-}
-
-/// The path of one of several images. A panel's image is no quilt, so that its name in a folder
-/// loses a quilt's end.
-std::string path_of(const std::string& output, const std::vector<std::string>& group, int index,
-                    int count)
-{
-    if (std::filesystem::is_directory(output))
-        return (std::filesystem::path(output) /
-                std::filesystem::path(without_grid(group[0])).filename())
-            .string();
-    return count == 1 ? output : numbered(output, index + 1, count);
-}
-
-/// Throws UsageError for the name of a quilt, which a panel's image would be taken for.
-void check_name(const std::string& path)
-{
-    if (grid_in_name(path))
-        throw UsageError("-o " + path + ": such a name says that it is a quilt; " +
-                         without_grid(path) + " would do");
-}
-
-void check_outputs(const std::string& output, const std::vector<std::vector<std::string>>& groups)
-{
-    const int count = int(groups.size());
-    if (output == "-" && count > 1)
-        throw UsageError("-o -: several images need a name or a folder");
-    if (!std::filesystem::is_directory(output)) {
-        if (!output.empty() && output.back() == '/')
-            throw OutputError(output + ": there is no such folder; make it first");
-        format_for(output);
-    }
-    std::set<std::string> paths;
-    for (int k = 0; k < count; ++k) {
-        const std::string path = path_of(output, groups[k], k, count);
-        check_name(path);
-        if (!paths.insert(path).second)
-            throw UsageError("-o " + output + ": two inputs would make " + path +
-                             "; -o NAME.png numbers the images");
-        format_for(path);
-        check_writable(path);
-        for (const std::string& input : groups[k])
-            if (std::filesystem::exists(path) && std::filesystem::equivalent(path, input))
-                throw UsageError("-o " + output + ": it would overwrite the input " + input);
-    }
-}
-
+/// --show and -o: makes the images of all inputs, or a test card.
 void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 {
     PanelImages images(panel, lcd.image);
-    const auto groups = lcd.card ? std::vector<std::vector<std::string>>{{"--card"}}
-                                 : images.groups(o.inputs);
+    const auto groups = lcd.card ? std::vector<Words>{{"--card"}} : images.groups(o.inputs);
     if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
+    Words paths(groups.size());
     if (!lcd.output.empty() && lcd.card) {
-        check_name(lcd.output);
-        format_for(lcd.output);
-        check_writable(lcd.output);
+        check_panel_file(lcd.output);
+        paths = {lcd.output};
     } else if (!lcd.output.empty()) {
-        check_outputs(lcd.output, groups);
+        paths = panel_files(lcd.output, groups);
     }
-    nlohmann::ordered_json report = nlohmann::ordered_json::array();
+    Json report = Json::array();
     for (std::size_t k = 0; k < groups.size(); ++k) {
         stop_if_interrupted();
         const auto begun = std::chrono::steady_clock::now();
         Frame frame = lcd.card ? images.card(*lcd.card) : images.image_of(groups[k]);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-        const std::string path = lcd.output.empty() || lcd.card
-                                     ? lcd.output
-                                     : path_of(lcd.output, groups[k], int(k), int(groups.size()));
-        report.push_back({{"output", path},
+        report.push_back({{"output", paths[k]},
                           {"width", frame.image.width},
                           {"height", frame.image.height},
                           {"views", images.views()},
                           {"seconds", taken.count()}});
-        if (!path.empty())
-            write_frame(path, frame);
+        if (!paths[k].empty())
+            write_frame(paths[k], frame);
         if (o.show)
             return show_picture(frame.image, groups[k][0], lcd.showing);
     }
     if (o.json)
-        std::cout << nlohmann::ordered_json{{"panel", panel.name}, {"images", report}}.dump(2)
-                  << '\n';
-}
-
-/// An INI file's lines that render for a panel: its image, or a quilt of so many views.
-std::string settings_for(Panel panel, const std::optional<ViewGrid>& quilt)
-{
-    constexpr int longer_side = 4096; // of a quilt, pixels at least
-    Film& film = panel.film;
-    if (quilt) {
-        const int finer = (longer_side - 1) / std::max(film.width, film.height) + 1;
-        film = {film.width * finer, film.height * finer, (1.0 / finer) * film.pixel_pitch};
-    }
-    return "Width=" + std::to_string(film.width) + "\nHeight=" + std::to_string(film.height) +
-           "\nIntegral_Camera=\"" + camera_words(frame_geometry(panel)) + "\"\n" +
-           (quilt ? "Integral_Quilt=" + size_text(quilt->columns, quilt->rows) + "\n" : "");
+        std::cout << Json{{"panel", panel.name}, {"images", report}}.dump(2) << '\n';
 }
 
 /// All that --panel does: makes images, or prints what the panel is.
@@ -209,7 +71,7 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
     if (o.describe)
         return print_result(o.output, to_json(panel));
     if (o.camera)
-        return print_result(o.output, settings_for(panel, lcd.image.views));
+        return print_result(o.output, render_settings(panel, lcd.image.views));
     make_images(o, lcd, panel);
 }
 
@@ -237,12 +99,14 @@ void use_display(const LcdOptions& o, const LcdRequest& lcd)
     if (o.output || o.card || o.camera || o.describe)
         throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
     check_show_options(o);
-    if (o.list_displays)
-        return list_displays(o.json);
+    if (o.list_displays) {
+        const Desktop desktop;
+        return print(o.json, screens_json(desktop.screens()), screens_text(desktop.screens()));
+    }
     if (o.play) {
         const PlayReport report = play_files(o.inputs, lcd.playing, lcd.showing);
         if (report.shown > 0)
-            print_report(report, o.json);
+            print(o.json, play_json(report), play_text(report));
         if (report.interrupted)
             throw Interrupted();
         return;
@@ -258,18 +122,14 @@ void use_display(const LcdOptions& o, const LcdRequest& lcd)
 int run(const LcdOptions& o)
 {
     const LcdRequest request = lcd_request(o);
-    try {
-        if (o.list) {
-            if (!o.inputs.empty() || o.panel)
-                throw UsageError("--list stands alone");
-            list_panels(o.json);
-        } else if (o.panel) {
-            use_panel(o, request);
-        } else {
-            use_display(o, request);
-        }
-    } catch (const RequestError& error) {
-        throw UsageError(error.what());
+    if (o.list) {
+        if (!o.inputs.empty() || o.panel)
+            throw UsageError("--list stands alone");
+        print(o.json, panels_json(), panels_text());
+    } else if (o.panel) {
+        use_panel(o, request);
+    } else {
+        use_display(o, request);
     }
     return exit_done;
 }
@@ -281,30 +141,21 @@ const Command lcd_command = {
     "frames, quilts and views on a light-field panel: its image, test cards; shown or played",
     "INPUT... --panel NAME|FILE.json -o IMAGE | --panel NAME --card CARD -o IMAGE | PICTURE --show "
     "DISPLAY | PICTURE... --play | --list",
-    "Makes the image that a panel of pixels under a lens sheet has to be sent: every red, green "
-    "and\n"
-    "blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or the files of "
-    "all\n"
-    "views: perspective pictures whose window lies on the panel, from eyes on a line across the\n"
-    "viewing zone at the viewing distance, view 0 from the far left (integral views --eyes makes "
-    "such).\n"
-    "Or it is a frame: one rendered for the panel (--camera says how) is passed through to the "
-    "bit; of\n"
-    "any other the views of its own zone are drawn first. Several frames or quilts make several "
-    "images.\n"
-    "\n"
-    "Panels with a maker's calibration are interlaced by the mapping that its maker "
-    "publishes,\n"
-    "others through the exact optics of their lenses. The image carries the geometry of a frame, "
-    "so that\n"
-    "integral replay shows what eyes see of it; but where the panel is mirrored it does not.\n"
-    "\n"
-    "--show and --play bring pictures to a display pixel for pixel; they are never scaled. 8-bit "
-    "samples\n"
-    "reach it as they are; 16-bit ones are rounded, linear light becomes sRGB, transparent parts "
-    "black.\n"
-    "--play shows one after another at a steady rate and says how many were shown, dropped, and "
-    "how late.\n",
+    R"(Makes the image that a panel of pixels under a lens sheet has to be sent: every red, green and
+blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or the files of all
+views: perspective pictures whose window lies on the panel, from eyes on a line across the
+viewing zone at the viewing distance, view 0 from the far left (integral views --eyes makes such).
+Or it is a frame: one rendered for the panel (--camera says how) is passed through to the bit; of
+any other the views of its own zone are drawn first. Several frames or quilts make several images.
+
+Panels with a maker's calibration are interlaced by the mapping that its maker publishes,
+others through the exact optics of their lenses. The image carries the geometry of a frame, so that
+integral replay shows what eyes see of it; but where the panel is mirrored it does not.
+
+--show and --play bring pictures to a display pixel for pixel; they are never scaled. 8-bit samples
+reach it as they are; 16-bit ones are rounded, linear light becomes sRGB, transparent parts black.
+--play shows one after another at a steady rate and says how many were shown, dropped, and how late.
+)",
     0,
     std::numeric_limits<int>::max(),
     described<LcdOptions>,

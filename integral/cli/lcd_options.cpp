@@ -12,24 +12,17 @@ constexpr int largest_view_side = 32768; // pixels
 
 Neighbours neighbours(const char* option, const std::string& word)
 {
-    if (word == "nearest")
-        return Neighbours::nearest;
-    if (word == "linear")
-        return Neighbours::linear;
-    throw UsageError(std::string("--") + option + " " + word + ": nearest or linear is expected");
+    return meaning_of<Neighbours>(
+        option, word, {{"nearest", Neighbours::nearest}, {"linear", Neighbours::linear}});
 }
 
 PanelCard card_named(const std::string& word)
 {
-    if (word == "views")
-        return PanelCard::views;
-    if (word == "crosstalk")
-        return PanelCard::crosstalk;
-    if (word == "colours")
-        return PanelCard::colours;
-    if (word == "pitch")
-        return PanelCard::pitch;
-    throw UsageError("--card " + word + ": views, crosstalk, colours or pitch is expected");
+    return meaning_of<PanelCard>("card", word,
+                                 {{"views", PanelCard::views},
+                                  {"crosstalk", PanelCard::crosstalk},
+                                  {"colours", PanelCard::colours},
+                                  {"pitch", PanelCard::pitch}});
 }
 
 /// Reads a number above 0 and up to `most` into `value`, if the option was given.
@@ -41,7 +34,7 @@ void read_positive(const char* option, const std::optional<std::string>& text, d
     const std::string form = "a number above 0 and up to " + with_digits(most, 10);
     value = parse_number(option, *text, form.c_str());
     if (!(value > 0 && value <= most))
-        throw UsageError(std::string("--") + option + " " + *text + ": " + form + " is expected");
+        refuse(option, *text, form);
 }
 
 PanelImageOptions image_options(const LcdOptions& o)
@@ -68,69 +61,55 @@ PanelImageOptions image_options(const LcdOptions& o)
 
 void declare(options::options_description& all, LcdOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "FILE"),
-                      "the panel's image: .png, .tiff or .exr; of several frames or quilts files "
-                      "with numbers before the extension, or a folder "
-                      "that is there already, for files of the inputs' names");
-    all.add_options()(
-        "panel", fills(o.panel, "NAME|FILE.json"),
+    add(all, "output,o", o.output, "FILE",
+        "the panel's image: .png, .tiff or .exr; of several frames or quilts files with numbers "
+        "before the extension, or a folder that is there already, for files of the inputs' names");
+    add(all, "panel", o.panel, "NAME|FILE.json",
         "the panel: one of --list, a description as --describe writes, or the calibration file of "
         "a Looking Glass or CubeVi display");
-    all.add_options()(
-        "views", fills(o.views, "CxR"),
+    add(all, "views", o.views, "CxR",
         "views of a quilt whose name does not tell, across and up, or how many to see a frame of "
-        "other geometry from (default: as many "
-        "as pixels are nearest to a lens's), or of a card (default: 8)");
+        "other geometry from (default: as many as pixels are nearest to a lens's), or of a card "
+        "(default: 8)");
     all.add_options()("blend", fills(o.blend, "WAY")->default_value(o.blend),
                       "between views: linear, or nearest, as displays' makers do");
     all.add_options()("sampling", fills(o.sampling, "WAY")->default_value(o.sampling),
                       "between pixels of a view: linear or nearest");
-    all.add_options()(
-        "encoded", sets(o.encoded),
+    add(all, "encoded", o.encoded,
         "blend the values as they are stored, as displays' own programs do; not linear light: "
-        "several times as fast, "
-        "edges between views a little darker");
-    all.add_options()(
-        "size", fills(o.size, "WxH"),
+        "several times as fast, edges between views a little darker");
+    add(all, "size", o.size, "WxH",
         "pixels of each view that is seen of a frame (default: 1000 on the longer side)");
-    all.add_options()("viewing-distance", fills(o.viewing_distance, "MM"),
-                      "how far the viewers are from the panel (default: as the panel says)");
-    all.add_options()(
-        "card", fills(o.card, "CARD"),
+    add(all, "viewing-distance", o.viewing_distance, "MM",
+        "how far the viewers are from the panel (default: as the panel says)");
+    add(all, "card", o.card, "CARD",
         "a test card in place of INPUT: views (each its number and colour), crosstalk (one view "
-        "white), colours (red, green, blue and "
-        "white bands in one view), pitch (bars of lines about the calibrated pitch)");
-    all.add_options()(
-        "view", fills(o.view, "K"),
+        "white), colours (red, green, blue and white bands in one view), pitch (bars of lines "
+        "about the calibrated pitch)");
+    add(all, "view", o.view, "K",
         "the view that --card crosstalk or colours lights, from 0, the leftmost (default: every "
         "other; the middle one)");
-    all.add_options()("list", sets(o.list), "list the panels that are known by name");
-    all.add_options()("describe", sets(o.describe),
-                      "print the panel's description, to be changed and given to --panel");
-    all.add_options()(
-        "camera", sets(o.camera),
+    add(all, "list", o.list, "list the panels that are known by name");
+    add(all, "describe", o.describe,
+        "print the panel's description, to be changed and given to --panel");
+    add(all, "camera", o.camera,
         "print what povray-integral needs to render for the panel: an INI file's lines; with "
         "--views those for a quilt");
-    all.add_options()("show", fills(o.show, "DISPLAY"),
-                      "show the picture on this display, pixel for pixel: its number or name, or "
-                      "auto, the only one of the picture's size. "
-                      "Escape, q or Ctrl-C ends it");
-    all.add_options()(
-        "play", sets(o.play),
+    add(all, "show", o.show, "DISPLAY",
+        "show the picture on this display, pixel for pixel: its number or name, or auto, the only "
+        "one of the picture's size. Escape, q or Ctrl-C ends it");
+    add(all, "play", o.play,
         "show all pictures one after another, on the display of --show (default auto); the space "
         "bar pauses");
-    all.add_options()(
-        "fps", fills(o.fps, "N"),
+    add(all, "fps", o.fps, "N",
         "with --play: pictures a second (default 30); late ones are dropped and counted");
-    all.add_options()("loop", sets(o.loop), "with --play: begin again after the last");
-    all.add_options()("seconds", fills(o.seconds, "S"),
-                      "with --show and --play: end by itself after so long");
-    all.add_options()(
-        "list-displays", sets(o.list_displays),
+    add(all, "loop", o.loop, "with --play: begin again after the last");
+    add(all, "seconds", o.seconds, "S", "with --show and --play: end by itself after so long");
+    add(all, "list-displays", o.list_displays,
         "list the displays: number, name, pixels, rate, place, and whether they show pictures as "
         "they are");
     declare(all, o.threads);
-    all.add_options()("json", sets(o.json), "print figures as JSON");
+    add(all, "json", o.json, "print figures as JSON");
 }
 
 LcdRequest lcd_request(const LcdOptions& o)
@@ -146,14 +125,9 @@ LcdRequest lcd_request(const LcdOptions& o)
     request.playing.loop = o.loop;
     request.image = image_options(o);
     request.playing.threads = request.image.threads;
-    if (o.viewing_distance) {
-        const double distance = parse_number("viewing-distance", *o.viewing_distance,
-                                             "a number of mm");
-        if (!(distance >= 1 && distance <= 1e6))
-            throw UsageError("--viewing-distance " + *o.viewing_distance +
-                             ": 1 to 1000000 mm is expected");
-        request.viewing_distance = distance;
-    }
+    if (o.viewing_distance)
+        request.viewing_distance = parse_number_between(
+            "viewing-distance", *o.viewing_distance, "a number of mm", 1, 1e6, "1 to 1000000 mm");
     return request;
 }
 
@@ -178,19 +152,11 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
 
 Panel panel_of(const LcdRequest& lcd)
 {
-    Panel panel;
-    try {
-        panel = find_panel(lcd.panel);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError("--panel " + lcd.panel + ": " + error.what());
-    }
+    const Panel panel = usage_checked("--panel " + lcd.panel + ": ",
+                                      [&] { return find_panel(lcd.panel); });
     if (!lcd.viewing_distance)
         return panel;
-    try {
-        return seen_from(panel, *lcd.viewing_distance);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(lcd.panel + ": " + error.what());
-    }
+    return usage_checked(lcd.panel + ": ", [&] { return seen_from(panel, *lcd.viewing_distance); });
 }
 
 } // namespace integral

@@ -5,12 +5,10 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_check.cpp \
   integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
-  integral/cli/batch_progress.cpp \
-  integral/cli/batch_progress.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
-  integral/cli/command_pages.cpp \
-  integral/cli/command_pages.h \
+  integral/cli/page_commands.cpp \
+  integral/cli/page_commands.h \
   integral/cli/compare_command.cpp \
   integral/cli/depth_command.cpp \
   integral/cli/geometry_options.cpp \

@@ -2,7 +2,7 @@
 // The integral program: finds the command, reads its options, and turns errors into exit statuses.
 #include "integral/base/file_bytes.h"
 #include "integral/base/first_steps.h"
-#include "integral/cli/command_pages.h"
+#include "integral/cli/page_commands.h"
 
 #include <cstdio>
 #include <iostream>
@@ -42,13 +42,13 @@ std::string help_about(const std::vector<std::string>& words)
 {
     const std::string what = words.empty() ? "" : words[0];
     if (what.empty())
-        return overview();
+        return overview(page_commands());
     if (what == "--bash")
-        return bash_completion();
+        return bash_completion(page_commands());
     if (what == "--man" && words.size() == 1)
-        return manual_page();
+        return manual_page(page_commands());
     if (what == "--man" || (what == "--markdown" && words.size() > 1)) {
-        const Command& command = *find_command(words[1]);
+        const PageCommand command = page_command(*find_command(words[1]));
         return what == "--man" ? manual_page(command) : markdown_head(command);
     }
     return help_for(*find_command(what));

@@ -27,51 +27,48 @@ struct MaskOptions : CommonOptions {
 
 void declare(options::options_description& all, MaskOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "FILE"),
-                      "the mask: .png or .tiff; with --calibrate the response that was found");
-    all.add_options()("shape", fills(o.shape, "KIND"),
-                      "spherical, or aspheric: the ellipsoid that has no spherical aberration on "
-                      "the axis (default spherical)");
-    all.add_options()("conic", fills(o.conic, "K"), "another conic constant for the surface");
-    all.add_options()("response", fills(o.response, "FILE.csv"),
-                      "lines GREY, DEPTH: how deep (mm) a grey from 0 to 1 is sculpted (default: "
-                      "in proportion, from pole to deepest corner)");
-    all.add_options()("from-depth", fills(o.from_depth, "MM"),
-                      "how deep the poles are sculpted themselves (default 0)");
-    all.add_options()("lens", sets(o.lens),
-                      "one lens, to be scaled and multiplied by a lens array: --size pixels of its "
-                      "cell");
-    all.add_options()("spinning", sets(o.spinning),
-                      "one lens's shape that spins about its pole: white lets light through");
-    all.add_options()("relief", sets(o.relief),
-                      "a height map for a printer that builds up, as UV relief printers do: white "
-                      "is highest");
-    all.add_options()("chart", fills(o.chart, "FILE"),
-                      "with --relief: print this picture, and the relief over it; together they "
-                      "tell the printed lenses' pitch and offset");
-    all.add_options()("distance", fills(o.distance, "MM"),
-                      "of the eye that looks at the chart (default 400)");
-    all.add_options()("negative", sets(o.negative), "black and white exchanged");
-    all.add_options()("calibrate", fills(o.calibrate, "FILE.csv"),
-                      "find a process's response by appendix C's loop of six steps; the file says "
-                      "how the process, which is simulated, answers");
+    add(all, "output,o", o.output, "FILE",
+        "the mask: .png or .tiff; with --calibrate the response that was found");
+    add(all, "shape", o.shape, "KIND",
+        "spherical, or aspheric: the ellipsoid that has no spherical aberration on the axis "
+        "(default spherical)");
+    add(all, "conic", o.conic, "K", "another conic constant for the surface");
+    add(all, "response", o.response, "FILE.csv",
+        "lines GREY, DEPTH: how deep (mm) a grey from 0 to 1 is sculpted (default: in proportion, "
+        "from pole to deepest corner)");
+    add(all, "from-depth", o.from_depth, "MM",
+        "how deep the poles are sculpted themselves (default 0)");
+    add(all, "lens", o.lens,
+        "one lens, to be scaled and multiplied by a lens array: --size pixels of its cell");
+    add(all, "spinning", o.spinning,
+        "one lens's shape that spins about its pole: white lets light through");
+    add(all, "relief", o.relief,
+        "a height map for a printer that builds up, as UV relief printers do: white is highest");
+    add(all, "chart", o.chart, "FILE",
+        "with --relief: print this picture, and the relief over it; together they tell the printed "
+        "lenses' pitch and offset");
+    add(all, "distance", o.distance, "MM", "of the eye that looks at the chart (default 400)");
+    add(all, "negative", o.negative, "black and white exchanged");
+    add(all, "calibrate", o.calibrate, "FILE.csv",
+        "find a process's response by appendix C's loop of six steps; the file says how the "
+        "process, which is simulated, answers");
     declare(all, o.sheet);
     declare(all, o.film);
-    all.add_options()("print", fills(o.print, "WxH"), "size in mm, instead of --size");
-    all.add_options()("sheet", fills(o.start, "FILE.json"),
-                      "start from this geometry: a JSON document, or a frame");
-    all.add_options()("bits", fills(o.bits, "N"), "8 or 16 (default 16)");
+    add(all, "print", o.print, "WxH", "size in mm, instead of --size");
+    add(all, "sheet", o.start, "FILE.json",
+        "start from this geometry: a JSON document, or a frame");
+    add(all, "bits", o.bits, "N", "8 or 16 (default 16)");
     declare(all, o.threads);
 }
 
 LensShape shape_of(const MaskOptions& o, const LensSheet& sheet)
 {
     const std::string kind = o.shape.value_or("spherical");
-    if (kind != "spherical" && kind != "aspheric")
-        throw UsageError("--shape " + kind + ": spherical or aspheric is expected");
+    const bool aspheric = meaning_of<bool>("shape", kind,
+                                           {{"spherical", false}, {"aspheric", true}});
     if (o.shape && o.conic)
         throw UsageError("--shape and --conic both say the surface; give one of them");
-    double conic = kind == "aspheric" ? focusing_conic(sheet) : 0;
+    double conic = aspheric ? focusing_conic(sheet) : 0;
     read_number("conic", o.conic, conic);
     return focused_shape(sheet, conic);
 }
@@ -79,27 +76,16 @@ LensShape shape_of(const MaskOptions& o, const LensSheet& sheet)
 /// The film is one lens's cell of --size pixels.
 void set_one_lens(const MaskOptions& o, MaskRequest& request)
 {
-    const Lattice lattice(request.sheet);
-    Film& film = request.film;
     if (o.print || o.film.dpi || o.film.pixel_pitch)
         throw UsageError("one lens is given by its pixels, --size WxH; it is scaled later");
     if (!o.film.size)
-        film.width = film.height = 1024;
-    request.sheet.offset = {};
-    request.sheet.slant = 0;
-    film.pixel_pitch.x = request.sheet.pitch / film.width;
-    film.pixel_pitch.y = (request.sheet.arrangement == Arrangement::hexagonal
-                              ? lattice.row_spacing() * 4 / 3
-                              : request.sheet.pitch) /
-                         film.height;
+        request.film.width = request.film.height = 1024;
+    show_one_lens(request);
 }
 
 MaskRequest request_of(const MaskOptions& o)
 {
-    FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, o.print, geometry.film);
-    check_geometry(geometry);
+    const FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
     MaskRequest request;
     request.sheet = geometry.sheet;
     request.film = geometry.film;
@@ -130,16 +116,9 @@ int run_calibration(const MaskOptions& o, int bits)
 {
     const Response process = read_response(*o.calibrate);
     const Calibration found = calibrate(process, 1 << bits, most_rounds);
-    std::string table = "round   greatest error (mm)   rms (mm)\n";
-    for (std::size_t k = 0; k < found.rounds.size(); ++k) {
-        const std::string number = std::to_string(k + 1);
-        table += std::string(5 - number.size(), ' ') + number + "   " +
-                 with_decimals(found.rounds[k].greatest, 6) + "              " +
-                 with_decimals(found.rounds[k].rms, 6) + "\n";
-    }
     if (o.output)
         write_file(*o.output, response_text(found.found));
-    print_result(std::nullopt, table);
+    print_result(std::nullopt, rounds_text(found));
     return exit_done;
 }
 
@@ -152,7 +131,7 @@ std::optional<ReliefChart> chart_of(const MaskOptions& o, const MaskRequest& req
         throw UsageError(std::string(o.chart ? "--chart" : "--distance") +
                          " belongs to --relief --chart FILE, of a whole page of lenses");
     if (format_for(*o.chart) == ImageFormat::exr || *o.chart == *o.output)
-        throw UsageError("--chart " + *o.chart + ": another file, .png or .tiff, is expected");
+        refuse("chart", *o.chart, "another file, .png or .tiff,");
     ReliefChart chart;
     chart.sheet = request.sheet;
     chart.film = request.film;
@@ -167,7 +146,7 @@ int run(const MaskOptions& o)
 {
     const int bits = o.bits.value_or(16);
     if (bits != 8 && bits != 16)
-        throw UsageError("--bits " + std::to_string(bits) + ": 8 or 16 is expected");
+        refuse("bits", std::to_string(bits), "8 or 16");
     if (o.calibrate)
         return run_calibration(o, bits);
     if (!o.output)
@@ -177,25 +156,21 @@ int run(const MaskOptions& o)
     check_writable(*o.output);
     MaskRequest request = request_of(o);
     request.bits = bits;
-    try {
-        const double deepest = SheetRelief(request.sheet, request.shape).deepest();
-        const auto chart = chart_of(o, request);
-        const auto bars = chart ? relief_bars(*chart) : std::vector<ReliefBar>();
-        auto image = mask_picture(request, o.threads.count(), progress_bar("mask"));
-        if (!image)
-            throw Interrupted();
-        if (chart) {
-            flatten_beside(bars, o.negative ? 1 : 0, *image);
-            write_page(*o.chart, relief_chart(*chart), request.film.pixel_pitch, "", std::nullopt);
-        }
-        write_page(*o.output, *image, request.film.pixel_pitch, "", std::nullopt);
-        say("mask", "the lenses are " + with_digits(1000 * deepest, 5) +
-                        " um deep from pole to corner; a grey level is " +
-                        with_digits(1000 * deepest / ((1 << bits) - 1), 3) +
-                        " um where the response is linear");
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
+    const double deepest = SheetRelief(request.sheet, request.shape).deepest();
+    const auto chart = chart_of(o, request);
+    const auto bars = chart ? relief_bars(*chart) : std::vector<ReliefBar>();
+    auto image = mask_picture(request, o.threads.count(), progress_bar("mask"));
+    if (!image)
+        throw Interrupted();
+    if (chart) {
+        flatten_beside(bars, o.negative ? 1 : 0, *image);
+        write_page(*o.chart, relief_chart(*chart), request.film.pixel_pitch, "", std::nullopt);
     }
+    write_page(*o.output, *image, request.film.pixel_pitch, "", std::nullopt);
+    say("mask", "the lenses are " + with_digits(1000 * deepest, 5) +
+                    " um deep from pole to corner; a grey level is " +
+                    with_digits(1000 * deepest / ((1 << bits) - 1), 3) +
+                    " um where the response is linear");
     return exit_done;
 }
 
@@ -206,12 +181,13 @@ const Command mask_command = {
     "greyscale masks and height maps from which lens sheets are made",
     "-o MASK.png --print WxH --dpi D [--shape aspheric] [--response FILE.csv] | --relief ... | "
     "--lens | --spinning | --calibrate FILE.csv [-o FOUND.csv]",
-    "Makes the greyscale mask by which a sheet of lenses is photo-sculpted (thesis\n"
-    "appendix C): each pixel's grey exposes the resist to the depth of the lens\n"
-    "there. --response is what the whole process answers to a grey, as measured, and\n"
-    "--calibrate finds that of a simulated one by the loop of appendix C: a ramp is\n"
-    "sculpted, measured, and corrected by. --relief writes heights instead, for\n"
-    "printers that build lenses up.\n",
+    R"(Makes the greyscale mask by which a sheet of lenses is photo-sculpted (thesis
+appendix C): each pixel's grey exposes the resist to the depth of the lens
+there. --response is what the whole process answers to a grey, as measured, and
+--calibrate finds that of a simulated one by the loop of appendix C: a ramp is
+sculpted, measured, and corrected by. --relief writes heights instead, for
+printers that build lenses up.
+)",
     0,
     0,
     described<MaskOptions>,

@@ -25,23 +25,20 @@ struct MultiviewOptions : CommonOptions {
 
 void declare(options::options_description& all, MultiviewOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "FOLDER"),
-                      "for the frames and the pictures (made if it is missing)")(
-        "views", fills(o.views, "N"),
-        "of the multi-view images (default as many as a lens has pixels)")(
-        "eyes", fills(o.eyes, "N"),
-        "across the middle 80% of the viewing zone (default four to a view)")(
-        "size", fills(o.size, "WxH"), "pixels of what they see (default 360 on the longer side)")(
-        "json", sets(o.json), "print the figures as JSON");
+    add(all, "output,o", o.output, "FOLDER",
+        "for the frames and the pictures (made if it is missing)");
+    add(all, "views", o.views, "N",
+        "of the multi-view images (default as many as a lens has pixels)");
+    add(all, "eyes", o.eyes, "N",
+        "across the middle 80% of the viewing zone (default four to a view)");
+    add(all, "size", o.size, "WxH", "pixels of what they see (default 360 on the longer side)");
+    add(all, "json", o.json, "print the figures as JSON");
     declare(all, o.threads);
 }
 
 int whole(const char* option, const std::optional<int>& given, int most)
 {
-    if (given && (*given < 2 || *given > most))
-        throw UsageError(std::string("--") + option + " " + std::to_string(*given) +
-                         ": a whole number from 2 to " + std::to_string(most) + " is expected");
-    return given.value_or(0);
+    return given ? in_range(option, *given, 2, most) : 0;
 }
 
 MultiviewRequest request_of(const MultiviewOptions& o)
@@ -78,12 +75,10 @@ int run(const MultiviewOptions& o)
     std::error_code error;
     std::filesystem::create_directory(request.folder, error);
     check_writable(request.folder + "/seen.png");
-    try {
-        const MultiviewResult result = compare_multiview(request, progress_bar("multiview"));
-        std::cout << (o.json ? multiview_json(result).dump(2) + "\n" : multiview_text(result));
-    } catch (const std::invalid_argument& wrong) {
-        throw UsageError(request.scene + ": " + wrong.what());
-    }
+    const MultiviewResult result = usage_checked(request.scene + ": ", [&] {
+        return compare_multiview(request, progress_bar("multiview"));
+    });
+    std::cout << (o.json ? multiview_json(result).dump(2) + "\n" : multiview_text(result));
     return exit_done;
 }
 
@@ -93,18 +88,19 @@ const Command multiview_command = {
     "multiview",
     "a scene's frame beside multi-view images of it: crosstalk, flipping, depth, moire",
     "SCENE.pov [+W +H ...] -o FOLDER [--views N] [--eyes N] [--size WxH] [--json]",
-    "Renders the scene's frame, and its pictures by perspective cameras side by side\n"
-    "that it interleaves for the same lenticular sheet (thesis 5.2): parallel cameras,\n"
-    "whose image plane is the sheet; cameras that converge on the sheet's middle; and\n"
-    "the parallel ones' pictures with the same views behind every lens, as for an eye\n"
-    "at infinity. Prints what closed forms say, and what eyes across the viewing zone\n"
-    "see of each beside the scene's own perspective picture.\n"
-    "\n"
-    "FOLDER gets the frames integral.png, parallel.png, converging.png, infinity.png;\n"
-    "seen.png, rows of what five eyes see of the scene itself and of these, in this\n"
-    "order; and moire.png, a flat field that even views show white and odd ones black,\n"
-    "from the border of two views. Words of povray-integral that follow the scene hold\n"
-    "for all pictures; the scene's camera, or Integral_Camera=, has to be integral.\n",
+    R"(Renders the scene's frame, and its pictures by perspective cameras side by side
+that it interleaves for the same lenticular sheet (thesis 5.2): parallel cameras,
+whose image plane is the sheet; cameras that converge on the sheet's middle; and
+the parallel ones' pictures with the same views behind every lens, as for an eye
+at infinity. Prints what closed forms say, and what eyes across the viewing zone
+see of each beside the scene's own perspective picture.
+
+FOLDER gets the frames integral.png, parallel.png, converging.png, infinity.png;
+seen.png, rows of what five eyes see of the scene itself and of these, in this
+order; and moire.png, a flat field that even views show white and odd ones black,
+from the border of two views. Words of povray-integral that follow the scene hold
+for all pictures; the scene's camera, or Integral_Camera=, has to be integral.
+)",
     1,
     1000,
     described<MultiviewOptions>,

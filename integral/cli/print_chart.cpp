@@ -83,17 +83,11 @@ PitchScale scale_of(const PrintOptions& o, const FrameMetadata& nominal)
     Film film = nominal.film;
     set_page(o, sheet, film);
     const int bars = bars_of(o, sheet);
-    double step = 0;
-    try {
-        step = o.pitch_step ? parse_number("pitch-step", *o.pitch_step, "a number")
-                            : default_step(sheet, film);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    const double step = o.pitch_step ? parse_number("pitch-step", *o.pitch_step, "a number")
+                                     : default_step(sheet, film);
     const PitchScale scale = scale_about(sheet, step, bars);
     if (!(scale.step > 0 && scale.first > 0))
-        throw UsageError("--pitch-step " + o.pitch_step.value_or("") +
-                         ": a small part of the pitch is expected");
+        refuse("pitch-step", o.pitch_step.value_or(""), "a small part of the pitch");
     return scale;
 }
 
@@ -102,18 +96,17 @@ ChartReading parse_reading(const std::string& text)
 {
     constexpr char form[] = "BAR,BAR@DISTANCE, as 12,13@400,";
     const auto at = text.find('@');
-    const auto refuse = [&] { throw UsageError("--even " + text + ": " + form + " is expected"); };
     if (at == std::string::npos)
-        refuse();
+        refuse("even", text, form);
     ChartReading reading;
     for (const double bar : parse_numbers("even", text.substr(0, at), form, 1, 2 * most_bars)) {
         if (!(bar == std::floor(bar) && bar >= 1 && bar <= 2 * most_bars))
-            refuse();
+            refuse("even", text, form);
         reading.bars.push_back(int(bar));
     }
     reading.distance = parse_number("even", text.substr(at + 1), form);
     if (!(reading.distance >= 1e-2 && reading.distance <= 1e9))
-        throw UsageError("--even " + text + ": a distance of 0.01 to 1e9 mm is expected");
+        refuse("even", text, "a distance of 0.01 to 1e9 mm");
     return reading;
 }
 
@@ -139,12 +132,8 @@ int read_chart(const PrintOptions& o)
     const FrameMetadata geometry = nominal_geometry(o);
     const PitchScale scale = scale_of(o, geometry);
     const std::vector<ChartReading> readings = readings_of(o, geometry.sheet, scale);
-    MeasuredSheet found;
-    try {
-        found = measured_sheet(geometry.sheet, scale, readings, o.keep_index);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(std::string("--even: ") + error.what());
-    }
+    const MeasuredSheet found = usage_checked(
+        "--even: ", [&] { return measured_sheet(geometry.sheet, scale, readings, o.keep_index); });
     const std::string report = o.json ? pitch_report_json(scale, readings, found).dump(2) + "\n"
                                       : pitch_report_text(geometry.sheet, scale, readings, found);
     const std::string output = o.output.value_or("");
@@ -160,14 +149,10 @@ int read_chart(const PrintOptions& o)
 ChartPage chart_of(const PrintOptions& o)
 {
     FrameMetadata geometry = nominal_geometry(o);
-    try {
-        geometry.sheet.offset = {};
-        const PitchScale scale = scale_of(o, geometry);
-        set_page(o, geometry.sheet, geometry.film);
-        return chart_page(geometry, scale);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    geometry.sheet.offset = {};
+    const PitchScale scale = scale_of(o, geometry);
+    set_page(o, geometry.sheet, geometry.film);
+    return chart_page(geometry, scale);
 }
 
 int make_chart(const PrintOptions& o)

@@ -27,7 +27,7 @@ void send(const PrintOptions& o, std::vector<Image> pages, Vec2 pixel_pitch,
     for (const std::string& option : o.printer_options.value_or(Words())) {
         const std::size_t middle = option.find('=');
         if (middle == std::string::npos || middle == 0)
-            throw UsageError("--printer-option " + option + ": NAME=VALUE is expected");
+            refuse("printer-option", option, "NAME=VALUE");
         job.options.emplace_back(option.substr(0, middle), option.substr(middle + 1));
     }
     const std::string printer = job.printer;
@@ -45,26 +45,13 @@ PrintSettings settings_of(const PrintOptions& o, FrameReader& frame)
     settings.bits = bits_of(o);
     frame.require_metadata();
     const FrameMetadata& metadata = *frame.frame().metadata;
-    try {
-        settings.title = print_title(o.inputs[0], metadata);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    settings.title = print_title(o.inputs[0], metadata);
     settings.pixel_pitch = printer_pitch(o, metadata.film);
     settings.page = page_request(o, metadata.film);
     if (o.strip)
         settings.page.strip = settings.title;
     settings.profile = o.icc;
     return settings;
-}
-
-FramePrint lay_out_frame(const PrintOptions& o, FrameReader& frame, const PrintSettings& settings)
-{
-    try {
-        return FramePrint(frame, settings);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(o.inputs[0] + ": " + error.what());
-    }
 }
 
 int print_frame(const PrintOptions& o)
@@ -80,22 +67,16 @@ int print_frame(const PrintOptions& o)
     }
     FrameReader frame(o.inputs[0], o.start.value_or(""));
     const PrintSettings settings = settings_of(o, frame);
-    FramePrint print = lay_out_frame(o, frame, settings);
+    FramePrint print = usage_checked(o.inputs[0] + ": ",
+                                     [&] { return FramePrint(frame, settings); });
     stop_if_interrupted();
     if (output == "-" && print.page_count() > 1)
         throw UsageError("-o -: " + std::to_string(print.page_count()) +
                          " pages go to a .pdf or to files with numbers");
-    std::vector<Image> pictures;
-    try {
-        if (!output.empty())
-            print.write(output, progress_bar("print"));
-        if (o.printer)
-            pictures = print.pictures();
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    if (!output.empty())
+        print.write(output, progress_bar("print"));
     if (o.printer)
-        send(o, std::move(pictures), settings.pixel_pitch, settings.title);
+        send(o, print.pictures(), settings.pixel_pitch, settings.title);
     return exit_done;
 }
 
@@ -162,16 +143,14 @@ const Command print_command = {
     "print",
     "a frame on paper, pixel for pixel: PDF, TIFF, PNG or a printer; and pitch charts",
     "FRAME (-o PAGE.pdf | --printer NAME) [--paper 4x6] ... | --chart -o FILE | --even BARS@MM ...",
-    "Lays a frame out on paper at its own size. Its pixels are the printer's: they are never\n"
-    "resampled, and a printer of another resolution is refused. A lens's axis comes to the middle "
-    "of\n"
-    "the paper; marks to cut and to lay the lens sheet by stand outside the picture.\n"
-    "\n"
-    "--chart makes a chart of pitches in fine steps, to be looked at through a lens sheet: its bar "
-    "that\n"
-    "is even tells the sheet's pitch as it is seen from there. --even works out from one such "
-    "reading\n"
-    "the sheet's mechanical pitch, and from readings at several distances its index as well.\n",
+    R"(Lays a frame out on paper at its own size. Its pixels are the printer's: they are never
+resampled, and a printer of another resolution is refused. A lens's axis comes to the middle of
+the paper; marks to cut and to lay the lens sheet by stand outside the picture.
+
+--chart makes a chart of pitches in fine steps, to be looked at through a lens sheet: its bar that
+is even tells the sheet's pitch as it is seen from there. --even works out from one such reading
+the sheet's mechanical pitch, and from readings at several distances its index as well.
+)",
     0,
     1,
     described<PrintOptions>,

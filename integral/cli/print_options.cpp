@@ -16,11 +16,9 @@ constexpr double largest_paper = 5000; // mm
 /// Reads a length in mm, if it was given.
 void read_length(const char* option, const std::optional<std::string>& text, double& value)
 {
-    if (!text)
-        return;
-    value = parse_number(option, *text, "a number of mm");
-    if (!(value >= 0 && value <= largest_paper))
-        throw UsageError(std::string("--") + option + " " + *text + ": 0 to 5000 mm is expected");
+    if (text)
+        value = parse_number_between(option, *text, "a number of mm", 0, largest_paper,
+                                     "0 to 5000 mm");
 }
 
 /// The paper as it is fed.
@@ -28,7 +26,7 @@ std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
 {
     const std::string way = o.orientation.value_or("auto");
     if (way != "auto" && way != "portrait" && way != "landscape")
-        throw UsageError("--orientation " + way + ": portrait, landscape or auto is expected");
+        refuse("orientation", way, "portrait, landscape or auto");
     if (!o.paper) {
         if (way != "auto")
             throw UsageError("--orientation needs --paper");
@@ -45,70 +43,74 @@ std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
     return paper;
 }
 
+void declare_chart(options::options_description& chart, PrintOptions& o)
+{
+    add(chart, "chart", o.chart,
+        "make a pitch chart instead: bars of lines, one of which is even under the sheet");
+    add(chart, "pitch-range", o.pitch_range, "A,B",
+        "pitches of its first and last bar, mm on the film (default: about the sheet's, as seen "
+        "from 400 mm)");
+    add(chart, "pitch-step", o.pitch_step, "MM",
+        "from bar to bar (default: an eighth of a band along a bar)");
+    add(chart, "bars", o.bars, "N",
+        "how many in each direction (default 25; 15 where lenses are not lenticular)");
+    add(chart, "page", o.page, "WxH",
+        "the chart's page, mm (default 152.4x101.6; 203.2x152.4 where lenses are not lenticular)");
+    add(chart, "even", o.even, "BARS@MM",
+        "read a chart instead: which bars are even, from which distance, as 12,13@400; again for "
+        "each distance. Prints the sheet's mechanical pitch and index; -o FILE.json writes the "
+        "sheet corrected");
+    add(chart, "keep-index", o.keep_index,
+        "with --even: take the index as given and measure the pitch alone");
+    declare(chart, o.sheet);
+    declare(chart, o.film);
+}
+
 } // namespace
 
 void declare(options::options_description& all, PrintOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "FILE"),
-                      "the page: .pdf (several tiles: several pages), .tiff or .png (several "
-                      "tiles: files with numbers)")(
-        "paper", fills(o.paper, "NAME|WxH"),
+    add(all, "output,o", o.output, "FILE",
+        "the page: .pdf (several tiles: several pages), .tiff or .png (several tiles: files with "
+        "numbers)");
+    add(all, "paper", o.paper, "NAME|WxH",
         "the paper: 4x6, 6x8, 5x7, 8x10, A4, A6, letter, postcard and others, or its width and "
-        "height in mm "
-        "(default: as large as picture and marks)")(
-        "orientation", fills(o.orientation, "WAY"),
-        "portrait, landscape or auto: as the picture is (default auto; WxH: as given)")(
-        "dpi", fills(o.film.dpi, "D[,D]"),
-        "the printer's pixels per inch, across and down (default: the frame's)")(
-        "feed", fills(o.feed, "X[,Y]"),
-        "how long the printer makes what should be 1, measured across and down (default 1)")(
-        "centre", fills(o.centre, "WHAT"),
-        "what comes to the paper's middle: lens, the axis nearest to it (default), or picture")(
-        "bleed", fills(o.bleed, "MM"),
-        "how much of the picture's edge is cut off afterwards (default 0)")(
-        "marks", fills(o.marks, "KIND,..."),
+        "height in mm (default: as large as picture and marks)");
+    add(all, "orientation", o.orientation, "WAY",
+        "portrait, landscape or auto: as the picture is (default auto; WxH: as given)");
+    add(all, "dpi", o.film.dpi, "D[,D]",
+        "the printer's pixels per inch, across and down (default: the frame's)");
+    add(all, "feed", o.feed, "X[,Y]",
+        "how long the printer makes what should be 1, measured across and down (default 1)");
+    add(all, "centre", o.centre, "WHAT",
+        "what comes to the paper's middle: lens, the axis nearest to it (default), or picture");
+    add(all, "bleed", o.bleed, "MM",
+        "how much of the picture's edge is cut off afterwards (default 0)");
+    add(all, "marks", o.marks, "KIND,...",
         "crop, registration, axis (where lenses' axes run) or all, outside the picture (default "
-        "none)")("strip", sets(o.strip),
-                 "below the picture: scene, sheet, film, date and error figure")(
-        "mirror", sets(o.mirror),
-        "turned left to right, for printing on the back of the lens sheet")(
-        "tile", sets(o.tile), "on several pages, where one is too small")(
-        "overlap", fills(o.overlap, "MM"), "of neighbouring tiles (default 10)")(
-        "bits", fills(o.bits, "N"), "8 or 16 bits for each colour (default: the frame's)")(
-        "icc", fills(o.icc, "FILE"),
-        "the printer's ICC profile, to whose colours the page is converted (default: sRGB)")(
-        "intent", fills(o.intent, "INTENT"),
-        "perceptual, relative (default), saturation or absolute")(
-        "printer", fills(o.printer, "NAME"),
-        "print it, to a queue of CUPS; ? lists them. -o is then not needed")(
-        "copies", fills(o.copies, "N"), "how many, 1 to 1000 (default 1)")(
-        "medium", fills(o.medium, "NAME"),
-        "the printer's name of the paper (default: by the page's size)")(
-        "printer-option", fills(o.printer_options, "NAME=VALUE"),
-        "of the printer's driver, as StpLaminate=Matte; may be given again")(
-        "sheet", fills(o.start, "FILE.json"),
-        "geometry for a frame that carries none, or instead of its own")(
-        "json", sets(o.json), "with --even: print figures as JSON");
+        "none)");
+    add(all, "strip", o.strip, "below the picture: scene, sheet, film, date and error figure");
+    add(all, "mirror", o.mirror,
+        "turned left to right, for printing on the back of the lens sheet");
+    add(all, "tile", o.tile, "on several pages, where one is too small");
+    add(all, "overlap", o.overlap, "MM", "of neighbouring tiles (default 10)");
+    add(all, "bits", o.bits, "N", "8 or 16 bits for each colour (default: the frame's)");
+    add(all, "icc", o.icc, "FILE",
+        "the printer's ICC profile, to whose colours the page is converted (default: sRGB)");
+    add(all, "intent", o.intent, "INTENT",
+        "perceptual, relative (default), saturation or absolute");
+    add(all, "printer", o.printer, "NAME",
+        "print it, to a queue of CUPS; ? lists them. -o is then not needed");
+    add(all, "copies", o.copies, "N", "how many, 1 to 1000 (default 1)");
+    add(all, "medium", o.medium, "NAME",
+        "the printer's name of the paper (default: by the page's size)");
+    add(all, "printer-option", o.printer_options, "NAME=VALUE",
+        "of the printer's driver, as StpLaminate=Matte; may be given again");
+    add(all, "sheet", o.start, "FILE.json",
+        "geometry for a frame that carries none, or instead of its own");
+    add(all, "json", o.json, "with --even: print figures as JSON");
     options::options_description chart;
-    chart.add_options()(
-        "chart", sets(o.chart),
-        "make a pitch chart instead: bars of lines, one of which is even under the sheet")(
-        "pitch-range", fills(o.pitch_range, "A,B"),
-        "pitches of its first and last bar, mm on the film (default: about the sheet's, as seen "
-        "from 400 mm)")("pitch-step", fills(o.pitch_step, "MM"),
-                        "from bar to bar (default: an eighth of a band along a bar)")(
-        "bars", fills(o.bars, "N"),
-        "how many in each direction (default 25; 15 where lenses are not lenticular)")(
-        "page", fills(o.page, "WxH"),
-        "the chart's page, mm (default 152.4x101.6; 203.2x152.4 where lenses are not lenticular)")(
-        "even", fills(o.even, "BARS@MM"),
-        "read a chart instead: which bars are even, from which distance, as 12,13@400; again for "
-        "each distance. Prints the sheet's "
-        "mechanical pitch and index; -o FILE.json writes the sheet corrected")(
-        "keep-index", sets(o.keep_index),
-        "with --even: take the index as given and measure the pitch alone");
-    declare(chart, o.sheet);
-    declare(chart, o.film);
+    declare_chart(chart, o);
     for (const auto& option : chart.options()) // --dpi is there already
         if (!all.find_nothrow(option->long_name(), false))
             all.add(option);
@@ -123,8 +125,7 @@ Paper parse_paper_size(const std::string& text)
     if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 ||
         read != int(text.size()) || !(width >= 5 && height >= 5) ||
         !(width <= largest_paper && height <= largest_paper))
-        throw UsageError("--paper " + text + ": " + paper_names() +
-                         ", or WIDTHxHEIGHT of 5 to 5000 mm, is expected");
+        refuse("paper", text, paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm,");
     return {width, height};
 }
 
@@ -134,13 +135,13 @@ Vec2 printer_pitch(const PrintOptions& o, const Film& film)
     if (o.feed)
         feed = parse_one_or_two("feed", *o.feed, "X or X,Y");
     if (!(feed.x > 0.5 && feed.y > 0.5 && feed.x < 2 && feed.y < 2))
-        throw UsageError("--feed " + *o.feed + ": 0.5 to 2 is expected");
+        refuse("feed", *o.feed, "0.5 to 2");
     const Vec2 made{film.pixel_pitch.x / feed.x, film.pixel_pitch.y / feed.y};
     if (!o.film.dpi)
         return made;
     const Vec2 dpi = parse_one_or_two("dpi", *o.film.dpi, "D or D,D");
     if (!(dpi.x >= 1 && dpi.y >= 1 && dpi.x <= 100000 && dpi.y <= 100000))
-        throw UsageError("--dpi " + *o.film.dpi + ": 1 to 100000 is expected");
+        refuse("dpi", *o.film.dpi, "1 to 100000");
     const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
     if (differs(mm_per_inch / made.x, dpi.x) || differs(mm_per_inch / made.y, dpi.y)) {
         const Vec2 pitch{mm_per_inch / dpi.x * feed.x, mm_per_inch / dpi.y * feed.y};
@@ -158,10 +159,8 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
 {
     PageRequest request;
     request.paper = parse_paper(o, film);
-    const std::string centre = o.centre.value_or("lens");
-    if (centre != "lens" && centre != "picture")
-        throw UsageError("--centre " + centre + ": lens or picture is expected");
-    request.centre_on_lens = centre == "lens";
+    request.centre_on_lens = meaning_of<bool>("centre", o.centre.value_or("lens"),
+                                              {{"lens", true}, {"picture", false}});
     read_length("bleed", o.bleed, request.trim);
     read_length("overlap", o.overlap, request.overlap);
     request.tiles = o.tile;
@@ -175,8 +174,7 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
         const std::string kind = kinds.substr(0, kinds.find(','));
         kinds.erase(0, kind.size() + 1);
         if (kind != "crop" && kind != "registration" && kind != "axis" && kind != "all")
-            throw UsageError("--marks " + *o.marks +
-                             ": crop, registration, axis or all is expected");
+            refuse("marks", *o.marks, "crop, registration, axis or all");
         request.crop_marks |= kind == "crop" || kind == "all";
         request.registration_marks |= kind == "registration" || kind == "all";
         request.axis_marks |= kind == "axis" || kind == "all";
@@ -188,22 +186,19 @@ int bits_of(const PrintOptions& o)
 {
     const int bits = o.bits.value_or(0);
     if (o.bits && bits != 8 && bits != 16)
-        throw UsageError("--bits " + std::to_string(bits) + ": 8 or 16 is expected");
+        refuse("bits", std::to_string(bits), "8 or 16");
     return bits;
 }
 
 Intent intent_of(const PrintOptions& o)
 {
-    const std::string word = o.intent.value_or("relative");
     if (o.intent && !o.icc)
         throw UsageError("--intent needs --icc");
-    for (const auto& [name, intent] :
-         {std::pair("perceptual", Intent::perceptual), std::pair("relative", Intent::relative),
-          std::pair("saturation", Intent::saturation), std::pair("absolute", Intent::absolute)})
-        if (word == name)
-            return intent;
-    throw UsageError("--intent " + word +
-                     ": perceptual, relative, saturation or absolute is expected");
+    return meaning_of<Intent>("intent", o.intent.value_or("relative"),
+                              {{"perceptual", Intent::perceptual},
+                               {"relative", Intent::relative},
+                               {"saturation", Intent::saturation},
+                               {"absolute", Intent::absolute}});
 }
 
 } // namespace integral

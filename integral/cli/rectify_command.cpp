@@ -20,7 +20,6 @@ namespace integral {
 namespace {
 
 constexpr double default_turn_range = 10; // degrees
-constexpr int largest_frame_side = 65500; // pixels
 
 struct RectifyOptions : CommonOptions {
     std::optional<std::string> output;
@@ -35,36 +34,31 @@ struct RectifyOptions : CommonOptions {
 
 void declare(options::options_description& all, RectifyOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "FRAME"),
-                      "the frame: .png, .exr or .tiff; - writes a PNG to standard output and the "
-                      "report to standard error");
-    all.add_options()("sheet", fills(o.start, "FILE.json"),
-                      "geometry that the print was made for: a JSON document, or the frame itself; "
-                      "options below change it");
-    all.add_options()("scan-dpi", fills(o.scan_dpi, "D[,D]"),
-                      "the scan's resolution, to 4% (default: what its file says)");
-    all.add_options()("turn", fills(o.turn, "DEGREES"),
-                      "about how far the print is turned in the scan, anticlockwise, to 10 degrees "
-                      "(default 0)");
-    all.add_options()("middle", fills(o.middle, "X,Y"),
-                      "scan pixel, from the top left, of the sheet's middle, which viewer and "
-                      "capture aperture are in front of; to half a lens, it is then "
-                      "found exactly (default: the scan's middle). With it and the frame's own "
-                      "geometry in --sheet the frame's pixels help");
-    all.add_options()("flat", fills(o.flat, "FILE"),
-                      "divide by this scan of nothing but the light (of an empty sheet of paper), "
-                      "of the same size");
-    all.add_options()("even-light", sets(o.even_light),
-                      "divide by a smooth surface fitted to the scan's own light");
-    all.add_options()("balance", fills(o.balance, "grey"),
-                      "colours by the grey world: their means become equal");
-    all.add_options()("white", fills(o.white, "X,Y,W,H"),
-                      "colours and exposure by a patch of the scan that becomes white: pixels from "
-                      "the top left");
-    all.add_options()("vignetting", sets(o.vignetting),
-                      "divide by the average micro-image, which is darker towards the lenses' "
-                      "borders");
-    all.add_options()("json", sets(o.json), "print the figures as JSON");
+    add(all, "output,o", o.output, "FRAME",
+        "the frame: .png, .exr or .tiff; - writes a PNG to standard output and the report to "
+        "standard error");
+    add(all, "sheet", o.start, "FILE.json",
+        "geometry that the print was made for: a JSON document, or the frame itself; options below "
+        "change it");
+    add(all, "scan-dpi", o.scan_dpi, "D[,D]",
+        "the scan's resolution, to 4% (default: what its file says)");
+    add(all, "turn", o.turn, "DEGREES",
+        "about how far the print is turned in the scan, anticlockwise, to 10 degrees (default 0)");
+    add(all, "middle", o.middle, "X,Y",
+        "scan pixel, from the top left, of the sheet's middle, which viewer and capture aperture "
+        "are in front of; to half a lens, it is then found exactly (default: the scan's middle). "
+        "With it and the frame's own geometry in --sheet the frame's pixels help");
+    add(all, "flat", o.flat, "FILE",
+        "divide by this scan of nothing but the light (of an empty sheet of paper), of the same "
+        "size");
+    add(all, "even-light", o.even_light,
+        "divide by a smooth surface fitted to the scan's own light");
+    add(all, "balance", o.balance, "grey", "colours by the grey world: their means become equal");
+    add(all, "white", o.white, "X,Y,W,H",
+        "colours and exposure by a patch of the scan that becomes white: pixels from the top left");
+    add(all, "vignetting", o.vignetting,
+        "divide by the average micro-image, which is darker towards the lenses' borders");
+    add(all, "json", o.json, "print the figures as JSON");
     declare(all, o.threads);
     declare(all, o.sheet);
     declare(all, o.film);
@@ -74,12 +68,9 @@ void declare(options::options_description& all, RectifyOptions& o)
 /// The geometry that the print was made for. A film of 0 by 0 is the size that the scan holds.
 FrameMetadata read_geometry(const RectifyOptions& o)
 {
-    const std::string start = o.start.value_or("");
-    FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, geometry.film);
-    check_geometry(geometry);
-    change_aperture(o.aperture, geometry, !start.empty() && !changes_lenses(o.sheet, o.aperture));
+    const bool given = !o.start.value_or("").empty();
+    FrameMetadata geometry = given_geometry(given ? o.start : std::nullopt, o.sheet, o.film);
+    change_aperture(o.aperture, geometry, given && !changes_lenses(o.sheet, o.aperture));
     return geometry;
 }
 
@@ -129,7 +120,7 @@ void balance_white(const RectifyOptions& o, const Image& scan, ScanLight& light)
     const auto v = parse_numbers("white", *o.white, form, 4, 4);
     if (!(v[0] >= 0 && v[1] >= 0 && v[2] >= 1 && v[3] >= 1 && v[0] + v[2] <= scan.width &&
           v[1] + v[3] <= scan.height))
-        throw UsageError("--white " + *o.white + ": " + form + " is expected");
+        refuse("white", *o.white, form);
     try {
         light.balance_white(scan, int(v[0]), int(v[1]), int(v[2]), int(v[3]));
     } catch (const std::invalid_argument& error) {
@@ -163,46 +154,6 @@ ScanLight light_of(const RectifyOptions& o, const Image& scan, LightReport& repo
     return light;
 }
 
-/// The film to make: as asked for, else the geometry's, cut to what the scan holds.
-Film film_to_make(const RectifyOptions& o, const Film& wanted, const ScanMap& map,
-                  const Image& scan)
-{
-    const Film held = film_of_scan(map, scan.width, scan.height, wanted.pixel_pitch, wanted);
-    Film film = wanted;
-    if (!o.film.size) {
-        film.width = wanted.width > 0 ? std::min(wanted.width, held.width) : held.width;
-        film.height = wanted.height > 0 ? std::min(wanted.height, held.height) : held.height;
-    }
-    if (std::max(film.width, film.height) > largest_frame_side)
-        throw UsageError("a frame of " + std::to_string(film.width) + "x" +
-                         std::to_string(film.height) +
-                         " pixels is too large; fewer --dpi, or --size, would help");
-    return film;
-}
-
-FoundLattice find(const std::string& input, const Image& scan, const LatticeSearch& search,
-                  int threads)
-{
-    std::optional<FoundLattice> found;
-    try {
-        found = find_lattice(scan, search, threads, progress_bar("looking for the lenses"));
-    } catch (const std::invalid_argument& error) {
-        throw InputError(input + ": " + error.what());
-    }
-    if (!found)
-        throw Interrupted();
-    if (!(found->significance >= least_significance))
-        throw InputError(input + ": no micro-images of lenses " +
-                         with_digits(search.sheet.pitch, 6) +
-                         " mm apart are found in it, within 4% of " +
-                         with_digits(mm_per_inch * search.about.scale.x, 6) +
-                         " dpi and 10 degrees of upright (the likeliest stand out by " +
-                         with_decimals(found->significance, 1) + " deviations, " +
-                         with_decimals(least_significance, 0) +
-                         " are wanted); check --pitch, --scan-dpi and --turn");
-    return *found;
-}
-
 /// What the options refuse before anything is read. Throws UsageError, OutputError.
 void check_options(const RectifyOptions& o)
 {
@@ -212,7 +163,7 @@ void check_options(const RectifyOptions& o)
     format_for(output);
     check_writable(output);
     if (!balance.empty() && balance != "grey")
-        throw UsageError("--balance " + balance + ": grey is expected");
+        refuse("balance", balance, "grey");
     if (!balance.empty() && o.white)
         throw UsageError("--balance grey and --white do not go together");
     o.threads.count(); // refused before the scan is read
@@ -228,9 +179,10 @@ int run(const RectifyOptions& o)
     LightReport light_report;
     const ScanLight light = light_of(o, scan.image, light_report);
     const int threads = o.threads.count();
-    const FoundLattice found = find(o.inputs[0], scan.image, search, threads);
+    const FoundLattice found = find_sure_lattice(o.inputs[0], scan.image, search, threads,
+                                                 progress_bar("looking for the lenses"));
 
-    const Film film = film_to_make(o, geometry.film, found.map, scan.image);
+    const Film film = film_to_make(geometry.film, o.film.size.has_value(), found.map, scan.image);
     geometry.film = film;
     geometry.placement.reset();
     if (geometry.render)
@@ -248,10 +200,7 @@ int run(const RectifyOptions& o)
     const std::string report = o.json
                                    ? rectify_json(found, search, film, light_report).dump(2) + "\n"
                                    : rectify_text(found, search, film, light_report);
-    if (*o.output == "-")
-        std::fputs(report.c_str(), stderr);
-    else
-        write_file("-", report);
+    print_figures(report, *o.output == "-");
     return exit_done;
 }
 
@@ -261,13 +210,13 @@ const Command rectify_command = {
     "rectify",
     "a scan of a print, or of an integral photograph, as a frame",
     "SCAN -o FRAME [--sheet FILE.json | --pitch MM ...] [--middle X,Y] [--white X,Y,W,H] ...",
-    "Finds the lattice of the micro-images in a scan: how far it is turned, the lenses' pitch in\n"
-    "the scan's pixels and where they are, to a few hundredths of a pixel, and says how sure that\n"
-    "is. The scan's resolution and turn need only be known roughly, the sheet well: its lattice "
-    "is\n"
-    "the ruler. Then resamples the scan once, in linear light, to the film's own pixels. What the\n"
-    "scan does not hold stays black. Scan without the lens sheet on the print, at twice the\n"
-    "print's resolution or more; the light is changed only as asked for.\n",
+    R"(Finds the lattice of the micro-images in a scan: how far it is turned, the lenses' pitch in
+the scan's pixels and where they are, to a few hundredths of a pixel, and says how sure that
+is. The scan's resolution and turn need only be known roughly, the sheet well: its lattice is
+the ruler. Then resamples the scan once, in linear light, to the film's own pixels. What the
+scan does not hold stays black. Scan without the lens sheet on the print, at twice the
+print's resolution or more; the light is changed only as asked for.
+)",
     1,
     1,
     described<RectifyOptions>,

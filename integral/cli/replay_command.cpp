@@ -60,9 +60,11 @@ std::optional<PictureSeries> begin_output(const ReplayOptions& o,
         return std::nullopt;
     }
     const bool several = o.inputs.size() > 1;
-    if (several || movement)
-        return begin_series(o.series, output, several ? int(o.inputs.size()) : movement->steps, 1,
-                            !several && ends_apart(*movement));
+    if (several || movement) {
+        AnimationSettings settings = animation_settings(o.series);
+        settings.there_and_back = !several && ends_apart(*movement);
+        return PictureSeries(output, settings, several ? int(o.inputs.size()) : movement->steps, 1);
+    }
     if (output.empty())
         return std::nullopt;
     if (is_animation(output))
@@ -146,18 +148,14 @@ int run(const ReplayOptions& o)
     stop_if_interrupted();
     if (!o.eye)
         request.view.eye = centre_eye(*frame.metadata);
-    try {
-        check_view(request.view, *frame.metadata);
-        if (o.html)
-            write_file(*o.html, replay_page(frame, request.view));
-        if (output.empty())
-            return exit_done;
-        if (!o.size)
-            set_view_size(request.view, frame.metadata->film, default_longer_side);
-        write_views(o, std::move(frame), request, series);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    check_view(request.view, *frame.metadata);
+    if (o.html)
+        write_file(*o.html, replay_page(frame, request.view));
+    if (output.empty())
+        return exit_done;
+    if (!o.size)
+        set_view_size(request.view, frame.metadata->film, default_longer_side);
+    write_views(o, std::move(frame), request, series);
     return exit_done;
 }
 
@@ -168,11 +166,12 @@ const Command replay_command = {
     "what an eye sees of a frame through its lens sheet",
     "FRAME... (-o VIEW | --html PAGE) [--eye X,Y,DISTANCE] [--size WxH] [--stereo MM | --grid CxR] "
     "[--path KIND]",
-    "Draws the view that an eye at a given place has of a frame under its lens sheet. The sheet\n"
-    "fills the picture. From the aperture's centre (the default) it is the picture that the\n"
-    "scene's perspective camera takes; beyond the viewing zone the eye sees side lobes, and black\n"
-    "where it looks past the film. A pupil blurs what is not at the depth that it focuses on.\n"
-    "Several frames, those of an animation, give a picture each, from one place or along --path.\n",
+    R"(Draws the view that an eye at a given place has of a frame under its lens sheet. The sheet
+fills the picture. From the aperture's centre (the default) it is the picture that the
+scene's perspective camera takes; beyond the viewing zone the eye sees side lobes, and black
+where it looks past the film. A pupil blurs what is not at the depth that it focuses on.
+Several frames, those of an animation, give a picture each, from one place or along --path.
+)",
     1,
     std::numeric_limits<int>::max(),
     described<ReplayOptions>,

@@ -26,11 +26,8 @@ Eye parse_eye(const std::string& text)
 void read_mm(const char* option, const std::optional<std::string>& text, double least,
              const char* form, double& value)
 {
-    if (!text)
-        return;
-    value = parse_number(option, *text, form);
-    if (!(value >= least && value <= 1e6))
-        throw UsageError(std::string("--") + option + " " + *text + ": " + form + " is expected");
+    if (text)
+        value = parse_number_between(option, *text, form, least, 1e6, form);
 }
 
 LensModel parse_model(const std::string& text)
@@ -38,7 +35,7 @@ LensModel parse_model(const std::string& text)
     for (const LensModel model : {LensModel::extended_pinhole, LensModel::pinhole, LensModel::full})
         if (text == name_of(model))
             return model;
-    throw UsageError("--lens-model " + text + ": extended_pinhole, pinhole or full is expected");
+    refuse("lens-model", text, "extended_pinhole, pinhole or full");
 }
 
 SheetPart parse_part(const std::string& text)
@@ -59,61 +56,61 @@ EyePath parse_path(const std::string& word, const std::string& text)
           std::pair("dolly", EyePath::dolly)})
         if (word == name)
             return path;
-    throw UsageError("--path " + text + ": turntable, sweep, sway, circle or dolly is expected");
+    refuse("path", text, "turntable, sweep, sway, circle or dolly");
 }
 
 } // namespace
 
 void declare(options::options_description& all, ReplayOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "VIEW"),
-                      "the picture to write: .png, .exr or .tiff; - writes a PNG to standard "
-                      "output; with --stereo .mpo, two JPEGs in one file; with --path or several "
-                      "frames .webp, .webm or .mp4, an animation, or FILE.png, files with "
-                      "numbers")(
-        "html", fills(o.html, "FILE"),
+    add(all, "output,o", o.output, "VIEW",
+        "the picture to write: .png, .exr or .tiff; - writes a PNG to standard output; with "
+        "--stereo .mpo, two JPEGs in one file; with --path or several frames .webp, .webm or .mp4, "
+        "an animation, or FILE.png, files with numbers");
+    add(all, "html", o.html, "FILE",
         "a page for any browser, of the frame and its replay, to look at from all sides; the "
-        "options of a view "
-        "say how it starts; - writes to standard output")(
-        "eye", fills(o.eye, "X,Y,DISTANCE"),
+        "options of a view say how it starts; - writes to standard output");
+    add(all, "eye", o.eye, "X,Y,DISTANCE",
         "the eye: mm to the right of and above the sheet's centre, and mm in front of the sheet "
-        "(default: the centre of the frame's capture aperture)")(
-        "size", fills(o.size, "WxH"),
-        "pixels of the view (default: the film's shape, 1000 on the longer side)")(
-        "part", fills(o.part, "X,Y,W,H"),
+        "(default: the centre of the frame's capture aperture)");
+    add(all, "size", o.size, "WxH",
+        "pixels of the view (default: the film's shape, 1000 on the longer side)");
+    add(all, "part", o.part, "X,Y,W,H",
         "only a part of the sheet: its middle, mm to the right of and above the sheet's centre, "
-        "and its width and height")("samples", fills(o.samples, "N"),
-                                    "N by N samples in each pixel, 1 to 64, averaged in linear "
-                                    "light (default: 3; with a pupil or blur 8)")(
-        "pupil", fills(o.pupil, "MM"),
-        "the pupil's diameter, 0 to 1e6 mm (default: 0, which sees every depth sharply)")(
-        "focus", fills(o.focus, "MM"),
+        "and its width and height");
+    add(all, "samples", o.samples, "N",
+        "N by N samples in each pixel, 1 to 64, averaged in linear light (default: 3; with a pupil "
+        "or blur 8)");
+    add(all, "pupil", o.pupil, "MM",
+        "the pupil's diameter, 0 to 1e6 mm (default: 0, which sees every depth sharply)");
+    add(all, "focus", o.focus, "MM",
         "the depth that a pupil sees sharply: mm behind the sheet, negative in front of it "
-        "(default: 0, the sheet)")("lens-model", fills(o.lens_model, "MODEL"),
-                                   "extended_pinhole: ideal lenses (default); pinhole; or full: "
-                                   "with the curved surface's aberrations")(
-        "film-gap", fills(o.film_gap, "MM"),
-        "how much farther than at the lenses' focus the film lies; negative: nearer (default: 0)")(
-        "lens-blur", fills(o.lens_blur, "MM"),
+        "(default: 0, the sheet)");
+    add(all, "lens-model", o.lens_model, "MODEL",
+        "extended_pinhole: ideal lenses (default); pinhole; or full: with the curved surface's "
+        "aberrations");
+    add(all, "film-gap", o.film_gap, "MM",
+        "how much farther than at the lenses' focus the film lies; negative: nearer (default: 0)");
+    add(all, "lens-blur", o.lens_blur, "MM",
         "diameter of the spot on the film that a point of a lens gathers light from: crosstalk "
-        "between directions, 0 to 1e6 (default: 0)")(
-        "stereo", fills(o.stereo, "MM"),
-        "a pair of views, of eyes so many mm apart, side by side: the left eye's on the left")(
-        "cross-eyed", sets(o.cross_eyed), "the left eye's on the right")(
-        "anaglyph", sets(o.anaglyph), "the pair for red-cyan glasses: the left eye's in red")(
-        "half", sets(o.half),
-        "each view of the pair squeezed to half of its width, so that both fill --size")(
-        "grid", fills(o.grid, "CxR"),
+        "between directions, 0 to 1e6 (default: 0)");
+    add(all, "stereo", o.stereo, "MM",
+        "a pair of views, of eyes so many mm apart, side by side: the left eye's on the left");
+    add(all, "cross-eyed", o.cross_eyed, "the left eye's on the right");
+    add(all, "anaglyph", o.anaglyph, "the pair for red-cyan glasses: the left eye's in red");
+    add(all, "half", o.half,
+        "each view of the pair squeezed to half of its width, so that both fill --size");
+    add(all, "grid", o.grid, "CxR",
         "a contact sheet: C by R views of eyes spread over the frame's capture aperture, the eye's "
-        "distance away")("path", fills(o.path, "KIND[,SPAN]"),
-                         "several views of an eye that moves: turntable (the sheet turns, SPAN "
-                         "degrees), sweep (sideways, SPAN mm), sway (to the right, the left "
-                         "and back, SPAN mm), circle (SPAN mm) or dolly (nearer, by a factor of "
-                         "SPAN); by default across the viewing "
-                         "zone, and 4 times nearer")(
-        "steps", fills(o.steps, "N (=48)"),
-        "views along the path, 2 to 10000; of several frames one each")(
-        "sheet", fills(o.sheet, "FILE.json"),
+        "distance away");
+    add(all, "path", o.path, "KIND[,SPAN]",
+        "several views of an eye that moves: turntable (the sheet turns, SPAN degrees), sweep "
+        "(sideways, SPAN mm), sway (to the right, the left and back, SPAN mm), circle (SPAN mm) or "
+        "dolly (nearer, by a factor of SPAN); by default across the viewing zone, and 4 times "
+        "nearer");
+    add(all, "steps", o.steps, "N (=48)",
+        "views along the path, 2 to 10000; of several frames one each");
+    add(all, "sheet", o.sheet, "FILE.json",
         "geometry for a frame that carries none, or instead of its own");
     declare(all, o.threads);
     declare(all, o.series);
@@ -194,8 +191,9 @@ std::optional<EyeMovement> movement_of(const ReplayOptions& o)
     const double least = movement.path == EyePath::dolly ? 1 : 0,
                  greatest = movement.path == EyePath::turntable ? 179 : farthest;
     if (!(span >= least && span <= greatest))
-        throw UsageError("--path " + text + ": a span from " + std::to_string(int(least)) + " to " +
-                         std::to_string(int(greatest)) + " is expected");
+        refuse("path", text,
+               "a span from " + std::to_string(int(least)) + " to " +
+                   std::to_string(int(greatest)) + "");
     movement.span = span;
     return movement;
 }

@@ -8,9 +8,8 @@ namespace integral {
 
 void declare(options::options_description& all, SeriesOptions& series)
 {
-    all.add_options()("fps", fills(series.fps, "N"),
-                      "pictures a second of an animation, 0.1 to 100 (default: 25)")(
-        "quality", fills(series.quality, "N (=90)"),
+    add(all, "fps", series.fps, "N", "pictures a second of an animation, 0.1 to 100 (default: 25)");
+    add(all, "quality", series.quality, "N (=90)",
         "of an animation's or a pair's pictures, 0 to 100; 100 of .webp keeps every 8-bit value");
 }
 
@@ -22,22 +21,15 @@ void check_series_options(const SeriesOptions& given, const std::string& output)
                          "or .mp4, and --quality for pairs, .mpo");
 }
 
-PictureSeries begin_series(const SeriesOptions& given, const std::string& output, int count,
-                           int first, bool there_and_back)
+AnimationSettings animation_settings(const SeriesOptions& given)
 {
     AnimationSettings settings;
-    settings.there_and_back = there_and_back;
     read_number("fps", given.fps, settings.pictures_a_second);
     if (!(settings.pictures_a_second >= 0.1 && settings.pictures_a_second <= 100))
-        throw UsageError("--fps " + given.fps.value_or("") +
-                         ": 0.1 to 100 pictures a second is expected");
+        refuse("fps", given.fps.value_or(""), "0.1 to 100 pictures a second");
     if (given.quality)
         settings.quality = in_range("quality", *given.quality, 0, 100);
-    try {
-        return PictureSeries(output, settings, count, first);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    return settings;
 }
 
 } // namespace integral

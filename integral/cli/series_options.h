@@ -18,11 +18,8 @@ void declare(options::options_description& all, SeriesOptions& series);
 /// Throws UsageError where they are given for an output that is no animation.
 void check_series_options(const SeriesOptions& given, const std::string& output);
 
-/// Begins a series of `count` pictures that goes to `output`, numbered from `first` on. An
-/// animation plays `there_and_back` or from the first to the last. Throws UsageError for what the
-/// options say, and where `output` is "-"; else as PictureSeries does.
-PictureSeries begin_series(const SeriesOptions& given, const std::string& output, int count,
-                           int first, bool there_and_back);
+/// How an animation is written, played from the first picture to the last. Throws UsageError.
+AnimationSettings animation_settings(const SeriesOptions& given);
 
 } // namespace integral
 

@@ -6,16 +6,14 @@
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
-#include "integral/io/html_page.h"
 #include "integral/io/image_file.h"
-#include "integral/io/markup.h"
 #include "integral/io/sheet_plots.h"
 #include "integral/lightfield/camera_words.h"
 #include "integral/lightfield/scene_depth_report.h"
 #include "integral/lightfield/sheet_figures.h"
 #include "integral/lightfield/sheet_list.h"
 #include "integral/lightfield/sheet_report.h"
-#include "integral/replay/depth_picture.h"
+#include "integral/replay/depth_page.h"
 
 #include <nlohmann/json.hpp>
 
@@ -37,37 +35,35 @@ void declare(options::options_description& all, SheetCommandOptions& o)
     declare(all, o.sheet);
     declare(all, o.film);
     declare(all, o.aperture);
-    all.add_options()("pupil", fills(o.pupil, "MM"), "diameter of the eye's pupil (default 5)")(
-        "depths", fills(o.depths, "MM,..."), "depths to tabulate (default 10,20,50,100,200,300)")(
-        "detail", fills(o.detail, "MM"),
-        "distance between the edges that sampling errors are foretold for (default 5)")(
-        "macro-lens", fills(o.macro_lens, "MM"),
+    add(all, "pupil", o.pupil, "MM", "diameter of the eye's pupil (default 5)");
+    add(all, "depths", o.depths, "MM,...", "depths to tabulate (default 10,20,50,100,200,300)");
+    add(all, "detail", o.detail, "MM",
+        "distance between the edges that sampling errors are foretold for (default 5)");
+    add(all, "macro-lens", o.macro_lens, "MM",
         "focal length, less than 300, of macro-lenses before two such sheets back to back (the "
-        "thesis's two-tier screen): how deep the image is that they make of a scene")(
-        "print", fills(o.print, "WxH"), "size of the picture in mm, instead of --size")(
-        "list", sets(o.list),
+        "thesis's two-tier screen): how deep the image is that they make of a scene");
+    add(all, "print", o.print, "WxH", "size of the picture in mm, instead of --size");
+    add(all, "list", o.list,
         "a table of known sheets, after the given one, if any: what each gives for that --print, "
-        "--distance and --dpi")(
-        "camera", sets(o.camera),
+        "--distance and --dpi");
+    add(all, "camera", o.camera,
         "print the sheet and the film as the camera's words, for a scene or Integral_Camera; with "
-        "viewing_distance for a frame or where --distance is given")(
-        "report", fills(o.report, "SCENE"),
+        "viewing_distance for a frame or where --distance is given");
+    add(all, "report", o.report, "SCENE",
         "how much of a scene is within the depth budget, and what would help: a .pov or .ini, "
-        "which "
-        "povray-integral looks through (what else is on "
-        "the command line is for it, as +W900 +H600), or a depth frame (.exr); the geometry is the "
-        "scene's")(
-        "picture", fills(o.picture, "FILE.png"),
+        "which povray-integral looks through (what else is on the command line is for it, as +W900 "
+        "+H600), or a depth frame (.exr); the geometry is the scene's");
+    add(all, "picture", o.picture, "FILE.png",
         "with --report: the scene tinted blue where it is sharp, yellow where soft, red beyond; -o "
-        "FILE.html is a page with picture and report")(
-        "plot", fills(o.plot, "KIND"),
+        "FILE.html is a page with picture and report");
+    add(all, "plot", o.plot, "KIND",
         "draw instead: spread, lens, sheets, resolution, pixels-seen, pixel-spread or film; needs "
-        "-o "
-        "FILE.svg or FILE.png")("sheet", fills(o.start, "FILE.json"),
-                                "start from this geometry: a JSON document, or a frame")(
-        "json", sets(o.json),
-        "print the geometry and the figures as JSON, which --sheet of every command reads")(
-        "output,o", fills(o.output, "FILE"), "print to FILE instead of standard output");
+        "-o FILE.svg or FILE.png");
+    add(all, "sheet", o.start, "FILE.json",
+        "start from this geometry: a JSON document, or a frame");
+    add(all, "json", o.json,
+        "print the geometry and the figures as JSON, which --sheet of every command reads");
+    add(all, "output,o", o.output, "FILE", "print to FILE instead of standard output");
 }
 
 /// Reads a number that has to be greater than 0, if it was given.
@@ -105,12 +101,8 @@ void draw(const SheetCommandOptions& o, const FrameMetadata& geometry, const Vie
         throw UsageError("--plot and --json ask for different things; give one of them");
     if (output.empty())
         throw UsageError("--plot " + *o.plot + " needs -o FILE.svg or -o FILE.png");
-    try {
-        plot_format(output);
-        write_plot(sheet_plot(*o.plot, geometry, viewer), output);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
+    plot_format(output);
+    write_plot(sheet_plot(*o.plot, geometry, viewer), output);
 }
 
 /// Throws UsageError for options that say another geometry than the scene's.
@@ -133,30 +125,6 @@ void refuse_geometry(const SheetCommandOptions& o)
                          " do not go together: the geometry is the scene's");
 }
 
-/// The scene, tinted by its depths. Throws UsageError where the sheet has no depth budget.
-Image picture_of(const SceneDepths& scene)
-{
-    const FrameMetadata& geometry = scene.depths.metadata;
-    const auto budget = depth_budget(geometry.sheet, counted(geometry).pixel);
-    if (!budget)
-        throw UsageError("these lenses have no depth budget by which a picture could be tinted");
-    return depth_picture(scene.depths, *budget, scene.colours);
-}
-
-/// The report as a page of HTML: verdict, picture, tables.
-std::string report_page(const std::string& scene, const std::string& verdict, const Image& picture,
-                        const std::string& tables)
-{
-    constexpr int longest = 800;
-    return html_page("Depths of " + scene,
-                     "img { max-width: 100%; } pre { overflow-x: auto; white-space: pre-wrap; }",
-                     "<h1>Depths of " + markup_text(scene) + "</h1>\n<pre>" + markup_text(verdict) +
-                         "</pre>\n<p>" +
-                         picture_element(picture, longest, "the scene, tinted by sharpness") +
-                         "</p>\n<p>Blue: sharp. Yellow: soft. Red: beyond. Black: no surface.</p>" +
-                         "\n<pre>" + markup_text(tables) + "</pre>\n");
-}
-
 int report_scene(const SheetCommandOptions& o)
 {
     refuse_geometry(o);
@@ -174,7 +142,7 @@ int report_scene(const SheetCommandOptions& o)
     const DepthFrame& depths = scene.depths;
     std::optional<Image> picture;
     if (o.picture || page)
-        picture = picture_of(scene);
+        picture = scene_picture(depths, scene.colours);
     if (o.picture)
         write_frame(*o.picture, {*picture, std::nullopt});
     if (o.json) {
@@ -187,7 +155,7 @@ int report_scene(const SheetCommandOptions& o)
                       tables = scene_depth_text(depths) + "\n" +
                                sheet_report_text(depths.metadata, viewer);
     print_result(o.output,
-                 page ? report_page(*o.report, verdict, *picture, tables) : verdict + tables);
+                 page ? depth_page(*o.report, verdict, *picture, tables) : verdict + tables);
     return exit_done;
 }
 
@@ -196,17 +164,16 @@ FrameMetadata geometry_of(const SheetCommandOptions& o)
 {
     if (o.inputs.size() > 1)
         throw UsageError("one FRAME is expected");
-    std::string start = o.start.value_or("");
-    if (!o.inputs.empty() && !start.empty())
+    const auto none_if_empty = [](const std::string& name) {
+        return name.empty() ? std::nullopt : std::optional<std::string>(name);
+    };
+    std::optional<std::string> start = none_if_empty(o.start.value_or(""));
+    if (!o.inputs.empty() && start)
         throw UsageError("FRAME and --sheet both give the geometry; give one of them");
     if (!o.inputs.empty())
-        start = o.inputs[0];
-
-    FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, o.print, geometry.film);
-    check_geometry(geometry);
-    change_aperture(o.aperture, geometry, !start.empty() && !changes_lenses(o.sheet, o.aperture));
+        start = none_if_empty(o.inputs[0]);
+    FrameMetadata geometry = given_geometry(start, o.sheet, o.film, o.print);
+    change_aperture(o.aperture, geometry, start && !changes_lenses(o.sheet, o.aperture));
     return geometry;
 }
 
@@ -261,25 +228,23 @@ const Command sheet_command = {
     "sheet",
     "what a sheet, a film and a viewer give, before anything is rendered",
     "[FRAME | --sheet FILE.json] [--pitch MM] [--dpi D] ... | --report SCENE [+W +H ...]",
-    "Prints pixels per lens, fill, angles, depth budget, resolution against depth and moire\n"
-    "pitch of a lens sheet over a film, each with the number of its equation in the thesis;\n"
-    "then what error the camera's beam_samples and pixel_samples will leave, for how many rays.\n"
-    "Starts from the thesis's sheet and printer, from a frame, or from a geometry document; the\n"
-    "options change that.\n"
-    "\n"
-    "--report looks through a scene before it is rendered, and says how much of it lies within "
-    "the\n"
-    "depth budget.\n"
-    "\n"
-    "--plot draws instead: spread, the width of a micro-image against the distance, by the\n"
-    "pinhole, the extended pinhole and a real lens (figure 3-26); lens, the real lens's beam\n"
-    "against the extended pinhole's ray from axis to margin; sheets, the same for the thesis's\n"
-    "sheets; resolution, against depth (figures 4-12 and 4-15); pixels-seen, how many of a lens "
-    "an\n"
-    "eye sees at once, against its distance (figure 4-8); pixel-spread, what a pixel covers "
-    "against\n"
-    "distance (figure 4-11); film, what of it a lens shows with the film at its focus, nearer and\n"
-    "farther (figures 4-3 to 4-6).\n",
+    R"(Prints pixels per lens, fill, angles, depth budget, resolution against depth and moire
+pitch of a lens sheet over a film, each with the number of its equation in the thesis;
+then what error the camera's beam_samples and pixel_samples will leave, for how many rays.
+Starts from the thesis's sheet and printer, from a frame, or from a geometry document; the
+options change that.
+
+--report looks through a scene before it is rendered, and says how much of it lies within the
+depth budget.
+
+--plot draws instead: spread, the width of a micro-image against the distance, by the
+pinhole, the extended pinhole and a real lens (figure 3-26); lens, the real lens's beam
+against the extended pinhole's ray from axis to margin; sheets, the same for the thesis's
+sheets; resolution, against depth (figures 4-12 and 4-15); pixels-seen, how many of a lens an
+eye sees at once, against its distance (figure 4-8); pixel-spread, what a pixel covers against
+distance (figure 4-11); film, what of it a lens shows with the film at its focus, nearer and
+farther (figures 4-3 to 4-6).
+)",
     0,
     1000,
     described<SheetCommandOptions>,

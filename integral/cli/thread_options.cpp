@@ -7,8 +7,7 @@ namespace integral {
 
 void declare(options::options_description& all, ThreadOptions& threads)
 {
-    all.add_options()("threads", fills(threads.given, "N (=0)"),
-                      "threads to work with (0: one per core)");
+    add(all, "threads", threads.given, "N (=0)", "threads to work with (0: one per core)");
 }
 
 int ThreadOptions::count() const

@@ -21,15 +21,15 @@ struct TuneOptions : CommonOptions {
 
 void declare(options::options_description& all, TuneOptions& o)
 {
-    all.add_options()("target-error", fills(o.target_error, "E"),
-                      "the estimated RMS error that the frame may have, 1 is full scale, as 0.01: "
-                      "names the fastest setting")(
-        "seconds", fills(o.seconds, "S"),
-        "how long the render may take: names the setting with the least error")(
-        "plot", fills(o.plot, "FILE"), "draw error against seconds, to FILE.svg or FILE.png")(
-        "json", sets(o.json), "print the figures as JSON")(
-        "render", sets(o.render), "then render the whole frame with the setting named")(
-        "output,o", fills(o.output, "FILE"), "print to FILE instead of standard output");
+    add(all, "target-error", o.target_error, "E",
+        "the estimated RMS error that the frame may have, 1 is full scale, as 0.01: names the "
+        "fastest setting");
+    add(all, "seconds", o.seconds, "S",
+        "how long the render may take: names the setting with the least error");
+    add(all, "plot", o.plot, "FILE", "draw error against seconds, to FILE.svg or FILE.png");
+    add(all, "json", o.json, "print the figures as JSON");
+    add(all, "render", o.render, "then render the whole frame with the setting named");
+    add(all, "output,o", o.output, "FILE", "print to FILE instead of standard output");
 }
 
 TuneGoal goal_of(const TuneOptions& o)
@@ -56,25 +56,21 @@ int run(const TuneOptions& o)
         throw UsageError("--render needs a target: --target-error 0.02, or --seconds 60");
     const std::string& scene = o.inputs[0];
     const Words words(o.inputs.begin() + 1, o.inputs.end());
-    try {
-        if (o.plot)
-            plot_format(*o.plot);
-        for (const auto& file : {o.plot, o.output}) // before a long work
-            if (file)
-                check_writable(*file);
-        const TuneResult result = tune(scene, words, goal, progress_bar("tune"));
-        if (o.plot)
-            write_plot(tune_plot(scene, result), *o.plot);
-        print_result(o.output, o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
-                                      : tune_text(scene, words, goal, result));
-        if (o.render && result.best) {
-            std::fflush(stdout);
-            become_renderer(tuned_words(scene, words, result, result.points[*result.best].setting));
-        }
-        return result.best || (!goal.error && !goal.seconds) ? exit_done : exit_check_failed;
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
+    if (o.plot)
+        plot_format(*o.plot);
+    for (const auto& file : {o.plot, o.output}) // before a long work
+        if (file)
+            check_writable(*file);
+    const TuneResult result = tune(scene, words, goal, progress_bar("tune"));
+    if (o.plot)
+        write_plot(tune_plot(scene, result), *o.plot);
+    print_result(o.output, o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
+                                  : tune_text(scene, words, goal, result));
+    if (o.render && result.best) {
+        std::fflush(stdout);
+        become_renderer(tuned_words(scene, words, result, result.points[*result.best].setting));
     }
+    return result.best || (!goal.error && !goal.seconds) ? exit_done : exit_check_failed;
 }
 
 } // namespace
@@ -83,14 +79,12 @@ const Command tune_command = {
     "tune",
     "which sampling settings a scene needs: error against seconds on this machine",
     "SCENE [+W +H ...] [--target-error E | --seconds S] [--render] [--plot FILE.svg]",
-    "Renders some bands of the scene's frame at a ladder of settings, with the size, the camera "
-    "and\n"
-    "the other options of povray-integral that follow SCENE; prints each setting's estimated "
-    "error\n"
-    "and the time that the whole frame would take; and names the setting for a target, as a "
-    "command\n"
-    "line to paste, or renders the frame with it. The exit status is 1 if no setting reaches the\n"
-    "target.\n",
+    R"(Renders some bands of the scene's frame at a ladder of settings, with the size, the camera and
+the other options of povray-integral that follow SCENE; prints each setting's estimated error
+and the time that the whole frame would take; and names the setting for a target, as a command
+line to paste, or renders the frame with it. The exit status is 1 if no setting reaches the
+target.
+)",
     1,
     1000,
     described<TuneOptions>,

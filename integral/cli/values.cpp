@@ -11,11 +11,6 @@
 namespace integral {
 namespace {
 
-[[noreturn]] void refuse(const char* option, const std::string& text, const std::string& form)
-{
-    throw UsageError(std::string("--") + option + " " + text + ": " + form + " is expected");
-}
-
 /// Whether the whole of [begin, end) is a finite number.
 bool read_number(const char* begin, const char* end, double& value)
 {
@@ -26,6 +21,19 @@ bool read_number(const char* begin, const char* end, double& value)
 }
 
 } // namespace
+
+void refuse(const std::string& option, const std::string& text, const std::string& form)
+{
+    throw UsageError("--" + option + " " + text + ": " + form + " is expected");
+}
+
+std::string alternatives(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
+    return text;
+}
 
 std::vector<double> parse_numbers(const char* option, const std::string& text, const char* form,
                                   std::size_t least, std::size_t most)
@@ -50,6 +58,15 @@ std::vector<double> parse_numbers(const char* option, const std::string& text, c
 double parse_number(const char* option, const std::string& text, const char* form)
 {
     return parse_numbers(option, text, form, 1, 1)[0];
+}
+
+double parse_number_between(const char* option, const std::string& text, const char* form,
+                            double least, double greatest, const std::string& range)
+{
+    const double value = parse_number(option, text, form);
+    if (!(value >= least && value <= greatest))
+        refuse(option, text, range);
+    return value;
 }
 
 void read_number(const char* option, const std::optional<std::string>& text, double& value)

@@ -13,9 +13,17 @@
 
 namespace integral {
 
+/// Throws UsageError: "--eye 1,2: X,Y,DISTANCE is expected".
+[[noreturn]] void refuse(const std::string& option, const std::string& text,
+                         const std::string& form);
+
 /// Each throws UsageError naming the option, the text and `form`, as in "--eye 1,2: X,Y,DISTANCE
 /// is expected". Numbers are finite decimals.
 double parse_number(const char* option, const std::string& text, const char* form);
+
+/// A number from `least` to `greatest`; a number beyond is refused by the words of `range`.
+double parse_number_between(const char* option, const std::string& text, const char* form,
+                            double least, double greatest, const std::string& range);
 
 /// Reads an option's number, if it was given, into `value`.
 void read_number(const char* option, const std::optional<std::string>& text, double& value);
@@ -34,6 +42,9 @@ PixelSize parse_size(const char* option, const std::string& text, int most,
 /// WxH in mm, as 150x100; each from 1 to `most`.
 Vec2 parse_size_mm(const char* option, const std::string& text, double most);
 
+/// "a, b or c".
+std::string alternatives(const std::vector<std::string>& names);
+
 /// An option's name, and whether the line has it.
 struct GivenOption {
     GivenOption(const char* option, bool is_given) : name(option), given(is_given) {}
@@ -51,6 +62,20 @@ const char* first_given(std::initializer_list<GivenOption> all);
 
 /// A whole number from `least` to `most`.
 int in_range(const char* option, int value, int least, int most);
+
+/// What the word that an option was given stands for. Other words are refused, and `words` named.
+template <class Meaning> using WordList = std::initializer_list<std::pair<const char*, Meaning>>;
+template <class Meaning>
+Meaning meaning_of(const char* option, const std::string& word, WordList<Meaning> words)
+{
+    std::vector<std::string> names;
+    for (const auto& [name, meaning] : words) {
+        if (word == name)
+            return meaning;
+        names.push_back(name);
+    }
+    refuse(option, word, alternatives(names));
+}
 
 constexpr int most_views_a_side = 256;
 

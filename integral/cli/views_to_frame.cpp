@@ -7,9 +7,7 @@
 #include "integral/depth/relief_frame.h"
 #include "integral/depth/relief_input.h"
 #include "integral/io/image_file.h"
-#include "integral/output/given_views.h"
-#include "integral/replay/parallel_views.h"
-#include "integral/replay/perspective_views.h"
+#include "integral/output/frame_of_views.h"
 #include "integral/replay/arrange.h"
 
 namespace integral {
@@ -23,11 +21,7 @@ GivenViews given_views(const ViewsOptions& o)
         request.grid = parse_view_grid(*o.views);
     request.needs_geometry = !o.sheet;
     request.of_eyes = o.eyes;
-    try {
-        return read_given_views(o.inputs, request);
-    } catch (const RequestError& error) {
-        throw UsageError(error.what());
-    }
+    return read_given_views(o.inputs, request);
 }
 
 } // namespace
@@ -42,7 +36,7 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
         throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "
                          "(integral sheet FRAME --json writes it): " +
                          input + " carries none");
-    FrameMetadata geometry = sheet.empty() ? *given.metadata : read_metadata(sheet);
+    const FrameMetadata geometry = sheet.empty() ? *given.metadata : read_metadata(sheet);
     if (geometry.film.width < 1)
         throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
     stop_if_interrupted();
@@ -51,24 +45,12 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
         eyes = given.metadata->quilt->eyes;
     if (o.eyes && given.metadata && !eyes)
         throw UsageError(input + ": it says that it holds parallel views, not those of --eyes");
-    const ViewGrid directions = directions_of(given.grid, geometry.sheet);
     const double distance = geometry.aperture.distance;
     if (o.eyes && !eyes)
         eyes = EyeGrid{viewing_zone(geometry, distance), distance};
-    try {
-        const Progress bar = progress_bar("views");
-        auto image = eyes ? frame_from_perspective_views(given.views, geometry, directions, *eyes,
-                                                         threads, bar)
-                          : frame_from_views(given.views, geometry, directions, threads, bar);
-        if (!image)
-            throw Interrupted();
-        Frame frame{std::move(*image), std::nullopt};
-        geometry.quilt.reset();
-        set_metadata(frame, geometry);
-        write_frame(output, std::move(frame));
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(input + ": " + error.what());
-    }
+    usage_checked(input + ": ", [&] {
+        write_frame_of_views(output, given, geometry, eyes, threads, progress_bar("views"));
+    });
     return exit_done;
 }
 
@@ -118,16 +100,14 @@ int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int 
     const FrameMetadata geometry = geometry_of(o);
     const ReliefRequest request = relief_request(o, geometry);
     const Progress bar = progress_bar("views");
-    try {
+    usage_checked(o.inputs[0] + ": ", [&] {
         ReliefInput input = read_relief(o.inputs, request, threads, piece_of(bar, 0, 2));
         const ReliefFigures figures = write_relief_frame(output, std::move(input.relief), geometry,
                                                          input.form, threads, piece_of(bar, 1, 2));
         say("views", with_decimals(100 * figures.holes / std::max(1.0, figures.lines), 2) +
                          "% of the lines of sight end where no view has seen anything: filled with "
                          "what is beside, farther off");
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(o.inputs[0] + ": " + error.what());
-    }
+    });
     return exit_done;
 }
 

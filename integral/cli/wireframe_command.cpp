@@ -10,8 +10,7 @@
 #include "integral/lightfield/names.h"
 #include "integral/wireframe/obj_file.h"
 #include "integral/wireframe/wireframe.h"
-
-#include <nlohmann/json.hpp>
+#include "integral/wireframe/wireframe_report.h"
 
 #include <chrono>
 #include <iostream>
@@ -39,67 +38,49 @@ struct WireframeOptions : CommonOptions {
 
 void declare_mesh(options::options_description& all, WireframeOptions& o)
 {
-    all.add_options()(
-        "fit", fills(o.fit, "MM"),
-        "put the mesh's middle into the sheet's centre and make its largest extent so "
-        "long, whatever its unit");
-    all.add_options()("scale", fills(o.scale, "K[,K,K]"),
-                      "mm for a unit of the file, or one for each axis; negative mirrors (1,1,-1 "
-                      "for files whose z comes towards the viewer; default 1)");
-    all.add_options()("turn", fills(o.turn, "X,Y,Z"),
-                      "degrees about x, then y, then z, as POV-Ray's rotate");
-    all.add_options()("move", fills(o.move, "X,Y,Z"),
-                      "mm to the right, up and into the sheet; negative Z comes out of it");
-    all.add_options()("in-scene", sets(o.in_scene),
-                      "the mesh's coordinates are those of the scene of --sheet FRAME");
-    all.add_options()("faces", fills(o.faces, "STYLE"),
-                      "wire: all edges; hidden: without those behind a face; flat: filled, shaded "
-                      "(default wire)");
-    all.add_options()("colour", fills(o.colour, "R,G,B"),
-                      "of what has none in the file, 0 to 1 (default 1,1,1)");
-    all.add_options()("background", fills(o.background, "R,G,B"), "(default 0,0,0)");
-    all.add_options()("plain", sets(o.plain), "ignore the file's colours");
-    all.add_options()("light", fills(o.light, "X,Y,Z"),
-                      "where the light of flat faces is (default -1,1,-1: left above the viewer)");
+    add(all, "fit", o.fit, "MM",
+        "put the mesh's middle into the sheet's centre and make its largest extent so long, "
+        "whatever its unit");
+    add(all, "scale", o.scale, "K[,K,K]",
+        "mm for a unit of the file, or one for each axis; negative mirrors (1,1,-1 for files whose "
+        "z comes towards the viewer; default 1)");
+    add(all, "turn", o.turn, "X,Y,Z", "degrees about x, then y, then z, as POV-Ray's rotate");
+    add(all, "move", o.move, "X,Y,Z",
+        "mm to the right, up and into the sheet; negative Z comes out of it");
+    add(all, "in-scene", o.in_scene,
+        "the mesh's coordinates are those of the scene of --sheet FRAME");
+    add(all, "faces", o.faces, "STYLE",
+        "wire: all edges; hidden: without those behind a face; flat: filled, shaded (default "
+        "wire)");
+    add(all, "colour", o.colour, "R,G,B", "of what has none in the file, 0 to 1 (default 1,1,1)");
+    add(all, "background", o.background, "R,G,B", "(default 0,0,0)");
+    add(all, "plain", o.plain, "ignore the file's colours");
+    add(all, "light", o.light, "X,Y,Z",
+        "where the light of flat faces is (default -1,1,-1: left above the viewer)");
 }
 
 void declare(options::options_description& all, WireframeOptions& o)
 {
-    all.add_options()("output,o", fills(o.output, "FRAME"), "the frame: .png, .exr or .tiff");
+    add(all, "output,o", o.output, "FRAME", "the frame: .png, .exr or .tiff");
     declare_mesh(all, o);
-    all.add_options()("lens-model", fills(o.model, "MODEL"),
-                      "extended_pinhole, pinhole, hybrid or full (default extended_pinhole)");
-    all.add_options()("samples", fills(o.samples, "N"),
-                      "rays for each lens (full), or points of a point's spread (hybrid; default "
-                      "32)");
-    all.add_options()("lens-mapping", fills(o.mapping, "RULE"),
-                      "auto, closest, accurate or exhaustive (default auto)");
-    all.add_options()(
-        "pseudoscopic", sets(o.pseudoscopic),
-        "what a single-stage capture records: only what is behind the sheet, inverted "
-        "in depth");
+    add(all, "lens-model", o.model, "MODEL",
+        "extended_pinhole, pinhole, hybrid or full (default extended_pinhole)");
+    add(all, "samples", o.samples, "N",
+        "rays for each lens (full), or points of a point's spread (hybrid; default 32)");
+    add(all, "lens-mapping", o.mapping, "RULE",
+        "auto, closest, accurate or exhaustive (default auto)");
+    add(all, "pseudoscopic", o.pseudoscopic,
+        "what a single-stage capture records: only what is behind the sheet, inverted in depth");
     declare(all, o.sheet);
     declare(all, o.film);
-    all.add_options()("print", fills(o.print, "WxH"),
-                      "size of the frame in mm, instead of --size (default 152.4x101.6)");
+    add(all, "print", o.print, "WxH",
+        "size of the frame in mm, instead of --size (default 152.4x101.6)");
     declare(all, o.aperture);
-    all.add_options()("sheet", fills(o.start, "FILE.json"),
-                      "start from this geometry: a JSON document, or a frame");
-    all.add_options()("bits", fills(o.bits, "N"), "8 or 16 for PNG and TIFF (default 8)");
-    all.add_options()("json", sets(o.json), "print what was drawn and at what cost");
+    add(all, "sheet", o.start, "FILE.json",
+        "start from this geometry: a JSON document, or a frame");
+    add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default 8)");
+    add(all, "json", o.json, "print what was drawn and at what cost");
     declare(all, o.threads);
-}
-
-template <class Kind>
-void read_kind(const char* option, const std::optional<std::string>& text, Kind& kind)
-{
-    if (!text)
-        return;
-    const auto named = kind_named<Kind>(*text);
-    if (!named)
-        throw UsageError(std::string("--") + option + " " + *text + ": " + legal_names<Kind>() +
-                         " is expected");
-    kind = *named;
 }
 
 void read_vector(const char* option, const std::optional<std::string>& text, Vec3& value)
@@ -125,14 +106,9 @@ void read_colour(const char* option, const std::optional<std::string>& text, Col
 
 FaceStyle face_style(const WireframeOptions& o)
 {
-    const std::string style = o.faces.value_or("wire");
-    if (style == "wire")
-        return FaceStyle::wire;
-    if (style == "hidden")
-        return FaceStyle::hidden;
-    if (style == "flat")
-        return FaceStyle::flat;
-    throw UsageError("--faces " + style + ": wire, hidden or flat is expected");
+    return meaning_of<FaceStyle>(
+        "faces", o.faces.value_or("wire"),
+        {{"wire", FaceStyle::wire}, {"hidden", FaceStyle::hidden}, {"flat", FaceStyle::flat}});
 }
 
 MeshPlace place_of(const WireframeOptions& o)
@@ -157,12 +133,9 @@ MeshPlace place_of(const WireframeOptions& o)
 /// The frame's geometry that the line says.
 FrameMetadata geometry_of(const WireframeOptions& o)
 {
-    FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, o.print, geometry.film);
+    FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
     if (geometry.film.width < 1)
         set_film_size("print", default_print, geometry.film);
-    check_geometry(geometry);
     change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
     geometry.quilt.reset();
     return geometry;
@@ -215,38 +188,19 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
     return mesh;
 }
 
-void report(bool json, const WireframeRequest& request, const WireframeCost& cost, double seconds)
+/// The samples' bits of a frame that goes to `output`: 32 for floats.
+int bits_of(const WireframeOptions& o, const std::string& output)
 {
-    const double vertices = double(request.mesh.vertices.size());
-    if (!json) {
-        say("wireframe", with_digits(vertices, 9) + " vertices through " +
-                             with_decimals(cost.projections / std::max(vertices, 1.0), 1) + " of " +
-                             std::to_string(cost.lenses) +
-                             " lenses each: " + with_digits(cost.projections, 9) +
-                             " projections, " + with_decimals(seconds, 2) + " s");
-        return;
-    }
-    const Mesh& mesh = request.mesh;
-    const nlohmann::ordered_json figures = {
-        {"vertices", mesh.vertices.size()},   {"points", mesh.points.size()},
-        {"lines", mesh.lines.size()},         {"face_edges", mesh.face_edges.size()},
-        {"triangles", mesh.triangles.size()}, {"lenses", cost.lenses},
-        {"projections", cost.projections},    {"seconds", seconds}};
-    std::cout << figures.dump(2) << "\n";
-}
-
-int run(const WireframeOptions& o)
-{
-    const std::string output = o.output.value_or("");
-    if (output.empty())
-        throw UsageError("-o FRAME is missing");
     const bool floats = format_for(output) == ImageFormat::exr;
     const int bits = o.bits.value_or(floats ? 32 : 8);
     if (bits != 8 && bits != 16 && !(floats && bits == 32))
-        throw UsageError("--bits " + std::to_string(bits) + ": 8 or 16 is expected");
-    check_writable(output);
-    FrameMetadata geometry = geometry_of(o);
-    const RenderRecord record = record_of(o, geometry);
+        refuse("bits", std::to_string(bits), "8 or 16");
+    return floats ? 32 : bits;
+}
+
+WireframeRequest request_of(const WireframeOptions& o, const FrameMetadata& geometry,
+                            const RenderRecord& record)
+{
     if (refracts_at_surface(record.model) && !has_surface(geometry.sheet))
         throw UsageError("--lens-model " + std::string(name_of(record.model)) +
                          " needs lenses whose surface reaches their edge; extended_pinhole works "
@@ -261,16 +215,25 @@ int run(const WireframeOptions& o)
     read_vector("light", o.light, request.light);
     if (!(length(request.light) > 0))
         throw UsageError("--light 0,0,0 is no direction");
+    return request;
+}
+
+int run(const WireframeOptions& o)
+{
+    const std::string output = o.output.value_or("");
+    if (output.empty())
+        throw UsageError("-o FRAME is missing");
+    const int bits = bits_of(o, output);
+    check_writable(output);
+    FrameMetadata geometry = geometry_of(o);
+    const RenderRecord record = record_of(o, geometry);
+    const WireframeRequest request = request_of(o, geometry, record);
 
     const auto start = std::chrono::steady_clock::now();
     WireframeCost cost;
-    std::optional<Image> image;
-    try {
-        image = draw_wireframe(request, floats ? 32 : bits, o.threads.count(),
-                               progress_bar("wireframe"), cost);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(o.start.value_or("the geometry") + ": " + error.what());
-    }
+    std::optional<Image> image = usage_checked(o.start.value_or("the geometry") + ": ", [&] {
+        return draw_wireframe(request, bits, o.threads.count(), progress_bar("wireframe"), cost);
+    });
     if (!image)
         throw Interrupted();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
@@ -280,7 +243,10 @@ int run(const WireframeOptions& o)
     Frame frame{std::move(*image), std::nullopt};
     set_metadata(frame, geometry);
     write_frame(output, std::move(frame));
-    report(o.json, request, cost, seconds);
+    if (o.json)
+        std::cout << drawing_json(request.mesh, cost, seconds).dump(2) << "\n";
+    else
+        say("wireframe", drawing_text(request.mesh, cost, seconds));
     return exit_done;
 }
 
@@ -290,17 +256,18 @@ const Command wireframe_command = {
     "wireframe",
     "points, lines and faces as a frame, without a scene to render",
     "MESH.obj -o FRAME [--fit MM] [--faces hidden] [--print WxH] [--lens-model MODEL] ...",
-    "Draws the points, lines and faces of a Wavefront OBJ file as a frame, by\n"
-    "projecting each vertex through every lens that can image it (thesis 3.4). It\n"
-    "takes less than a second, so that things can be placed before they are traced.\n"
-    "Its film points are those of povray-integral's rays; integral replay and print\n"
-    "take the frame as any other.\n"
-    "\n"
-    "The file's coordinates are millimetres from the sheet's centre: x to the right,\n"
-    "y up, z into the picture; negative z comes out of it. Colours are those of v X Y\n"
-    "Z R G B, or usemtl's Kd. Next to the sheet, within its thickness, points and\n"
-    "lines cover their lens; with --lens-model pinhole they vanish between the lenses\n"
-    "(figure 3-13).\n",
+    R"(Draws the points, lines and faces of a Wavefront OBJ file as a frame, by
+projecting each vertex through every lens that can image it (thesis 3.4). It
+takes less than a second, so that things can be placed before they are traced.
+Its film points are those of povray-integral's rays; integral replay and print
+take the frame as any other.
+
+The file's coordinates are millimetres from the sheet's centre: x to the right,
+y up, z into the picture; negative z comes out of it. Colours are those of v X Y
+Z R G B, or usemtl's Kd. Next to the sheet, within its thickness, points and
+lines cover their lens; with --lens-model pinhole they vanish between the lenses
+(figure 3-13).
+)",
     1,
     1,
     described<WireframeOptions>,

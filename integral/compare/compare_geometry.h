@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Whether two frames are frames of one geometry.
+// Tells whether two frames have the same geometry.
 #ifndef INTEGRAL_COMPARE_COMPARE_GEOMETRY_H
 #define INTEGRAL_COMPARE_COMPARE_GEOMETRY_H
 

@@ -10,6 +10,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/depth_picture_scale.h \
   integral/depth/depth_quality.cpp \
   integral/depth/depth_quality.h \
+  integral/depth/depth_report.cpp \
+  integral/depth/depth_report.h \
   integral/depth/depth_scores.cpp \
   integral/depth/depth_scores.h \
   integral/depth/edge_filter.cpp \

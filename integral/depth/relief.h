@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A scene as views and their depth tell it: what light goes along any line of sight, occlusion
-// included.
+// A scene reconstructed from views and their depth. It gives the light along any line of sight and
+// takes account of what hides what.
 //
-// Parallax is the unit of depth here: by what part of the eye's own step a point follows it in the
-// image plane, z / (distance + z) for a point z mm behind that plane. It is 0 there, less than 0 in
-// front of it, and 1 endlessly far away. Along a line of sight it makes all search linear.
+// Depth is measured here as parallax: z / (distance + z) for a point z mm behind the image plane.
+// When the eye moves sideways, the point's picture moves by that part of the eye's step. It is 0 in
+// the plane and 1 endlessly far away. The pixels of a view along a line of sight are linear in it.
 #ifndef INTEGRAL_DEPTH_RELIEF_H
 #define INTEGRAL_DEPTH_RELIEF_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a relief is good for: frames for any sheet, and pictures in focus at any depth.
+// Makes frames for any sheet, and pictures in focus at any depth, of a relief.
 #ifndef INTEGRAL_DEPTH_RELIEF_FRAME_H
 #define INTEGRAL_DEPTH_RELIEF_FRAME_H
 

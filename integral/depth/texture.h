@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How much texture the surroundings of a pixel have to find their depth by.
+// Measures the texture around a pixel: without texture no depth can be found.
 #ifndef INTEGRAL_DEPTH_TEXTURE_H
 #define INTEGRAL_DEPTH_TEXTURE_H
 

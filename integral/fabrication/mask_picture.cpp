@@ -64,4 +64,17 @@ std::optional<Image> mask_picture(const MaskRequest& request, int threads, const
     return image;
 }
 
+void show_one_lens(MaskRequest& request)
+{
+    const Lattice lattice(request.sheet);
+    Film& film = request.film;
+    film.pixel_pitch.x = request.sheet.pitch / film.width;
+    film.pixel_pitch.y = (request.sheet.arrangement == Arrangement::hexagonal
+                              ? lattice.row_spacing() * 4 / 3
+                              : request.sheet.pitch) /
+                         film.height;
+    request.sheet.offset = {};
+    request.sheet.slant = 0;
+}
+
 } // namespace integral

@@ -30,6 +30,9 @@ struct MaskRequest {
     int bits = 16;                    ///< 8 or 16
 };
 
+/// Makes the film's pixels those of one lens's cell, upright and in the sheet's middle.
+void show_one_lens(MaskRequest& request);
+
 /// Grey (0 to 1) of the mask at a depth (mm) below the poles. Throws std::invalid_argument where
 /// the response does not reach the cells' corners.
 class MaskGrey {

@@ -160,4 +160,16 @@ Calibration calibrate(const Response& process, int grey_levels, int most_rounds)
     return {std::move(rounds), std::move(assumed)};
 }
 
+std::string rounds_text(const Calibration& calibration)
+{
+    std::string table = "round   greatest error (mm)   rms (mm)\n";
+    for (std::size_t k = 0; k < calibration.rounds.size(); ++k) {
+        const std::string number = std::to_string(k + 1);
+        table += std::string(5 - number.size(), ' ') + number + "   " +
+                 with_decimals(calibration.rounds[k].greatest, 6) + "              " +
+                 with_decimals(calibration.rounds[k].rms, 6) + "\n";
+    }
+    return table;
+}
+
 } // namespace integral

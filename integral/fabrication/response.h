@@ -50,6 +50,9 @@ struct Calibration {
     Response found; ///< after the last round
 };
 
+/// A table of the rounds' errors.
+std::string rounds_text(const Calibration& calibration);
+
 /// The six steps of appendix C with a simulated process: assume a linear response; make the mask of
 /// a ramp from the highest point to the lowest; expose; measure the profile; correct the assumed
 /// response by it; and again. `grey_levels`: of the mask. Stops after `most_rounds`, or when a

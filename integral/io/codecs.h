@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Readers and writers of the image formats PNG, OpenEXR, TIFF and JPEG, row by row or as whole
-// files in memory. To be included only by image_file.cpp, printed pages, the strips of a frame, the
+// files in memory. To be included only by image_file.cpp, image_writer.cpp, printed pages, the strips of a frame, the
 // replay's page, depth maps and the tests; others use image_file.h.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H

@@ -63,8 +63,33 @@ struct Views {
     std::optional<FrameMetadata> metadata; ///< with the quilt record
 };
 
-/// Reads a quilt or a single view of one. Throws InputError if the picture cannot be read, or if
-/// `needs_geometry` and its geometry is not valid.
+/// Reads a quilt or a single view of one, row by row, from the top.
+class ViewsReader {
+public:
+    /// Opens it and reads its geometry, but no pixel. Throws InputError if the picture cannot be
+    /// read, or if `needs_geometry` and its geometry is not valid.
+    ViewsReader(const std::string& path, bool needs_geometry);
+    ~ViewsReader();
+
+    /// The geometry, and the picture's size and form without samples.
+    const Views& head() const;
+
+    /// Throws InputError if the whole picture needs more memory than is free.
+    void check_memory() const;
+
+    /// Reads the next band.height rows into `band`, which has the picture's form and width. Throws
+    /// InputError.
+    void read(Image& band);
+
+    /// Reads the whole picture; no row may have been read before. Throws InputError.
+    Views whole();
+
+private:
+    struct Source;
+    std::unique_ptr<Source> source_;
+};
+
+/// Reads a quilt or a single view of one at once. Throws as ViewsReader does.
 Views read_views(const std::string& path, bool needs_geometry);
 
 /// Whether a path names a pair, or more, of views in one file: it ends in .mpo, in any case.

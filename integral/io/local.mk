@@ -13,6 +13,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/html_page.h \
   integral/io/image_file.cpp \
   integral/io/image_file.h \
+  integral/io/image_writer.cpp \
   integral/io/input_file.cpp \
   integral/io/input_file.h \
   integral/io/jpeg_codec.cpp \

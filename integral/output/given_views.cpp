@@ -26,7 +26,8 @@ GivenViews read_pair(const std::string& input, const ViewsRequest& request)
 
 GivenViews read_quilt(const std::string& input, const ViewsRequest& request)
 {
-    Views quilt = read_views(input, request.needs_geometry);
+    ViewsReader file(input, request.needs_geometry);
+    const Views& quilt = file.head();
     const auto named = grid_in_name(input);
     GivenViews all{{}, {}, quilt.metadata};
     if (request.grid)
@@ -59,7 +60,11 @@ GivenViews read_quilt(const std::string& input, const ViewsRequest& request)
                            std::to_string(quilt.image.height) + " pixels are not " +
                            std::to_string(grid.columns) + "x" + std::to_string(grid.rows) +
                            " equal views");
-    all.views = views_of_quilt(quilt.image, grid);
+    file.check_memory();
+    all.views = views_of_quilt(quilt.image, grid, [&](Image& band) {
+        stop_if_interrupted();
+        file.read(band);
+    });
     return all;
 }
 

@@ -2,9 +2,9 @@
 // The loops of interlacing for processors with AVX2, for views of 8 bits, and the blending of rows
 // of 16 bits. Where INTEGRAL_HAS_AVX2 is not defined there are none.
 //
-// Plain loops in their place, which gcc 12 made vectors of for AVX-512, took 1.25 to 1.6 times the
-// earlier AVX2 loops' processor time on a busy machine (bench/interlace_speed): fetching the
-// samples, most of the work, becomes no vector code.
+// Plain loops that gcc 12 compiled to AVX-512 code took 1.25 to 1.6 times the processor time of
+// AVX2 loops (bench/interlace_speed, on a busy machine): most of the work is fetching samples, and
+// the compiler does not use vector instructions for that.
 #ifndef INTEGRAL_OUTPUT_INTERLACE_AVX2_H
 #define INTEGRAL_OUTPUT_INTERLACE_AVX2_H
 

@@ -2,6 +2,8 @@
 # Sources of integral/output: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/output/chart_lines.cpp \
+  integral/output/chart_lines.h \
   integral/output/chart_page.cpp \
   integral/output/chart_page.h \
   integral/output/colour_profile.cpp \
@@ -12,6 +14,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/frame_of_views.cpp \
+  integral/output/frame_of_views.h \
   integral/output/frame_print.cpp \
   integral/output/frame_print.h \
   integral/output/given_views.cpp \
@@ -37,14 +41,16 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/panel.h \
   integral/output/panel_cards.cpp \
   integral/output/panel_cards.h \
+  integral/output/panel_files.cpp \
+  integral/output/panel_files.h \
   integral/output/panel_images.cpp \
   integral/output/panel_images.h \
   integral/output/panel_mapping.cpp \
   integral/output/panel_mapping.h \
+  integral/output/panel_text.cpp \
+  integral/output/panel_text.h \
   integral/output/paper.cpp \
   integral/output/paper.h \
-  integral/output/chart_lines.cpp \
-  integral/output/chart_lines.h \
   integral/output/pitch_chart.cpp \
   integral/output/pitch_chart.h \
   integral/output/pitch_report.cpp \
@@ -64,6 +70,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/screen_play.cpp \
   integral/output/screen_show.cpp \
   integral/output/screen_show.h \
+  integral/output/screen_text.cpp \
+  integral/output/screen_text.h \
   integral/output/screen_window.cpp \
   integral/output/screen_window.h \
   integral/output/screens.cpp \
@@ -72,4 +80,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/spool.cpp \
   integral/output/spool.h \
   integral/output/spool_document.cpp \
-  integral/output/spool_document.h
+  integral/output/spool_document.h \
+  integral/output/view_pictures.cpp \
+  integral/output/view_pictures.h

@@ -9,6 +9,7 @@
 #include "integral/lightfield/quilt_name.h"
 #include "integral/lightfield/view_grid.h"
 
+#include <functional>
 #include <vector>
 
 namespace integral {
@@ -19,6 +20,11 @@ namespace integral {
 /// std::invalid_argument as `tiled` does.
 Image quilt_of_views(std::vector<Image> views, ViewGrid grid);
 std::vector<Image> views_of_quilt(const Image& quilt, ViewGrid grid);
+
+/// The views of a quilt of that form which is not in memory: read(band) reads its next rows, from
+/// the top.
+std::vector<Image> views_of_quilt(const Image& form, ViewGrid grid,
+                                  const std::function<void(Image&)>& read);
 
 } // namespace integral
 

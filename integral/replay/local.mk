@@ -4,6 +4,8 @@
 build_lib_libintegral_a_SOURCES += \
   integral/replay/arrange.cpp \
   integral/replay/arrange.h \
+  integral/replay/depth_page.cpp \
+  integral/replay/depth_page.h \
   integral/replay/depth_picture.cpp \
   integral/replay/depth_picture.h \
   integral/replay/interpolate.h \

@@ -140,14 +140,6 @@ bool for_each_block(int rows, int threads, const std::function<void(int row)>& w
                         progress);
 }
 
-unsigned char* bytes_of(Image& image)
-{
-    return std::visit(
-        [](auto& samples) { return reinterpret_cast<unsigned char*>(samples.data()); },
-        image.samples);
-}
-const unsigned char* bytes_of(const Image& image) { return bytes_of(const_cast<Image&>(image)); }
-
 } // namespace
 
 struct ParallelViews::State {
@@ -229,9 +221,9 @@ std::vector<std::optional<Eye>> far_eyes(const FrameMetadata& metadata, ViewGrid
 
 namespace {
 
-/// Throws std::invalid_argument unless there are as many views as wanted, of one form and of the
-/// window's size.
-void check_views(const std::vector<Image>& views, const Lenses& lenses)
+/// The first view. Throws std::invalid_argument unless there are as many views as wanted, of one
+/// form and of the window's size.
+const Image& first_of(const std::vector<Image>& views, const Lenses& lenses)
 {
     const int count = lenses.grid.count();
     if (int(views.size()) != count)
@@ -245,54 +237,76 @@ void check_views(const std::vector<Image>& views, const Lenses& lenses)
                 "views of " + std::to_string(view.width) + "x" + std::to_string(view.height) +
                 " pixels; this sheet and film have views of " + std::to_string(window.columns) +
                 "x" + std::to_string(window.rows) + ", all of one form");
-}
-
-/// Copies exact views to the film. Returns false if `progress` stopped it.
-bool scatter_views(const std::vector<Image>& views, const Lenses& lenses, Image& image, int threads,
-                   const Progress& progress)
-{
-    const WholePixels pixels(lenses);
-    const PixelMover move = mover_for(image);
-    unsigned char* to = bytes_of(image);
-    std::vector<const unsigned char*> from;
-    for (const Image& view : views)
-        from.push_back(bytes_of(view));
-    const auto row = [&](int y) {
-        pixels.each(y,
-                    [&](int view, std::size_t of_view, std::size_t of_film, int count, bool last) {
-                        move.scatter(to + of_film * move.bytes, move.bytes * pixels.lens(),
-                                     from[view] + of_view * move.bytes, count, last);
-                    });
-    };
-    return for_each_block(lenses.film.height, threads, row, progress);
-}
-
-/// Interpolates between views that are not exact. Returns false if `progress` stopped it.
-bool interpolate_views(const std::vector<Image>& views, const Lenses& lenses, Image& image,
-                       int threads, const Progress& progress)
-{
-    std::vector<LinearReader> light;
-    for (const Image& view : views)
-        light.emplace_back(view);
-    const auto at = [&](int view, int column, int row) { return light[view](column, row); };
-    const auto work = [&](int y) {
-        for (int x = 0; x < lenses.film.width; ++x)
-            store_linear(image, x, y, film_pixel(lenses, x, y, at));
-    };
-    return for_each_row(lenses.film.height, threads, work, progress);
+    return views[0];
 }
 
 } // namespace
+
+struct FrameOfViews::State {
+    State(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid)
+        : views(views), lenses(metadata, grid), move(mover_for(first_of(views, lenses)))
+    {
+        if (lenses.exact)
+            pixels.emplace(lenses);
+        else
+            for (const Image& view : views)
+                light.emplace_back(view);
+    }
+
+    /// Copies the pixels of exact views.
+    void scatter_row(int row, unsigned char* to) const
+    {
+        const std::size_t begin = std::size_t(row) * lenses.film.width;
+        pixels->each(
+            row, [&](int view, std::size_t of_view, std::size_t of_film, int count, bool last) {
+                move.scatter(to + (of_film - begin) * move.bytes, move.bytes * pixels->lens(),
+                             row_bytes(views[std::size_t(view)], 0) + of_view * move.bytes, count,
+                             last);
+            });
+    }
+
+    /// Interpolates between views that are not exact.
+    void interpolate_row(int row, Image& image, int y) const
+    {
+        const auto at = [&](int view, int column, int view_row) {
+            return light[std::size_t(view)](column, view_row);
+        };
+        for (int x = 0; x < lenses.film.width; ++x)
+            store_linear(image, x, y, film_pixel(lenses, x, row, at));
+    }
+
+    const std::vector<Image>& views;
+    Lenses lenses;
+    PixelMover move;
+    std::optional<WholePixels> pixels; ///< of exact views
+    std::vector<LinearReader> light;   ///< of others
+};
+
+FrameOfViews::FrameOfViews(const std::vector<Image>& views, const FrameMetadata& metadata,
+                           ViewGrid grid)
+    : state_(std::make_unique<State>(views, metadata, grid))
+{
+}
+FrameOfViews::~FrameOfViews() = default;
+
+bool FrameOfViews::draw(int first, Image& band, int threads, const Progress& progress) const
+{
+    const State& s = *state_;
+    if (s.pixels)
+        return for_each_block(
+            band.height, threads, [&](int y) { s.scatter_row(first + y, row_bytes(band, y)); },
+            progress);
+    return for_each_row(
+        band.height, threads, [&](int y) { s.interpolate_row(first + y, band, y); }, progress);
+}
 
 std::optional<Image> frame_from_views(const std::vector<Image>& views,
                                       const FrameMetadata& metadata, ViewGrid grid, int threads,
                                       const Progress& progress)
 {
-    const Lenses lenses(metadata, grid);
-    check_views(views, lenses);
-    Image image = blank_like(views[0], lenses.film.width, lenses.film.height);
-    const auto fill = lenses.exact ? scatter_views : interpolate_views;
-    if (!fill(views, lenses, image, threads, progress))
+    const FrameOfViews frame(views, metadata, grid);
+    Image image = blank_like(views[0], metadata.film.width, metadata.film.height);
+    if (!frame.draw(0, image, threads, progress))
         return std::nullopt;
     return image;
 }

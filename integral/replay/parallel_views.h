@@ -75,6 +75,23 @@ std::vector<std::optional<Eye>> far_eyes(const FrameMetadata& metadata, ViewGrid
 std::optional<double> psnr_there_and_back(const Frame& frame, ViewGrid grid, int threads = 0,
                                           const Progress& progress = {});
 
+/// Makes the frame of frame_from_views some rows at a time.
+class FrameOfViews {
+public:
+    /// The views must outlive this. Throws as frame_from_views does.
+    FrameOfViews(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid);
+    ~FrameOfViews();
+
+    /// Draws the frame's rows from `first` on into `band`, which has the views' form, the film's
+    /// width, and only zeros. `threads` and `progress` as in replay; returns false if `progress`
+    /// stopped the work.
+    bool draw(int first, Image& band, int threads, const Progress& progress) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Inverse of parallel_views: the frame of that geometry which shows the views. If they are not
 /// exact, each film pixel, or stripe of one, is interpolated between the directions of the views.
 /// Throws std::invalid_argument unless all views have one form and lens_window's size.

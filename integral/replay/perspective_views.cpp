@@ -9,28 +9,28 @@
 
 namespace integral {
 
-std::optional<Image> frame_from_perspective_views(const std::vector<Image>& views,
-                                                  const FrameMetadata& metadata, ViewGrid grid,
-                                                  EyeGrid eyes, int threads,
-                                                  const Progress& progress)
-{
-    if (int(views.size()) != grid.count())
-        throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " +
-                                    std::to_string(grid.count()));
-    for (const Image& view : views)
-        if (!same_form(view, views[0]))
-            throw std::invalid_argument("its views differ in size or form");
-    const Film& film = metadata.film;
-    const SheetOptics optics(metadata.sheet, metadata.aperture);
-    const Film window{views[0].width,
-                      views[0].height,
-                      {film.width * film.pixel_pitch.x / views[0].width,
-                       film.height * film.pixel_pitch.y / views[0].height}};
-    std::vector<LinearReader> light;
-    for (const Image& view : views)
-        light.emplace_back(view);
+struct FrameOfPerspectives::State {
+    State(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid,
+          EyeGrid eyes)
+        : film(metadata.film), grid(grid), eyes(eyes), optics(metadata.sheet, metadata.aperture)
+    {
+        if (int(views.size()) != grid.count())
+            throw std::invalid_argument("there are " + std::to_string(views.size()) +
+                                        " views, not " + std::to_string(grid.count()));
+        for (const Image& view : views)
+            if (!same_form(view, views[0]))
+                throw std::invalid_argument("its views differ in size or form");
+        window = {views[0].width,
+                  views[0].height,
+                  {film.width * film.pixel_pitch.x / views[0].width,
+                   film.height * film.pixel_pitch.y / views[0].height}};
+        for (const Image& view : views)
+            light.emplace_back(view);
+    }
 
-    const auto seen_by = [&](Vec2 film_point) {
+    /// The light of the ray through a point of the film.
+    Colour seen_by(Vec2 film_point) const
+    {
         const auto seen = eye_place(optics, eyes, film_point);
         if (!seen)
             return Colour{0, 0, 0, 0};
@@ -41,16 +41,44 @@ std::optional<Image> frame_from_perspective_views(const std::vector<Image>& view
             return between(at.x - 0.5, at.y - 0.5, window.width, window.height,
                            [&](int x, int y) { return view(x, y); });
         });
-    };
-    Image image = blank_like(views[0], film.width, film.height);
+    }
+
+    Film film;
+    ViewGrid grid;
+    EyeGrid eyes;
+    SheetOptics optics;
+    Film window; ///< the pixels of a view, over the whole sheet
+    std::vector<LinearReader> light;
+};
+
+FrameOfPerspectives::FrameOfPerspectives(const std::vector<Image>& views,
+                                         const FrameMetadata& metadata, ViewGrid grid, EyeGrid eyes)
+    : state_(std::make_unique<State>(views, metadata, grid, eyes))
+{
+}
+FrameOfPerspectives::~FrameOfPerspectives() = default;
+
+bool FrameOfPerspectives::draw(int first, Image& band, int threads, const Progress& progress) const
+{
+    const State& s = *state_;
     const auto row = [&](int y) {
-        for (int x = 0; x < film.width; ++x)
-            store_linear(image, x, y, each_channel(film.subpixels, [&](int channel) {
-                             return seen_by(film_from_pixel(
-                                 film, subpixel_centre(film.subpixels, x, y, channel)));
+        for (int x = 0; x < s.film.width; ++x)
+            store_linear(band, x, y, each_channel(s.film.subpixels, [&](int channel) {
+                             return s.seen_by(film_from_pixel(
+                                 s.film, subpixel_centre(s.film.subpixels, x, first + y, channel)));
                          }));
     };
-    if (!for_each_row(film.height, threads, row, progress))
+    return for_each_row(band.height, threads, row, progress);
+}
+
+std::optional<Image> frame_from_perspective_views(const std::vector<Image>& views,
+                                                  const FrameMetadata& metadata, ViewGrid grid,
+                                                  EyeGrid eyes, int threads,
+                                                  const Progress& progress)
+{
+    const FrameOfPerspectives frame(views, metadata, grid, eyes);
+    Image image = blank_like(views[0], metadata.film.width, metadata.film.height);
+    if (!frame.draw(0, image, threads, progress))
         return std::nullopt;
     return image;
 }

@@ -21,6 +21,22 @@ std::optional<Image> frame_from_perspective_views(const std::vector<Image>& view
                                                   EyeGrid eyes, int threads = 0,
                                                   const Progress& progress = {});
 
+/// Makes that frame some rows at a time.
+class FrameOfPerspectives {
+public:
+    /// The views must outlive this. Throws as frame_from_perspective_views does.
+    FrameOfPerspectives(const std::vector<Image>& views, const FrameMetadata& metadata,
+                        ViewGrid grid, EyeGrid eyes);
+    ~FrameOfPerspectives();
+
+    /// As FrameOfViews::draw.
+    bool draw(int first, Image& band, int threads, const Progress& progress) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 } // namespace integral
 
 #endif

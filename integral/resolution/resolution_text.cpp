@@ -151,4 +151,25 @@ nlohmann::ordered_json resolution_json(const ResolutionRequest& request,
             {"camera", request.camera_words},  {"cells", cells}};
 }
 
+ResolutionReport resolution_report(ResolutionRequest request, bool beside_thesis, int threads,
+                                   const Progress& progress)
+{
+    const auto& thesis = thesis_tables();
+    const int count = beside_thesis ? int(thesis.size()) : 1;
+    ResolutionReport report;
+    for (int k = 0; k < count; ++k) {
+        const ThesisTable* beside = beside_thesis ? &thesis[std::size_t(k)] : nullptr;
+        if (beside) {
+            request.sheet.pitch = beside->pitch;
+            request.sheet.thickness = beside->thickness;
+            request.sheet.ior = beside->ior;
+        }
+        const ResolutionTable table = measured_resolution(request, threads,
+                                                          piece_of(progress, k, count));
+        report.text += (k > 0 ? "\n" : "") + resolution_text(request, table, beside);
+        report.json.push_back(resolution_json(request, table));
+    }
+    return report;
+}
+
 } // namespace integral

@@ -5,7 +5,7 @@
 
 #include "integral/resolution/resolution.h"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <string>
 #include <vector>
@@ -30,6 +30,16 @@ std::string resolution_text(const ResolutionRequest& request, const ResolutionTa
                             const ThesisTable* thesis);
 nlohmann::ordered_json resolution_json(const ResolutionRequest& request,
                                        const ResolutionTable& table);
+
+struct ResolutionReport {
+    std::string text;
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+};
+
+/// The experiment with the request's sheet, or with each of the thesis's sheets in its place and
+/// the thesis's table beside. Throws as measured_resolution does.
+ResolutionReport resolution_report(ResolutionRequest request, bool beside_thesis, int threads,
+                                   const Progress& progress);
 
 } // namespace integral
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which lenses can image what, so that no other lens is visited.
+// Finds the lenses that can image a point, line or face, so that no other lens is visited.
 #ifndef INTEGRAL_WIREFRAME_LENS_BINS_H
 #define INTEGRAL_WIREFRAME_LENS_BINS_H
 

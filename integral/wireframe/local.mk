@@ -20,4 +20,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/wireframe/obj_file.cpp \
   integral/wireframe/obj_file.h \
   integral/wireframe/wireframe.cpp \
-  integral/wireframe/wireframe.h
+  integral/wireframe/wireframe.h \
+  integral/wireframe/wireframe_report.cpp \
+  integral/wireframe/wireframe_report.h

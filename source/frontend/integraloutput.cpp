@@ -97,6 +97,14 @@ void Write_Whole_Picture(UCS2String& file, unsigned int file_type, Image::ImageF
     }
 }
 
+UCS2String Render_State_Name(const UCS2String& file)
+{
+    const UCS2String name = GetFileName(Path(file)), extension = GetFileExtension(Path(file));
+    const bool usual = extension == ASCIItoUCS2String(".png") ||
+                       extension == ASCIItoUCS2String(".pov");
+    return (usual ? name : file) + ASCIItoUCS2String(".pov-state");
+}
+
 std::string Lost_Pixels_Message(bool state_failed, const std::string& state_file, int reason)
 {
     if (state_failed)

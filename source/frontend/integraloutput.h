@@ -23,6 +23,11 @@ void Write_Whole_Picture(pov_base::UCS2String& file, unsigned int file_type,
                          pov_base::Image::ImageFileType format, const pov_base::Image& image,
                          const pov_base::Image::WriteOptions& options);
 
+/// The name of the render state of the output `file`: NAME.pov-state for NAME.png and, where no
+/// picture is written, for the scene NAME.pov; else NAME.EXTENSION.pov-state, so that pictures in
+/// several formats can be rendered in one folder.
+pov_base::UCS2String Render_State_Name(const pov_base::UCS2String& file);
+
 /// The error message if pixels could not be stored in the render state file (`state_failed`) or in
 /// the temporary file that holds the picture during rendering. `reason`: errno, or 0.
 std::string Lost_Pixels_Message(bool state_failed, const std::string& state_file, int reason);

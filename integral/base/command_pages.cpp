@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/cli/command_pages.h"
+#include "integral/base/command_pages.h"
 
+#include <cctype>
 #include <regex>
 #include <sstream>
 
@@ -10,49 +11,6 @@ namespace {
 constexpr const char* exit_statuses =
     "0 done; 1 a comparison or check failed, or a batch has failed jobs; 2 wrong usage;\n"
     "3 unreadable or malformed input; 4 the output could not be written; 130 interrupted.\n";
-
-/// An option as its command declares it.
-struct PageOption {
-    std::string name;        ///< --NAME
-    std::string letter;      ///< -L, or empty
-    std::string value;       ///< the word that stands for its value, or empty: a switch
-    std::string description; ///< with the default
-};
-
-PageOption page_option(const options::option_description& declared)
-{
-    PageOption option;
-    option.name = "--" + declared.long_name();
-    const std::string shortest = declared.canonical_display_name(
-        options::command_line_style::allow_dash_for_short);
-    if (shortest != option.name && shortest.size() == 2)
-        option.letter = shortest;
-    option.description = declared.description();
-    if (declared.semantic()->max_tokens() == 0)
-        return option;
-    option.value = declared.semantic()->name();
-    const std::size_t by_itself = option.value.find(" (=");
-    if (by_itself != std::string::npos) {
-        const std::string value = option.value.substr(by_itself + 3); // with the parenthesis
-        if (option.description.find("default") == std::string::npos) {
-            const bool joined = option.description.back() == ')';
-            if (joined)
-                option.description.pop_back();
-            option.description += (joined ? "; default: " : " (default: ") + value;
-        }
-        option.value.resize(by_itself);
-    }
-    return option;
-}
-
-std::vector<PageOption> page_options(const Command& command)
-{
-    std::vector<PageOption> all;
-    const options::options_description declared = command.make_options();
-    for (const auto& option : declared.options())
-        all.push_back(page_option(*option));
-    return all;
-}
 
 std::vector<std::string> lines_of(const std::string& text)
 {
@@ -89,9 +47,9 @@ std::string as_markdown(const std::string& text)
     return std::regex_replace(std::regex_replace(text, special, R"(\$&)"), option, "$1`$2`");
 }
 
-std::string usage_of(const Command& command)
+std::string usage_of(const PageCommand& command)
 {
-    const std::string usage = std::string("integral ") + command.name + " " + command.usage;
+    const std::string usage = "integral " + command.name + " " + command.usage;
     return std::regex_replace(usage, std::regex("\n +"), "\n");
 }
 
@@ -127,49 +85,18 @@ std::string manual_head(const std::string& name, const std::string& summary)
            as_roff(name) + " \\- " + as_roff(summary) + "\n";
 }
 
-/// The words that an option may be given, separated by blanks, where its value's word does not list
-/// them itself (draft|good|best); empty where any text is possible.
-std::string choices_of(const PageOption& option)
-{
-    static const std::vector<std::pair<const char*, const char*>> known = {
-        {"--arrangement KIND", "lenticular square hexagonal"},
-        {"--plot KIND", "spread lens sheets resolution film"},
-        {"--lens-model MODEL", "extended_pinhole pinhole full"},
-        {"--lens-mapping RULE", "auto closest accurate exhaustive"},
-        {"--path KIND[,SPAN]", "turntable sweep sway circle dolly"},
-        {"--orientation WAY", "portrait landscape auto"},
-        {"--centre WHAT", "lens picture"},
-        {"--marks KIND,...", "crop registration axis all"},
-        {"--paper NAME|WxH", "4x6 6x8 5x7 8x10 A4 A6 letter postcard"},
-        {"--intent INTENT", "perceptual relative saturation absolute"},
-        {"--blend WAY", "linear nearest"},
-        {"--sampling WAY", "linear nearest"},
-        {"--card CARD", "views crosstalk colours pitch"},
-        {"--faces STYLE", "wire hidden flat"},
-        {"--shape KIND", "spherical aspheric"},
-    };
-    for (const auto& [name, words] : known)
-        if (option.name + " " + option.value == name)
-            return words;
-    static const std::regex list("[a-z]+([|][a-z]+)*");
-    return std::regex_match(option.value, list)
-               ? std::regex_replace(option.value, std::regex("[|]"), " ")
-               : "";
-}
-
 /// A case of the completion's for each option that has a value.
-std::string value_cases(const Command& command)
+std::string value_cases(const PageCommand& command)
 {
     std::string cases;
-    for (const PageOption& option : page_options(command)) {
+    for (const PageOption& option : command.options) {
         if (option.value.empty())
             continue;
         static const std::regex files("FILE|FOLDER|FRAME|VIEW|SCENE|DIFFERENCE|DEPTH");
-        const std::string words = choices_of(option);
         cases += "        " + option.name + (option.letter.empty() ? "" : "|" + option.letter) +
                  ") ";
-        cases += option.name == "--panel" ? "panels=yes files=yes"
-                 : !words.empty()         ? "words='" + words + "'"
+        cases += option.name == "--panel"  ? "panels=yes files=yes"
+                 : !option.choices.empty() ? "words='" + option.choices + "'"
                  : option.name == "--output" || std::regex_search(option.value, files) ? "files=yes"
                                                                                        : "any=yes";
         cases += " ;;\n";
@@ -177,47 +104,47 @@ std::string value_cases(const Command& command)
     return cases;
 }
 
-std::string option_words(const Command& command)
+std::string option_words(const PageCommand& command)
 {
     std::string words;
-    for (const PageOption& option : page_options(command))
+    for (const PageOption& option : command.options)
         words += (words.empty() ? "" : " ") + option.name;
     return words;
 }
 
-std::string command_names()
+std::string names_of(const PageCommands& commands)
 {
     std::string names;
-    for (const Command* command : all_commands())
-        names += (names.empty() ? "" : " ") + std::string(command->name);
+    for (const PageCommand& command : commands)
+        names += (names.empty() ? "" : " ") + command.name;
     return names;
 }
 
 } // namespace
 
-std::string overview()
+std::string overview(const PageCommands& commands)
 {
     std::ostringstream text;
     text << "Usage: integral COMMAND [options] INPUT... -o OUTPUT\n\n"
             "Takes the micro-image frames of povray-integral to print, panel and eye.\n\n"
             "Commands:\n";
-    for (const Command* command : all_commands())
-        text << "  " << command->name << std::string(12 - std::string(command->name).size(), ' ')
-             << command->summary << "\n";
+    for (const PageCommand& command : commands)
+        text << "  " << command.name << std::string(12 - command.name.size(), ' ')
+             << command.summary << "\n";
     text << "\n`integral help COMMAND` explains one; `integral --version` prints the version.\n\n"
             "Exit status: "
          << exit_statuses;
     return text.str();
 }
 
-std::string markdown_head(const Command& command)
+std::string markdown_head(const PageCommand& command)
 {
     std::string page = "<!-- SPDX-License-Identifier: AGPL-3.0-or-later -->\n# integral " +
-                       std::string(command.name) + ": " + as_markdown(command.summary) +
-                       "\n\n```text\n" + usage_of(command) + "\n```\n\n" +
+                       command.name + ": " + as_markdown(command.summary) + "\n\n```text\n" +
+                       usage_of(command) + "\n```\n\n" +
                        with_examples(command.description, "\n```text\n", "```\n\n", as_markdown) +
                        "\n| option | does |\n|---|---|\n";
-    for (const PageOption& option : page_options(command)) {
+    for (const PageOption& option : command.options) {
         const std::string value = option.value.empty()
                                       ? ""
                                       : " " + std::regex_replace(option.value, std::regex("[|]"),
@@ -228,28 +155,27 @@ std::string markdown_head(const Command& command)
     return page + "\n<!-- Above: written by `make command-pages`. Below: by hand. -->\n";
 }
 
-std::string manual_page()
+std::string manual_page(const PageCommands& commands)
 {
     std::string page = manual_head("integral", "takes micro-image frames to print, panel and eye") +
                        ".SH SYNOPSIS\n.B integral\n\\fICOMMAND\\fR [\\fIoption\\fR ...] "
                        "\\fIinput\\fR ...\n.SH COMMANDS\n";
-    for (const Command* command : all_commands())
-        page += ".TP\n.BR integral\\-" + as_roff(command->name) + " (1)\n" +
-                as_roff(command->summary) + "\n";
+    for (const PageCommand& command : commands)
+        page += ".TP\n.BR integral\\-" + as_roff(command.name) + " (1)\n" +
+                as_roff(command.summary) + "\n";
     return page +
            ".PP\n\\fBintegral help\\fR \\fICOMMAND\\fR prints what such a page says.\n"
            ".SH \"EXIT STATUS\"\n" +
            as_roff(exit_statuses) + ".SH \"SEE ALSO\"\n.BR povray\\-integral (1)\n";
 }
 
-std::string manual_page(const Command& command)
+std::string manual_page(const PageCommand& command)
 {
-    std::string page = manual_head(std::string("integral-") + command.name, command.summary) +
-                       ".SH SYNOPSIS\n";
+    std::string page = manual_head("integral-" + command.name, command.summary) + ".SH SYNOPSIS\n";
     for (const std::string& line : lines_of(usage_of(command)))
         page += ".HP\n" + as_roff(line) + "\n"; // folded, and its further lines indented
     page += ".SH DESCRIPTION\n" + prose_as_roff(command.description) + ".SH OPTIONS\n";
-    for (const PageOption& option : page_options(command)) {
+    for (const PageOption& option : command.options) {
         const std::string value = option.value.empty() ? ""
                                                        : " \\fI" + as_roff(option.value) + "\\fR";
         page += ".TP\n" +
@@ -262,7 +188,7 @@ std::string manual_page(const Command& command)
            ".SH \"SEE ALSO\"\n.BR integral (1),\n.BR povray\\-integral (1)\n";
 }
 
-std::string bash_completion()
+std::string bash_completion(const PageCommands& commands)
 {
     std::string script =
         R"sh(# Completion of the integral program for bash. Written by `integral help --bash`.
@@ -276,15 +202,14 @@ _integral()
     [ "$before" != = ] || before=${COMP_WORDS[COMP_CWORD-2]}
     if [ "$COMP_CWORD" = 1 ]; then
         words=')sh" +
-        command_names() +
+        names_of(commands) +
         R"sh( help --version'
     elif [ "${COMP_WORDS[1]}" = help ]; then
         words=')sh" +
-        command_names() + "'\n    else\n    case ${COMP_WORDS[1]} in\n";
-    for (const Command* command : all_commands())
-        script += "    " + std::string(command->name) + ")\n        options='" +
-                  option_words(*command) + "'\n        case $before in\n" + value_cases(*command) +
-                  "        esac ;;\n";
+        names_of(commands) + "'\n    else\n    case ${COMP_WORDS[1]} in\n";
+    for (const PageCommand& command : commands)
+        script += "    " + command.name + ")\n        options='" + option_words(command) +
+                  "'\n        case $before in\n" + value_cases(command) + "        esac ;;\n";
     return script + R"sh(    esac
     [ -z "$panels" ] || words=$("${COMP_WORDS[0]}" lcd --list 2>/dev/null |
         sed -n 's/^\([a-z0-9-]\{1,\}\) .*/\1/p')

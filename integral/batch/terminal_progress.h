@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Shows how far a batch is.
-#ifndef INTEGRAL_CLI_BATCH_PROGRESS_H
-#define INTEGRAL_CLI_BATCH_PROGRESS_H
+#ifndef INTEGRAL_BATCH_TERMINAL_PROGRESS_H
+#define INTEGRAL_BATCH_TERMINAL_PROGRESS_H
 
 #include "integral/batch/batch_progress.h"
 

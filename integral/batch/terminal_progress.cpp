@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/cli/batch_progress.h"
+#include "integral/batch/terminal_progress.h"
 
 #include "integral/base/interrupt.h"
 #include "integral/base/message_text.h"

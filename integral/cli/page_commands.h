@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Describes the commands for base/command_pages, from what they declare (command.h).
+#ifndef INTEGRAL_CLI_PAGE_COMMANDS_H
+#define INTEGRAL_CLI_PAGE_COMMANDS_H
+
+#include "integral/base/command_pages.h"
+#include "integral/cli/command.h"
+
+namespace integral {
+
+PageCommand page_command(const Command& command);
+
+/// Every command, in the order of all_commands.
+PageCommands page_commands();
+
+} // namespace integral
+
+#endif

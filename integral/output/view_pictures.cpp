@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/output/view_pictures.h"
+
+#include "integral/base/file_bytes.h"
+#include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
+#include "integral/io/image_file.h"
+#include "integral/output/given_views.h"
+#include "integral/output/quilt.h"
+#include "integral/replay/arrange.h"
+#include "integral/replay/parallel_views.h"
+#include "integral/replay/rgbd.h"
+#include "integral/replay/view_files.h"
+
+#include <algorithm>
+
+namespace integral {
+namespace {
+
+std::string text_of(ViewGrid grid) { return size_text(grid.columns, grid.rows); }
+std::string text_of(PixelSize size) { return size_text(size.width, size.height); }
+
+void check_view_size(PixelSize size)
+{
+    if (std::max(size.width, size.height) > largest_picture_side)
+        throw RequestError("views of " + text_of(size) + " pixels have more than " +
+                           std::to_string(largest_picture_side) + " one way");
+}
+
+void check_quilt_size(ViewGrid grid, PixelSize size)
+{
+    if (std::max(double(grid.columns) * size.width, double(grid.rows) * size.height) >
+        largest_picture_side)
+        throw RequestError("a quilt of " + text_of(grid) + " views of " + text_of(size) +
+                           " pixels has more than " + std::to_string(largest_picture_side) +
+                           " one way; fewer views would do");
+}
+
+/// The number of views: as wanted, else the film's whole pixels to a lens.
+ViewGrid grid_of(const ViewPictures& wanted, const std::string& name, const FrameMetadata& metadata)
+{
+    if (wanted.grid)
+        return *wanted.grid;
+    const ViewGrid grid = natural_views(metadata);
+    if (grid.columns > metadata.film.width || grid.rows > metadata.film.height)
+        throw RequestError(
+            name + ": a lens is as large as " + text_of(grid) +
+            " pixels, more than the whole film; --views CxR would tell how many views to take");
+    return grid;
+}
+
+/// The size of a view for people to look at.
+PixelSize size_to_look_at(const ViewPictures& wanted, const Film& film)
+{
+    if (wanted.size)
+        return *wanted.size;
+    constexpr int default_longer_side = 500;
+    View view;
+    set_view_size(view, film, default_longer_side);
+    return {view.width, view.height};
+}
+
+/// A pixel for each lens.
+PixelSize size_of_parallel_views(const std::string& name, const FrameMetadata& metadata)
+{
+    try {
+        const LensWindow window = lens_window(metadata);
+        return {window.columns, window.rows};
+    } catch (const std::invalid_argument& error) {
+        throw RequestError(name + ": " + error.what());
+    }
+}
+
+/// The quilt's path, which names the number of views.
+std::string quilt_path(const std::string& output, ViewGrid grid, const Film& film)
+{
+    const double aspect = film.width * film.pixel_pitch.x / (film.height * film.pixel_pitch.y);
+    const std::string path = output == "-" ? output : quilt_name(output, grid, aspect);
+    const auto named = grid_in_name(path);
+    if (named && (named->columns != grid.columns || named->rows != grid.rows))
+        throw RequestError("-o " + output + ": its name says " + text_of(*named) +
+                           " views, but there are " + text_of(grid));
+    check_writable(path);
+    return path;
+}
+
+PictureSeries series_of(const ViewPictures& wanted, const std::string& path, int count, int first,
+                        bool there_and_back)
+{
+    AnimationSettings settings = wanted.animation;
+    settings.there_and_back = there_and_back;
+    return PictureSeries(path, settings, count, first);
+}
+
+/// Tells what is lost on the way there and back, if something is.
+void tell_loss(const Frame& frame, ViewGrid grid, const ViewPictures& wanted)
+{
+    if (views_are_exact(*frame.metadata, grid))
+        return;
+    const auto psnr = psnr_there_and_back(frame, grid, wanted.threads,
+                                          wanted.progress("there and back"));
+    if (!psnr)
+        throw Interrupted();
+    wanted.tell("the views are interpolated between the film's pixels: made into a frame again, "
+                "PSNR " +
+                with_decimals(*psnr, 1) + " dB");
+}
+
+/// Where views go: into a series of files or an animation, else into a quilt.
+struct ViewsOutput {
+    std::string path;
+    std::optional<PictureSeries> series;
+};
+
+/// Parallel views, a pixel for each lens.
+void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
+                         const ViewPictures& wanted)
+{
+    const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
+    tell_loss(frame, directions, wanted);
+    FrameMetadata metadata = *frame.metadata;
+    metadata.quilt = QuiltRecord{grid, std::nullopt, std::nullopt};
+    const ParallelViews views(frame, directions);
+    const Progress bar = wanted.progress("views");
+    if (output.series)
+        write_views(*output.series, frame, views, grid, metadata, wanted.threads, bar);
+    else
+        write_quilt(output.path, frame, views, grid, metadata, wanted.threads, bar);
+}
+
+/// Views to look at: of eyes, or parallel ones upright.
+void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, PixelSize size,
+                   const ViewPictures& wanted)
+{
+    const bool of_eyes = wanted.kind == ViewKind::of_eyes;
+    const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
+    std::vector<Image> views = (of_eyes ? views_of_eyes : upright_views)(
+        frame, directions, size.width, size.height, wanted.threads, wanted.progress("views"));
+    if (is_animation(output.path))
+        return write_animation(*output.series, views, directions);
+    std::optional<FrameMetadata> metadata; // no frame can be made of upright views
+    if (of_eyes) {
+        metadata = *frame.metadata;
+        const double distance = metadata->aperture.distance;
+        metadata->quilt = QuiltRecord{grid, std::nullopt,
+                                      EyeGrid{viewing_zone(*metadata, distance), distance}};
+    }
+    if (!output.series)
+        return write_frame(output.path, Frame{quilt_of_views(std::move(views), grid), metadata});
+    for (int k = 0; k < grid.count(); ++k) {
+        if (metadata)
+            metadata->quilt->view = k;
+        output.series->add(std::move(views[std::size_t(k)]), metadata);
+    }
+}
+
+} // namespace
+
+std::string write_view_pictures(const std::string& name, const ViewPictures& wanted)
+{
+    const Frame frame = read_sheet_frame(name, wanted.sheet);
+    stop_if_interrupted();
+    const FrameMetadata& metadata = *frame.metadata;
+    const ViewGrid grid = grid_of(wanted, name, metadata);
+    const PixelSize size = size_to_look_at(wanted, metadata.film);
+    ViewsOutput output{wanted.output, std::nullopt};
+    if (wanted.files || is_animation(wanted.output))
+        output.series.emplace(series_of(wanted, wanted.output, grid.count(), 0, true));
+    else
+        output.path = quilt_path(wanted.output, grid, metadata.film);
+    // Also of upright ones, which are refused where there are no parallel views.
+    const PixelSize parallel = wanted.kind == ViewKind::of_eyes
+                                   ? size
+                                   : size_of_parallel_views(name, metadata);
+    const PixelSize of_a_view = wanted.kind == ViewKind::upright ? size : parallel;
+    check_view_size(of_a_view);
+    if (!output.series)
+        check_quilt_size(grid, of_a_view);
+
+    if (wanted.kind == ViewKind::parallel)
+        make_parallel_views(output, frame, grid, wanted);
+    else
+        make_pictures(output, frame, grid, size, wanted);
+    return output.path;
+}
+
+std::string write_quilts(const std::vector<std::string>& names, const ViewPictures& wanted)
+{
+    std::string path;
+    std::optional<PictureSeries> series;
+    const Progress bar = wanted.progress("views");
+    const int count = int(names.size());
+    const ViewGrid grid = wanted.grid.value();
+    for (int k = 0; k < count; ++k) {
+        const Frame frame = read_sheet_frame(names[std::size_t(k)], wanted.sheet);
+        stop_if_interrupted();
+        const PixelSize size = size_to_look_at(wanted, frame.metadata->film);
+        if (!series) {
+            check_view_size(size);
+            check_quilt_size(grid, size);
+            path = quilt_path(wanted.output, grid, frame.metadata->film);
+            series.emplace(series_of(wanted, path, count, 1, false));
+        }
+        series->add(quilt_of_views(views_of_eyes(frame, directions_of(grid, frame.metadata->sheet),
+                                                 size.width, size.height, wanted.threads,
+                                                 piece_of(bar, k, count)),
+                                   grid));
+    }
+    series->finish();
+    return path;
+}
+
+void write_rgbd(const std::string& name, const std::string& depth_file, const ViewPictures& wanted)
+{
+    if (format_for(wanted.output) == ImageFormat::exr)
+        throw RequestError("-o " + wanted.output +
+                           ": colour and depth are stored values; .png or .tiff");
+    check_writable(wanted.output);
+    const Frame frame = read_sheet_frame(name, wanted.sheet);
+    const DepthFrame depths = read_depths(depth_file);
+    const PixelSize size = size_to_look_at(wanted, frame.metadata->film);
+    check_quilt_size({2, 1}, size);
+    std::optional<RgbdPicture> picture;
+    try {
+        picture = rgbd_picture(frame, depths, size.width, size.height, wanted.threads,
+                               wanted.progress("views"));
+    } catch (const std::invalid_argument& error) {
+        throw RequestError("--rgbd " + depth_file + ": " + error.what());
+    }
+    if (!picture)
+        throw Interrupted();
+    write_frame(wanted.output, Frame{std::move(picture->image), std::nullopt});
+    wanted.tell("depths: white is " + with_decimals(picture->white, 1) +
+                " mm behind the sheet, black " + with_decimals(picture->black, 1) +
+                " (negative: in front)");
+}
+
+} // namespace integral
