@@ -4,6 +4,10 @@
 build_lib_libintegral_a_SOURCES += \
   integral/wireframe/block_mesh.cpp \
   integral/wireframe/block_mesh.h \
+  integral/wireframe/depth_limits.h \
+  integral/wireframe/far_things.cpp \
+  integral/wireframe/film_loops.cpp \
+  integral/wireframe/film_loops.h \
   integral/wireframe/lens_bins.cpp \
   integral/wireframe/lens_bins.h \
   integral/wireframe/lens_drawing.cpp \
@@ -19,5 +23,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/wireframe/mesh.h \
   integral/wireframe/obj_file.cpp \
   integral/wireframe/obj_file.h \
+  integral/wireframe/vertex_film.cpp \
+  integral/wireframe/vertex_film.h \
   integral/wireframe/wireframe.cpp \
   integral/wireframe/wireframe.h
