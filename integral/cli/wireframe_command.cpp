@@ -8,7 +8,7 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
-#include "integral/wireframe/obj_file.h"
+#include "integral/wireframe/mesh_file.h"
 #include "integral/wireframe/wireframe.h"
 
 #include <nlohmann/json.hpp>
@@ -193,7 +193,7 @@ RenderRecord record_of(const WireframeOptions& o, const FrameMetadata& geometry)
 /// The mesh, in the sheet frame.
 Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
 {
-    ObjReading how;
+    MeshReading how;
     read_colour("colour", o.colour, how.plain);
     how.ignore_colours = o.plain;
     const MeshPlace at = place_of(o);
@@ -203,7 +203,7 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
     if (o.in_scene && !geometry.placement)
         throw UsageError("--in-scene needs --sheet FRAME, a frame that povray-integral has "
                          "rendered");
-    Mesh mesh = read_obj(o.inputs[0], how);
+    Mesh mesh = read_mesh(o.inputs[0], how);
     if (o.in_scene)
         for (Vec3& v : mesh.vertices)
             v = sheet_from_scene(*geometry.placement, v);
@@ -289,18 +289,20 @@ int run(const WireframeOptions& o)
 const Command wireframe_command = {
     "wireframe",
     "points, lines and faces as a frame, without a scene to render",
-    "MESH.obj -o FRAME [--fit MM] [--faces hidden] [--print WxH] [--lens-model MODEL] ...",
-    "Draws the points, lines and faces of a Wavefront OBJ file as a frame, by\n"
-    "projecting each vertex through every lens that can image it (thesis 3.4). It\n"
-    "takes less than a second, so that things can be placed before they are traced.\n"
+    "MESH -o FRAME [--fit MM] [--faces hidden] [--print WxH] [--lens-model MODEL] ...",
+    "Draws the points, lines and faces of a mesh as a frame, by projecting each\n"
+    "vertex through every lens that can image it (thesis 3.4). It takes less than a\n"
+    "second, so that things can be placed before they are traced. MESH is a Wavefront\n"
+    "OBJ file, or where the program was built with Assimp a file that Assimp reads:\n"
+    "PLY, STL, glTF, COLLADA, 3DS and many others.\n"
     "Its film points are those of povray-integral's rays; integral replay and print\n"
     "take the frame as any other.\n"
     "\n"
     "The file's coordinates are millimetres from the sheet's centre: x to the right,\n"
     "y up, z into the picture; negative z comes out of it. Colours are those of v X Y\n"
-    "Z R G B, or usemtl's Kd. Next to the sheet, within its thickness, points and\n"
-    "lines cover their lens; with --lens-model pinhole they vanish between the lenses\n"
-    "(figure 3-13).\n",
+    "Z R G B, or usemtl's Kd, or what other formats have for them. Next to the sheet,\n"
+    "within its thickness, points and lines cover their lens; with --lens-model\n"
+    "pinhole they vanish between the lenses (figure 3-13).\n",
     1,
     1,
     described<WireframeOptions>,

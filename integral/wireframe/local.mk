@@ -21,9 +21,17 @@ build_lib_libintegral_a_SOURCES += \
   integral/wireframe/lens_rays.h \
   integral/wireframe/mesh.cpp \
   integral/wireframe/mesh.h \
+  integral/wireframe/mesh_file.cpp \
+  integral/wireframe/mesh_file.h \
   integral/wireframe/obj_file.cpp \
   integral/wireframe/obj_file.h \
   integral/wireframe/vertex_film.cpp \
   integral/wireframe/vertex_film.h \
   integral/wireframe/wireframe.cpp \
   integral/wireframe/wireframe.h
+
+if HAVE_ASSIMP
+build_lib_libintegral_a_SOURCES += integral/wireframe/assimp_file.cpp
+else
+build_lib_libintegral_a_SOURCES += integral/wireframe/without_assimp.cpp
+endif
