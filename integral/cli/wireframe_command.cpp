@@ -158,6 +158,9 @@ MeshPlace place_of(const WireframeOptions& o)
 FrameMetadata geometry_of(const WireframeOptions& o)
 {
     FrameMetadata geometry = o.start ? read_metadata(*o.start) : default_geometry();
+    if (geometry.projection)
+        throw InputError(*o.start + ": it is a frame for replay through a projection lens, through "
+                                    "which wireframes are not drawn");
     change_sheet(o.sheet, geometry.sheet);
     change_film(o.film, o.print, geometry.film);
     if (geometry.film.width < 1)
