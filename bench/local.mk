@@ -13,6 +13,11 @@ EXTRA_PROGRAMS += build/bench/interlace_speed
 build_bench_interlace_speed_SOURCES = bench/interlace_speed.cpp
 build_bench_interlace_speed_LDADD = $(LIBINTEGRAL_LIBS)
 
+# Wireframes of 100,000 edges (doc/thesis.md).
+EXTRA_PROGRAMS += build/bench/wireframe_speed
+build_bench_wireframe_speed_SOURCES = bench/wireframe_speed.cpp
+build_bench_wireframe_speed_LDADD = $(LIBINTEGRAL_LIBS)
+
 # Seconds and memory of commands for a frame of 12000 x 8400 pixels. Takes minutes and gigabytes of
 # disk; its test uses a small frame.
 check_PROGRAMS += build/bench/large_frames
@@ -59,10 +64,12 @@ depth-scores: all pristine build/bench/depth_truth build/bench/depth_limit $(dep
 	$(srcdir)/bench/depth_remade $(abs_builddir)/build/bench/depth-scores
 
 .PHONY: bench
-bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed
+bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed \
+  build/bench/wireframe_speed
 	build/bench/optics_rays
 	build/bench/replay_speed
 	build/bench/interlace_speed
+	build/bench/wireframe_speed
 	$(srcdir)/bench/start_and_end
 	$(srcdir)/bench/camera_cost
 	$(srcdir)/bench/mapping_cost

@@ -123,7 +123,8 @@ unit_sources = \
   tests/unit/output_print_media.cpp \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \
-  tests/unit/wireframe.cpp
+  tests/unit/wireframe.cpp \
+  tests/unit/wireframe_far.cpp
 
 # What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and
 # a comparer of PNGs.

@@ -24,4 +24,5 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/program_path.cpp \
   integral/base/program_path.h \
   integral/base/unfinished_file.cpp \
-  integral/base/unfinished_file.h
+  integral/base/unfinished_file.h \
+  integral/base/vector_loops.h

@@ -8,7 +8,7 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
-#include "integral/wireframe/obj_file.h"
+#include "integral/wireframe/mesh_file.h"
 #include "integral/wireframe/wireframe.h"
 #include "integral/wireframe/wireframe_report.h"
 
@@ -134,6 +134,9 @@ MeshPlace place_of(const WireframeOptions& o)
 FrameMetadata geometry_of(const WireframeOptions& o)
 {
     FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
+    if (geometry.projection)
+        throw InputError(*o.start + ": it is a frame for replay through a projection lens, through "
+                                    "which wireframes are not drawn");
     if (geometry.film.width < 1)
         set_film_size("print", default_print, geometry.film);
     change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
@@ -166,7 +169,7 @@ RenderRecord record_of(const WireframeOptions& o, const FrameMetadata& geometry)
 /// The mesh, in the sheet frame.
 Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
 {
-    ObjReading how;
+    MeshReading how;
     read_colour("colour", o.colour, how.plain);
     how.ignore_colours = o.plain;
     const MeshPlace at = place_of(o);
@@ -176,7 +179,7 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
     if (o.in_scene && !geometry.placement)
         throw UsageError("--in-scene needs --sheet FRAME, a frame that povray-integral has "
                          "rendered");
-    Mesh mesh = read_obj(o.inputs[0], how);
+    Mesh mesh = read_mesh(o.inputs[0], how);
     if (o.in_scene)
         for (Vec3& v : mesh.vertices)
             v = sheet_from_scene(*geometry.placement, v);
@@ -255,18 +258,20 @@ int run(const WireframeOptions& o)
 const Command wireframe_command = {
     "wireframe",
     "points, lines and faces as a frame, without a scene to render",
-    "MESH.obj -o FRAME [--fit MM] [--faces hidden] [--print WxH] [--lens-model MODEL] ...",
-    R"(Draws the points, lines and faces of a Wavefront OBJ file as a frame, by
-projecting each vertex through every lens that can image it (thesis 3.4). It
-takes less than a second, so that things can be placed before they are traced.
+    "MESH -o FRAME [--fit MM] [--faces hidden] [--print WxH] [--lens-model MODEL] ...",
+    R"(Draws the points, lines and faces of a mesh as a frame, by projecting each
+vertex through every lens that can image it (thesis 3.4). It takes less than a
+second, so that things can be placed before they are traced. MESH is a Wavefront
+OBJ file, or where the program was built with Assimp a file that Assimp reads:
+PLY, STL, glTF, COLLADA, 3DS and many others.
 Its film points are those of povray-integral's rays; integral replay and print
 take the frame as any other.
 
 The file's coordinates are millimetres from the sheet's centre: x to the right,
 y up, z into the picture; negative z comes out of it. Colours are those of v X Y
-Z R G B, or usemtl's Kd. Next to the sheet, within its thickness, points and
-lines cover their lens; with --lens-model pinhole they vanish between the lenses
-(figure 3-13).
+Z R G B, or usemtl's Kd, or what other formats have for them. Next to the sheet,
+within its thickness, points and lines cover their lens; with --lens-model
+pinhole they vanish between the lenses (figure 3-13).
 )",
     1,
     1,

@@ -3,16 +3,7 @@
 
 #include <algorithm>
 
-// gcc 12 makes no vectors of such loops at -O2. AVX2 without fused multiply-add rounds as SSE does.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("O3")
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__)
-#define INTEGRAL_VECTORS __attribute__((target_clones("avx2", "default")))
-#endif
-#endif
-#ifndef INTEGRAL_VECTORS
-#define INTEGRAL_VECTORS
-#endif
+#include "integral/base/vector_loops.h"
 
 namespace integral {
 

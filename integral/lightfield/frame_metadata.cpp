@@ -48,6 +48,12 @@ ProjectionLens projection_from(const JsonObject& object)
     lens.viewer = number_at(object, "viewing_distance_mm", 1e-2, 1e9);
     if (!(lens.distance > lens.focal_length))
         refuse(object.path_of("distance_mm"), "must be greater than the focal length");
+    if (object.has("columns")) {
+        constexpr int most = 1000;
+        lens.columns = whole_at(object, "columns", 1, most);
+        lens.rows = whole_at(object, "rows", 1, most);
+        lens.extent = vec2_at(object, "extent_mm", 1e-9, 1e12);
+    }
     return lens;
 }
 
@@ -123,9 +129,15 @@ Json list(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json json_of(const ProjectionLens& lens)
 {
-    return {{"focal_length_mm", lens.focal_length},
-            {"distance_mm", lens.distance},
-            {"viewing_distance_mm", lens.viewer}};
+    Json json = {{"focal_length_mm", lens.focal_length},
+                 {"distance_mm", lens.distance},
+                 {"viewing_distance_mm", lens.viewer}};
+    if (lens.columns * lens.rows > 1) {
+        json["columns"] = lens.columns;
+        json["rows"] = lens.rows;
+        json["extent_mm"] = list(lens.extent);
+    }
+    return json;
 }
 
 Json json_of(const Placement& placement)

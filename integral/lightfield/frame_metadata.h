@@ -32,7 +32,7 @@ struct FrameMetadata {
     Film film;
     Aperture aperture;
     std::optional<Placement> placement;       ///< where the sheet stood in its scene
-    std::optional<ProjectionLens> projection; ///< the aperture is this lens, `placement` that of
+    std::optional<ProjectionLens> projection; ///< as IntegralCamera has it: `placement` is that of
                                               ///< the sheet's projected image
     Encoding encoding;
     std::optional<RenderRecord> render;

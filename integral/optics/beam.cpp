@@ -15,14 +15,6 @@ bool has_safe_squares(Vec3 point)
            std::fabs(point.z) > 1 / most;
 }
 
-Vec2 film_point_through_pole(const Medium& medium, Vec2 pole, Vec3 scene_point)
-{
-    const double sign = scene_point.z > 0 ? -1 : 1; // towards the viewer
-    const Vec2 lateral = Vec2{scene_point.x, scene_point.y} - pole;
-    return pole - offset_from_direction(medium,
-                                        {sign * lateral.x, sign * lateral.y, sign * scene_point.z});
-}
-
 /// How light is refracted where it leaves a lens.
 struct Exit {
     Vec2 across, along; // the directions b and a of lens_surface.h

@@ -49,6 +49,16 @@ Vec2 leaving_point(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
 std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
                                        const LensPoint& point = {});
 
+/// The same through the pole of a square or hexagonal lens, whatever the model: a point with z not
+/// 0.
+inline Vec2 film_point_through_pole(const Medium& medium, Vec2 pole, Vec3 scene_point)
+{
+    const double sign = scene_point.z > 0 ? -1 : 1; // towards the viewer
+    return pole -
+           offset_from_direction(medium, {sign * (scene_point.x - pole.x),
+                                          sign * (scene_point.y - pole.y), sign * scene_point.z});
+}
+
 } // namespace integral
 
 #endif

@@ -52,13 +52,31 @@ double eye_distance(const CameraParameters& p, const ViewFrame& view, double k)
     return distance;
 }
 
-Aperture make_aperture(const CameraParameters& p, double distance)
+/// `scale`: of the aperture by that of the scene's words.
+Aperture make_aperture(const CameraParameters& p, double distance, double scale)
 {
     if (p.capture_aperture)
-        return {distance, p.capture_aperture->x, p.capture_aperture->y, p.aperture_shape};
+        return {distance, scale * p.capture_aperture->x, scale * p.capture_aperture->y,
+                p.aperture_shape};
     Aperture aperture = *filling_aperture(modelled_sheet(p.sheet, p.model), distance);
     aperture.shape = p.aperture_shape;
     return aperture;
+}
+
+/// The aperture before a sheet, or with a projection lens that lens. A lenticular sheet's aperture
+/// fixes the heights of its rays: it is where the viewer's eyes may be, as their image by the lens.
+Aperture make_aperture(const CameraParameters& p, const std::optional<ProjectionLens>& projection,
+                       double eye)
+{
+    if (!projection)
+        return make_aperture(p, eye, 1);
+    if (p.sheet.arrangement != Arrangement::lenticular)
+        return make_aperture(p, projection->distance, 1);
+    if (!(projection->eye_image_distance() >= 1e-2))
+        fail(
+            "the viewer's eye is so near to the projected image that the projection lens images it "
+            "onto the sheet: give viewing_distance, or move the camera back");
+    return make_aperture(p, projection->eye_image_distance(), projection->eye_scale());
 }
 
 /// `k`: scene units per mm.
@@ -120,13 +138,17 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
     const Film film{width, height, p.film.pixel_pitch, p.film.subpixels};
     std::optional<ProjectionLens> projection;
     if (p.projection_lens)
-        projection = ProjectionLens{p.projection_lens->x, p.projection_lens->y, 0};
+        projection = ProjectionLens{
+            p.projection_lens->focal_length, p.projection_lens->distance,  0,
+            int(p.projection_lens->columns), int(p.projection_lens->rows), {}};
     const double k = scale_of(p, view,
                               (projection ? projection->magnification() : 1) * size_of(film).x);
     const double eye = eye_distance(p, view, k);
     if (projection)
         projection->viewer = eye;
-    const Aperture aperture = make_aperture(p, projection ? projection->distance : eye);
+    const Aperture aperture = make_aperture(p, projection, eye);
+    if (projection)
+        projection->extent = {aperture.width, aperture.height};
     Placement placement = make_placement(view, k);
     placement.scale_is_given = p.film.units_per_mm.has_value();
     return {SheetOptics(p.sheet, aperture, p.model),
@@ -164,8 +186,10 @@ static Line line_into_scene(const IntegralCamera& camera, const BeamRay& ray)
     const double distance = camera.optics.aperture().distance, front = start_distance(camera);
     if (camera.projection) {
         const Vec3 in_plane = ray.point + (-ray.point.z / d.z) * d;
-        const Line line = projected(*camera.projection, {in_plane.x, in_plane.y},
-                                    ray.aperture_point);
+        const Vec2 from{in_plane.x, in_plane.y};
+        const Vec2 on_lens = from +
+                             (camera.projection->distance / distance) * (ray.aperture_point - from);
+        const Line line = projected(*camera.projection, from, on_lens);
         const Vec3 way = (1 / length(line.direction)) * line.direction;
         return {line.origin + -front * line.direction, way};
     }

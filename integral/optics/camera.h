@@ -51,7 +51,8 @@ struct IntegralCamera {
     /// place of their ideal filter). Every sample goes through the lens of the pixel's centre, even
     /// where its film point belongs to a neighbour.
     bool display_prefilter = false;
-    /// The aperture is then this lens, and `placement` that of the image frame (projection.h).
+    /// The aperture is then this lens, of a lenticular sheet the image by it of where the eyes may
+    /// be; and `placement` that of the image frame (projection.h).
     std::optional<ProjectionLens> projection = {};
 
     /// Height (mm) of a lenticular sheet's slit at a point of the aperture plane; 0 for other

@@ -92,16 +92,20 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
                              "must be greater than 0");
     }
     if (p.projection_lens) {
+        const ProjectionWords& lens = *p.projection_lens;
         c.require(
-            in(p.projection_lens->x, 1e-2, 1e6), "focal length of projection_lens",
-            p.projection_lens->x,
+            in(lens.focal_length, 1e-2, 1e6), "focal length of projection_lens", lens.focal_length,
             "projection_lens is <focal length, distance from the sheet>, each 0.01 to 1000000 "
             "mm");
         c.require(
-            in(p.projection_lens->y, 1e-2, 1e6) && p.projection_lens->y > p.projection_lens->x,
-            "distance of projection_lens", p.projection_lens->y,
+            in(lens.distance, 1e-2, 1e6) && lens.distance > lens.focal_length,
+            "distance of projection_lens", lens.distance,
             "it is in mm from the sheet, greater than the focal length (else the lens projects "
             "no image), at most 1000000");
+        for (const double count : {lens.columns, lens.rows})
+            c.require(in(count, 1, 1000) && count == std::floor(count),
+                      "number of macro-lenses of projection_lens", count,
+                      "<focal length, distance, columns, rows> has 1 to 1000 lenses either way");
     }
     return c.list;
 }
@@ -168,9 +172,10 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     if (p.model == LensModel::hybrid && p.beam_samples)
         errors.push_back("beam_samples does not go with lens_model hybrid, which has 3 or 5 rays "
                          "of its own; lens_model full has as many as beam_samples says");
-    if (p.projection_lens && p.sheet.arrangement == Arrangement::lenticular)
-        errors.push_back("projection_lens needs square or hexagonal lenses: behind a lenticular "
-                         "sheet's, heights would be seen in wrong perspective");
+    if (p.projection_lens && p.sheet.arrangement == Arrangement::lenticular &&
+        p.projection_lens->columns * p.projection_lens->rows > 1)
+        errors.push_back("several macro-lenses of projection_lens need square or hexagonal lenses: "
+                         "a lenticular sheet's light has no one place at which it meets them");
     if (p.projection_lens && p.pseudoscopic)
         errors.push_back("pseudoscopic does not go with projection_lens, whose image is turned "
                          "upside down and in depth by the lens itself");

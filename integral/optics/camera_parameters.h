@@ -21,6 +21,12 @@ struct FilmParameters {
     Subpixels subpixels = {};
 };
 
+/// A lens before the sheet, or an array of them (projection.h).
+struct ProjectionWords {
+    double focal_length = 0, distance = 0; ///< mm, the latter from the sheet
+    double columns = 1, rows = 1;          ///< macro-lenses across and down
+};
+
 /// An integral camera as a scene states it. The comments give units and defaults.
 struct CameraParameters {
     LensSheet sheet;
@@ -46,9 +52,9 @@ struct CameraParameters {
     /// How far the camera sees in front of the sheet (at most to the viewer) and behind it, mm;
     /// >= 0. Nothing: from the aperture to infinity.
     std::optional<Vec2> depth_range;
-    /// Focal length of a projection lens before the sheet and its distance from the sheet, mm. The
-    /// scene is where the viewer sees the projected image: sheet_distance is that of the sheet's.
-    std::optional<Vec2> projection_lens;
+    /// The scene is where the viewer sees the projected image: sheet_distance is that of the
+    /// sheet's.
+    std::optional<ProjectionWords> projection_lens;
     bool pseudoscopic = false; ///< Lippmann's single-stage capture: inverted in depth
 };
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The lens of a projection system (thesis 5.5, figure 5-12): an ideal thin lens before the sheet,
-// which projects what the sheet replays as a magnified aerial image towards the viewer.
+// The lenses of a projection system (thesis 5.5, figures 5-10 and 5-12): one ideal thin lens before
+// the sheet, or an array of them side by side, which projects what the sheet replays as a magnified
+// aerial image towards the viewer.
 #ifndef INTEGRAL_OPTICS_PROJECTION_H
 #define INTEGRAL_OPTICS_PROJECTION_H
 
 #include "integral/optics/vec.h"
+
+#include <algorithm>
 
 namespace integral {
 
@@ -12,12 +15,40 @@ namespace integral {
 /// The image frame is the sheet frame moved there: origin in the image's middle, +z away from the
 /// viewer, so that the lens is at z = image_distance() and the sheet behind it.
 struct ProjectionLens {
-    double focal_length = 0; ///< > 0
-    double distance = 0;     ///< from the sheet to the lens, > focal_length
-    double viewer = 0;       ///< from the sheet's image to the viewer's eye, > 0
+    double focal_length = 0;   ///< > 0
+    double distance = 0;       ///< from the sheet to the lens, > focal_length
+    double viewer = 0;         ///< from the sheet's image to the viewer's eye, > 0
+    int columns = 1, rows = 1; ///< macro-lenses across and down, of equal rectangular outlines
+    Vec2 extent = {};          ///< width and height of all of them together; of one, any
 
     double magnification() const { return focal_length / (distance - focal_length); }
     double image_distance() const { return distance * magnification(); }
+
+    /// How far before the sheet the viewer's eye has its image by the lens: less than `distance`.
+    double eye_image_distance() const { return distance - eye_image_beside(); }
+    /// The size of that image by that of the eye; it is upside down.
+    double eye_scale() const { return eye_image_beside() / (image_distance() + viewer); }
+
+    /// The middle of the macro-lens at a point of the lenses' plane.
+    Vec2 middle_at(Vec2 lens_point) const
+    {
+        return {middle(lens_point.x, extent.x, columns), middle(lens_point.y, extent.y, rows)};
+    }
+
+private:
+    double eye_image_beside() const ///< from the lens towards the sheet
+    {
+        const double eye = image_distance() + viewer;
+        return focal_length * eye / (eye - focal_length);
+    }
+    static double middle(double at, double whole, int count)
+    {
+        if (count == 1)
+            return 0;
+        const double width = whole / count;
+        const double number = std::clamp(std::floor(at / width + 0.5 * count), 0.0, count - 1.0);
+        return (number + 0.5 - 0.5 * count) * width;
+    }
 };
 
 /// A straight line: origin + s direction.
@@ -31,7 +62,8 @@ struct Line {
 /// direction.z = 1.
 inline Line projected(const ProjectionLens& lens, Vec2 sheet_point, Vec2 lens_point)
 {
-    const Vec2 image = -lens.magnification() * sheet_point;
+    const Vec2 middle = lens.middle_at(lens_point);
+    const Vec2 image = middle - lens.magnification() * (sheet_point - middle);
     const Vec2 slope = (1 / lens.image_distance()) * (lens_point - image);
     return {{image.x, image.y, 0}, {slope.x, slope.y, 1}};
 }
@@ -44,7 +76,9 @@ inline ProjectedFrom projected_from(const ProjectionLens& lens, const Line& line
 {
     const Vec2 slope{line.direction.x / line.direction.z, line.direction.y / line.direction.z};
     const Vec2 image = Vec2{line.origin.x, line.origin.y} + -line.origin.z * slope;
-    return {(-1 / lens.magnification()) * image, image + lens.image_distance() * slope};
+    const Vec2 lens_point = image + lens.image_distance() * slope;
+    const Vec2 middle = lens.middle_at(lens_point);
+    return {middle - (1 / lens.magnification()) * (image - middle), lens_point};
 }
 
 } // namespace integral

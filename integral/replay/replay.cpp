@@ -47,6 +47,7 @@ public:
           film_gap_(view.film_gap),
           gap_parts_(view.film_gap / frame.metadata->sheet.thickness),
           projection_(frame.metadata->projection),
+          lenticular_(frame.metadata->sheet.arrangement == Arrangement::lenticular),
           optics_(frame.metadata->sheet, frame.metadata->aperture, view.model),
           surface_(frame.metadata->sheet),
           pixel_(frame.image),
@@ -76,7 +77,8 @@ private:
         const Vec2 slope = (1 / distance_) * (image - eye);
         const ProjectedFrom from = projected_from(*projection_,
                                                   {{image.x, image.y, 0}, {slope.x, slope.y, 1}});
-        if (!contains(optics_.aperture(), from.lens_point))
+        // Of a lenticular sheet the aperture is not the lens, which is large enough.
+        if (!lenticular_ && !contains(optics_.aperture(), from.lens_point))
             return std::nullopt;
         return film_point_seen(from.sheet_point, from.lens_point, projection_->distance);
     }
@@ -110,6 +112,7 @@ private:
     double film_gap_;  ///< the film's distance behind the lenses' focus, mm
     double gap_parts_; ///< the same in thicknesses
     std::optional<ProjectionLens> projection_;
+    bool lenticular_;
     SheetOptics optics_;
     SheetSurface surface_; ///< for models that refract there
     LinearReader pixel_;

@@ -52,6 +52,7 @@ public:
     LensBins(const std::vector<LensRange>& ranges, const LensRange& window, int block);
 
     int blocks() const { return columns_ * rows_; }
+    int columns() const { return columns_; } ///< blocks in a row
     int block_of(LensIndex lens) const
     {
         return int(lens.j - window_.j) / block_ * columns_ + int(lens.i - window_.i) / block_;

@@ -32,63 +32,21 @@ Colour between(Colour a, Colour b, double t)
 
 } // namespace
 
-void VertexFilm::begin(LensIndex lens, const std::vector<LensPoint>& rays)
-{
-    lens_ = lens;
-    rays_ = &rays;
-    state_.resize(mesh_.vertices.size());
-    pixel_.resize(state_.size() * rays.size());
-    ++generation_;
-}
-
-bool VertexFilm::project(Vec3 point, Vec2* pixel) const
-{
-    for (const LensPoint& ray : *rays_) {
-        const auto at = film_point_imaging(request_.optics, point, lens_, ray);
-        if (!at)
-            return false;
-        const Vec2 shown = request_.pseudoscopic ? mirrored_in_lens(request_.optics, *at, lens_)
-                                                 : *at;
-        *pixel++ = pixel_from_film(request_.film, shown) - shift_;
-    }
-    return true;
-}
-
-const Vec2* VertexFilm::of(std::uint32_t vertex)
-{
-    Vec2* pixel = &pixel_[vertex * rays_->size()];
-    std::uint32_t& state = state_[vertex];
-    if (state / 2 != generation_) {
-        state = 2 * generation_ + project(mesh_.vertices[vertex], pixel);
-        ++projections_;
-    }
-    return state % 2 ? pixel : nullptr;
-}
-
-const Vec2* VertexFilm::of_point(Vec3 point)
-{
-    return project(point, single_.data()) ? single_.data() : nullptr;
-}
-
 LensDrawing::LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 shift,
                          const SharpPicture& picture, VertexFilm& vertices, LensRaster& raster)
     : request_(request),
-      mesh_(vertices.mesh()),
+      block_(vertices.block()),
+      mesh_(block_.mesh),
       lens_(lens),
       shift_(shift),
       pole_(request.optics.lattice().pole(lens)),
       picture_(picture),
       vertices_(vertices),
-      raster_(raster)
+      raster_(raster),
+      limits_(depth_limits(request))
 {
     const SheetOptics& optics = request.optics;
     const double distance = optics.aperture().distance, thickness = optics.sheet().thickness;
-    foremost_ = request.pseudoscopic ? 0 : -0.999 * distance;
-    near_ = optics.model() == LensModel::extended_pinhole ? thickness : 0;
-    const auto rim = tangent_plane(surface_radius(optics.sheet()), 0.5 * optics.sheet().pitch);
-    behind_ = std::max(near_, 1e-6 * thickness);
-    if (refracts_at_surface(optics.model()) && rim)
-        behind_ += rim->height;
     // A pixel may see what is just outside of the aperture, beside what its centre sees.
     aperture_margin_ = 4 * optics.medium().n * distance / thickness *
                        std::max(request.film.pixel_pitch.x, request.film.pixel_pitch.y);
@@ -133,7 +91,8 @@ void LensDrawing::cover(Vec3 point, Colour colour)
         return;
     if (optics.sheet().arrangement != Arrangement::lenticular)
         return raster_.fill(point.z, colour);
-    const double apart = 1e-6 * near_; // in the plane of the poles, points have no film point
+    const double apart = 1e-6 *
+                         limits_.near; // in the plane of the poles, points have no film point
     Vec3 imaged = point;
     if (std::fabs(imaged.z) < apart)
         imaged.z = apart;
@@ -144,9 +103,9 @@ void LensDrawing::cover(Vec3 point, Colour colour)
 void LensDrawing::draw(const MeshPoint& point)
 {
     const Vec3 at = mesh_.vertices[point.vertex];
-    if (!is_in_front_of_eye(at.z))
+    if (!limits_.is_seen(at.z))
         return;
-    if (is_near(at.z))
+    if (std::fabs(at.z) <= limits_.near)
         return cover(at, point.colour);
     if (const auto film = corner(vertices_.of(point.vertex), at.z, point.colour))
         raster_.draw_point(*film);
@@ -156,36 +115,45 @@ void LensDrawing::draw(const MeshLine& line)
 {
     const auto& all = mesh_.vertices;
     const Vec3 from = all[line.vertex[0]], to = all[line.vertex[1]], way = to - from;
-    const double before_lens = std::max(near_, 1e-6 * request_.optics.sheet().thickness);
-    const bool is_far = std::min(from.z, to.z) > behind_ || std::max(from.z, to.z) < -before_lens;
-    if (is_far && std::min(from.z, to.z) > foremost_) {
+    const double least = std::min(from.z, to.z), most = std::max(from.z, to.z);
+    if (limits_.is_far(least, most)) {
         const Vec2* start = vertices_.of(line.vertex[0]);
         const Vec2* end = start ? vertices_.of(line.vertex[1]) : start;
-        if (start && end) {
-            const FilmCorner a = corner_at(start, from.z, line.colour[0]),
-                             b = corner_at(end, to.z, line.colour[1]);
-            const Vec2 chord = b.pixel - a.pixel;
-            const double square = dot(chord, chord);
-            if (square <= straight * straight)
-                return raster_.draw_line(a, b);
-            if (square <= not_clipped * not_clipped)
-                return draw_curve({from, line.colour[0]}, a, {to, line.colour[1]}, b, 0);
-        }
+        if (start && end && draw_short(line, start, end))
+            return;
     }
     Span seen;
-    keep_positive(from.z - foremost_, way.z, seen);
+    keep_positive(from.z - limits_.foremost, way.z, seen);
     Span behind = seen, before = seen, beside = seen;
-    keep_positive(from.z - behind_, way.z, behind);
+    keep_positive(from.z - limits_.behind, way.z, behind);
     keep_in_aperture(from, way, true, behind);
     draw_far(line, behind);
-    keep_positive(-from.z - before_lens, -way.z, before);
+    keep_positive(-from.z - limits_.before, -way.z, before);
     keep_in_aperture(from, way, false, before);
     draw_far(line, before);
-    if (near_ == 0)
+    if (limits_.near == 0)
         return;
-    keep_positive(near_ - from.z, -way.z, beside);
-    keep_positive(near_ + from.z, way.z, beside);
+    keep_positive(limits_.near - from.z, -way.z, beside);
+    keep_positive(limits_.near + from.z, way.z, beside);
     draw_near(line, beside);
+}
+
+/// A far line by the film points of its ends, if these are near to each other. Returns whether they
+/// are.
+bool LensDrawing::draw_short(const MeshLine& line, const Vec2* start, const Vec2* end)
+{
+    const Vec3 from = mesh_.vertices[line.vertex[0]], to = mesh_.vertices[line.vertex[1]];
+    const FilmCorner a = corner_at(start, from.z, line.colour[0]),
+                     b = corner_at(end, to.z, line.colour[1]);
+    const Vec2 chord = b.pixel - a.pixel;
+    const double square = dot(chord, chord);
+    if (square > not_clipped * not_clipped)
+        return false;
+    if (square <= straight * straight)
+        raster_.draw_line(a, b);
+    else
+        draw_curve({from, line.colour[0]}, a, {to, line.colour[1]}, b, 0);
+    return true;
 }
 
 /// Keeps what the aperture may see through the lens. The line from a scene point S through the

@@ -3,48 +3,12 @@
 #ifndef INTEGRAL_WIREFRAME_LENS_DRAWING_H
 #define INTEGRAL_WIREFRAME_LENS_DRAWING_H
 
-#include "integral/wireframe/lens_raster.h"
-#include "integral/wireframe/lens_rays.h"
-#include "integral/wireframe/wireframe.h"
+#include "integral/wireframe/vertex_film.h"
 
 #include <optional>
 #include <vector>
 
 namespace integral {
-
-/// Where on the film the rays of one lens put a mesh's vertices, in continuous pixel coordinates;
-/// each is worked out when it is first asked for. Used for one lens after another.
-class VertexFilm {
-public:
-    /// `shift`: of a colour's subpixels from their pixels' centres, in pixels, +y down.
-    VertexFilm(const WireframeRequest& request, const Mesh& mesh, Vec2 shift)
-        : request_(request), mesh_(mesh), shift_(shift)
-    {
-    }
-    const Mesh& mesh() const { return mesh_; }
-    /// Forgets all places.
-    void begin(LensIndex lens, const std::vector<LensPoint>& rays);
-    /// The places of a vertex, one for each ray; nullptr where a ray has none.
-    const Vec2* of(std::uint32_t vertex);
-    /// The same of any scene point, kept until the next call.
-    const Vec2* of_point(Vec3 point);
-    double projections() const { return projections_; }
-
-private:
-    bool project(Vec3 point, Vec2* pixel) const;
-
-    const WireframeRequest& request_;
-    const Mesh& mesh_;
-    Vec2 shift_;
-    LensIndex lens_;
-    const std::vector<LensPoint>* rays_ = nullptr;
-    std::vector<Vec2> pixel_;
-    std::vector<std::uint32_t> state_; ///< of each vertex: 2 generation_ + whether it has film
-                                       ///< points
-    std::uint32_t generation_ = 0;
-    std::array<Vec2, 5> single_;
-    double projections_ = 0;
-};
 
 /// One sharp picture of a lens, of the mesh whose vertices are given.
 class LensDrawing {
@@ -52,11 +16,18 @@ public:
     LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 shift,
                 const SharpPicture& picture, VertexFilm& vertices, LensRaster& raster);
 
+    /// All of the block that the lens may image.
+    void draw_all();
+
+private:
     void draw(const MeshPoint& point);
     void draw(const MeshLine& line);
     void draw(const MeshTriangle& triangle);
+    void draw_far_lines();
+    void draw_far_triangles();
+    bool may_be_seen(int from, int to, float nearest) const;
+    bool draw_short(const MeshLine& line, const Vec2* start, const Vec2* end);
 
-private:
     struct End {
         Vec3 point;
         Colour colour;
@@ -68,8 +39,6 @@ private:
     FilmCorner corner_at(const Vec2* pixel, double depth, Colour colour) const;
     std::optional<FilmCorner> corner(const Vec2* pixel, double depth, Colour colour) const;
     std::optional<FilmCorner> corner(const End& end) const;
-    bool is_near(double z) const { return std::fabs(z) <= near_; }
-    bool is_in_front_of_eye(double z) const { return z > foremost_; }
     void cover(Vec3 point, Colour colour);
     static End half_way(const End& a, const End& b);
     void draw_far(const MeshLine& line, Span span);
@@ -92,18 +61,21 @@ private:
     PixelBox box_by_slopes(const MeshTriangle& triangle) const;
     PixelBox centres_within(Interval across, Interval down) const;
     PixelBox pixels_within(Interval x, Interval y) const;
+    double bulge_by_pixel() const;
     void see_faces();
+    void paint(const MeshTriangle& triangle, const PixelBox& box);
+    double put_back(Vec3 normal, Vec3 direction, double depth) const;
+    Colour shade(const MeshTriangle& triangle, Vec3 corner, Vec3 normal) const;
 
     const WireframeRequest& request_;
+    const BlockMesh& block_;
     const Mesh& mesh_;
     LensIndex lens_;
     Vec2 shift_, pole_;
     const SharpPicture& picture_;
     VertexFilm& vertices_;
     LensRaster& raster_;
-    double foremost_; ///< z in front of which nothing is seen, mm
-    double near_;     ///< |z| up to which what is next to a lens covers it, mm; 0: never
-    double behind_;   ///< z beyond which a point is behind the lens and its curved surface, mm
+    DepthLimits limits_;
     double aperture_margin_;                     ///< mm
     std::vector<std::optional<BeamRay>> sights_; ///< of the raster's pixels, once faces need them
 };

@@ -66,7 +66,7 @@ PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
     for (const std::uint32_t vertex : triangle.vertex) {
         const Vec3 s = mesh_.vertices[vertex];
         const Vec2* pixel = vertices_.of(vertex);
-        if (!pixel || !is_in_front_of_eye(s.z))
+        if (!pixel || !limits_.is_seen(s.z))
             return raster_.box();
         across.add(pixel->x);
         down.add(pixel->y);
@@ -100,7 +100,7 @@ PixelBox LensDrawing::box_by_slopes(const MeshTriangle& triangle) const
     const double next_to = 1e-6 * optics.sheet().thickness;
     for (const std::uint32_t vertex : triangle.vertex) {
         const Vec3 s = mesh_.vertices[vertex];
-        if (!vertices_.of(vertex) || !is_in_front_of_eye(s.z))
+        if (!vertices_.of(vertex) || !limits_.is_seen(s.z))
             return raster_.box();
         sides |= s.z > next_to ? 1 : s.z < -next_to ? 2 : 3;
         const Vec2 p = leaving_point(optics, s, lens_), a = p + (d / s.z) * (p - Vec2{s.x, s.y});
@@ -169,46 +169,57 @@ PixelBox LensDrawing::centres_within(Interval across, Interval down) const
 void LensDrawing::draw(const MeshTriangle& triangle)
 {
     const PixelBox box = box_of(triangle);
-    if (box.left >= box.right || box.top >= box.bottom)
-        return;
+    if (box.left < box.right && box.top < box.bottom)
+        paint(triangle, box);
+}
+
+Colour LensDrawing::shade(const MeshTriangle& triangle, Vec3 corner, Vec3 normal) const
+{
+    if (request_.faces != FaceStyle::flat)
+        return request_.background;
+    constexpr double ambient = 0.2;
+    const Vec3 to_eye = Vec3{0, 0, -request_.optics.aperture().distance} - corner;
+    const double facing = dot(normal, to_eye) < 0 ? -1 : 1;
+    const double lit = facing * dot(normal, request_.light) /
+                       (length(normal) * length(request_.light));
+    const float share = float(ambient + (1 - ambient) * std::max(lit, 0.0));
+    return {share * triangle.colour.r, share * triangle.colour.g, share * triangle.colour.b, 1};
+}
+
+/// Draws a triangle on those pixels of a box that see it.
+void LensDrawing::paint(const MeshTriangle& triangle, const PixelBox& box)
+{
     const auto& all = mesh_.vertices;
     const std::array<Vec3, 3> corner{all[triangle.vertex[0]], all[triangle.vertex[1]],
                                      all[triangle.vertex[2]]};
-    const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
-    const double size = length(normal);
-    if (!(size > 0))
-        return;
     if (sights_.empty())
         see_faces();
-    Colour colour = request_.background;
-    if (request_.faces == FaceStyle::flat) {
-        constexpr double ambient = 0.2;
-        const Vec3 to_eye = Vec3{0, 0, -request_.optics.aperture().distance} - corner[0];
-        const double facing = dot(normal, to_eye) < 0 ? -1 : 1;
-        const double lit = facing * dot(normal, request_.light) / (size * length(request_.light));
-        const float shade = float(ambient + (1 - ambient) * std::max(lit, 0.0));
-        colour = {shade * triangle.colour.r, shade * triangle.colour.g, shade * triangle.colour.b,
-                  1};
-    }
-    // An edge's pixels see its faces beside the edge. They are put back by as much as they may lie
-    // in front of it there, so that they do not hide it.
-    const SheetOptics& optics = request_.optics;
-    const double pixel = std::max(request_.film.pixel_pitch.x, request_.film.pixel_pitch.y) *
-                         optics.medium().n / optics.medium().t;
-    constexpr double steepest = 16;
+    const float nearest = float(std::min({corner[0].z, corner[1].z, corner[2].z}));
     raster_.for_each_pixel_in(box, [&](std::size_t index, int, int) {
         const auto& ray = sights_[index];
-        const auto depth = ray ? depth_on(corner, *ray) : std::nullopt;
-        if (!depth || !is_in_front_of_eye(*depth))
+        const bool is_hidden = !raster_.is_seen_at(index, nearest);
+        const auto seen = ray && !is_hidden ? depth_on(corner, *ray) : std::nullopt;
+        if (!seen || !limits_.is_seen(*seen) || !raster_.is_seen_at(index, float(*seen)))
             return;
-        double back = 0;
-        if (request_.faces == FaceStyle::hidden) {
-            const double tilt = length(Vec2{normal.x, normal.y}) /
-                                std::max(std::fabs(dot(normal, ray->direction)), 1e-9 * size);
-            back = std::min(tilt, steepest) * pixel * (std::fabs(*depth) + optics.medium().t);
-        }
-        raster_.draw_at(index, *depth + back, colour);
+        const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+        const double depth = *seen + (request_.faces == FaceStyle::hidden
+                                          ? put_back(normal, ray->direction, *seen)
+                                          : 0);
+        raster_.draw_at(index, float(depth), shade(triangle, corner[0], normal));
     });
+}
+
+/// An edge's pixels see its faces beside the edge. Faces are put back by as much as they may lie in
+/// front of it there, so that they do not hide it.
+double LensDrawing::put_back(Vec3 normal, Vec3 direction, double depth) const
+{
+    constexpr double steepest = 16;
+    const Medium& medium = request_.optics.medium();
+    const double pixel = std::max(request_.film.pixel_pitch.x, request_.film.pixel_pitch.y) *
+                         medium.n / medium.t;
+    const double tilt = length(Vec2{normal.x, normal.y}) /
+                        std::max(std::fabs(dot(normal, direction)), 1e-9 * length(normal));
+    return std::min(tilt, steepest) * pixel * (std::fabs(depth) + medium.t);
 }
 
 } // namespace integral

@@ -34,38 +34,41 @@ void clip(double from, double step, double least, double most, double& first, do
 
 } // namespace
 
-LensRaster::LensRaster(const LensRun* begin, const LensRun* end) : begin_(begin), end_(end)
+void LensRaster::begin(const LensRun* begin, const LensRun* end)
 {
     box_ = {begin->first, begin->row, begin->end, (end - 1)->row + 1};
-    row_start_.assign(std::size_t(box_.bottom - box_.top) + 1, end - begin);
-    std::size_t pixels = 0;
+    std::vector<int>& left = left_;
+    left.assign(std::size_t(rows()), INT32_MAX);
+    columns_ = 0;
     for (const LensRun* run = begin; run != end; ++run) {
+        int& first = left[std::size_t(run->row - box_.top)];
+        first = std::min(first, run->first); // runs of a row are in order
+        columns_ = std::max(columns_, run->end - first);
         box_.left = std::min(box_.left, run->first);
         box_.right = std::max(box_.right, run->end);
-        offset_.push_back(pixels);
-        pixels += std::size_t(run->end - run->first);
     }
+    upright_ = box_.right - box_.left <= 2 * columns_;
+    if (upright_)
+        columns_ = box_.right - box_.left;
+    for (int& first : left)
+        if (upright_ || first == INT32_MAX)
+            first = box_.left;
+    empty_.assign(std::size_t(stride()) * std::size_t(rows() + 2) + 1, blocked);
     for (const LensRun* run = begin; run != end; ++run) {
-        std::ptrdiff_t& start = row_start_[std::size_t(run->row - box_.top)];
-        start = std::min(start, run - begin);
+        const int row = run->row - box_.top;
+        const auto at = empty_.begin() +
+                        std::ptrdiff_t(place(run->first - left[std::size_t(row)], row));
+        std::fill(at, at + (run->end - run->first), nothing);
     }
-    // A row without runs begins with the next row's.
-    for (std::size_t k = row_start_.size() - 1; k-- > 0;)
-        row_start_[k] = std::min(row_start_[k], row_start_[k + 1]);
-    depth_.resize(pixels);
-    colour_.resize(pixels);
+    colour_.resize(empty_.size());
     clear();
 }
-
-void LensRaster::clear() { std::fill(depth_.begin(), depth_.end(), nothing); }
 
 void LensRaster::draw_point(const FilmCorner& at)
 {
     if (!is_in_box(at.pixel))
         return;
-    const std::size_t index = index_at(int(at.pixel.x), int(at.pixel.y));
-    if (index != outside)
-        draw_at(index, at.depth, at.colour);
+    draw_at(index_at(int(at.pixel.x), int(at.pixel.y)), float(at.depth), at.colour);
 }
 
 void LensRaster::draw_line(const FilmCorner& from, const FilmCorner& to)
@@ -73,6 +76,10 @@ void LensRaster::draw_line(const FilmCorner& from, const FilmCorner& to)
     const Vec2 way = to.pixel - from.pixel;
     double first = 0, last = 1;
     if (!is_in_box(from.pixel) || !is_in_box(to.pixel)) {
+        const auto [left, right] = std::minmax(from.pixel.x, to.pixel.x);
+        const auto [above, below] = std::minmax(from.pixel.y, to.pixel.y);
+        if (right < box_.left || left > box_.right || below < box_.top || above > box_.bottom)
+            return;
         clip(from.pixel.x, way.x, box_.left, box_.right, first, last);
         clip(from.pixel.y, way.y, box_.top, box_.bottom, first, last);
         if (!(first <= last))
@@ -87,25 +94,22 @@ void LensRaster::draw_line(const FilmCorner& from, const FilmCorner& to)
         const Vec2 at = from.pixel + t * way;
         const std::size_t index = index_at(flat ? k : whole_below(at.x),
                                            flat ? whole_below(at.y) : k);
-        const double depth = from.depth + t * (to.depth - from.depth);
-        if (index != outside && is_seen_at(index, depth))
+        const float depth = float(from.depth + t * (to.depth - from.depth));
+        if (is_seen_at(index, depth))
             draw_at(index, depth, between(from.colour, to.colour, t));
     }
 }
 
 void LensRaster::fill_row(int y, double depth, Colour colour)
 {
-    if (y < box_.top || y >= box_.bottom)
-        return;
-    for (const LensRun* run = first_of_row(y); run != end_ && run->row == y; ++run)
-        for (int x = run->first; x < run->end; ++x)
-            draw_at(index_of(*run, x), depth, colour);
+    for_each_pixel_in({box_.left, y, box_.right, y + 1},
+                      [&](std::size_t index, int, int) { draw_at(index, float(depth), colour); });
 }
 
 void LensRaster::fill(double depth, Colour colour)
 {
     for (std::size_t k = 0; k < depth_.size(); ++k)
-        draw_at(k, depth, colour);
+        draw_at(k, float(depth), colour);
 }
 
 } // namespace integral

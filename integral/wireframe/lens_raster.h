@@ -23,13 +23,16 @@ struct PixelBox {
     int left, top, right, bottom;
 };
 
+/// Places of the raster are rows of equally many columns, which begin where the lens's pixels of
+/// that row do, so that a slanted lens takes no more memory than an upright one. Around them is a
+/// border. Places that are not the lens's own pixels have the depth `blocked`, before everything.
 class LensRaster {
 public:
-    /// Of a lens's runs, which must outlive it.
-    LensRaster(const LensRun* begin, const LensRun* end);
+    /// Takes up the pixels of a lens's runs; nothing is drawn. Memory is used again.
+    void begin(const LensRun* begin, const LensRun* end);
 
     /// Nothing is drawn after this.
-    void clear();
+    void clear() { depth_ = empty_; }
 
     /// Draws what lies on the lens's own pixels, and leaves the others as they are.
     void draw_point(const FilmCorner& at);
@@ -40,64 +43,75 @@ public:
     void fill(double depth, Colour colour);
 
     const PixelBox& box() const { return box_; }
-    /// Number of pixels, each of which visit(index, x, y) is called for. index is 0 to size() - 1.
+    /// Number of places, of which those of the lens's pixels in `box` are visited: visit(index, x,
+    /// y) with an index from 0 to size() - 1.
     std::size_t size() const { return depth_.size(); }
     template <class Visit> void for_each_pixel_in(const PixelBox& box, Visit visit) const
     {
         const int top = std::max(box.top, box_.top), bottom = std::min(box.bottom, box_.bottom);
-        if (top >= bottom)
-            return;
-        for (const LensRun* run = first_of_row(top); run != end_ && run->row < bottom; ++run) {
-            const int from = std::max(run->first, box.left), to = std::min(run->end, box.right);
-            for (int x = from; x < to; ++x)
-                visit(index_of(*run, x), x, run->row);
+        for (int y = top; y < bottom; ++y) {
+            const int left = left_[std::size_t(y - box_.top)];
+            const int from = std::max(left, box.left), to = std::min(left + columns_, box.right);
+            for (int x = from; x < to; ++x) {
+                const std::size_t index = place(x - left, y - box_.top);
+                if (empty_[index] == nothing)
+                    visit(index, x, y);
+            }
         }
     }
-    /// Whether something at this depth is in front of what is drawn at a pixel.
-    bool is_seen_at(std::size_t index, double depth) const { return float(depth) < depth_[index]; }
-    /// Draws at a pixel that for_each_pixel_in visits.
-    void draw_at(std::size_t index, double depth, Colour colour)
+
+    /// Whether all rows begin at box().left: then a pixel's index is place(column, row) of its
+    /// coordinates in the box, of which -1 and columns() or rows() are the border.
+    bool is_upright() const { return upright_; }
+    int columns() const { return columns_; }
+    int rows() const { return box_.bottom - box_.top; }
+    int stride() const { return columns_ + 2; }
+    std::size_t place(int column, int row) const
+    {
+        return std::size_t(row + 1) * std::size_t(columns_ + 2) + std::size_t(column + 1);
+    }
+
+    /// A place that is blocked and no pixel's.
+    int nowhere() const { return int(size()) - 1; }
+
+    /// What is drawn at each place; changes with what is drawn.
+    const float* depths() const { return depth_.data(); }
+    /// Whether something at this depth is in front of what is drawn at a place.
+    bool is_seen_at(std::size_t index, float depth) const { return depth < depth_[index]; }
+    void draw_at(std::size_t index, float depth, Colour colour)
     {
         if (is_seen_at(index, depth)) {
-            depth_[index] = float(depth);
+            depth_[index] = depth;
             colour_[index] = colour;
         }
     }
-    bool is_drawn(std::size_t index) const { return depth_[index] < nothing; }
+    bool is_drawn(std::size_t index) const
+    {
+        return depth_[index] < nothing && empty_[index] == nothing;
+    }
     Colour colour(std::size_t index) const { return colour_[index]; }
 
 private:
-    static constexpr float nothing = 3e38f;
-    static constexpr std::size_t outside = SIZE_MAX;
+    static constexpr float nothing = 3e38f, blocked = -3e38f;
     bool is_in_box(Vec2 pixel) const
     {
         return pixel.x >= box_.left && pixel.x < box_.right && pixel.y >= box_.top &&
                pixel.y < box_.bottom;
     }
-    /// The index of a pixel; `outside` where it is not the lens's.
+    /// The index of a pixel; 0, which is on the border, where the raster does not have it.
     std::size_t index_at(int x, int y) const
     {
-        if (y >= box_.top && y < box_.bottom)
-            for (const LensRun* run = first_of_row(y); run != end_ && run->row == y; ++run)
-                if (x >= run->first && x < run->end)
-                    return index_of(*run, x);
-        return outside;
-    }
-    std::size_t index_of(const LensRun& run, int x) const
-    {
-        return offset_[std::size_t(&run - begin_)] + std::size_t(x - run.first);
-    }
-    /// The first run of row y or below it.
-    const LensRun* first_of_row(int y) const
-    {
-        return begin_ + row_start_[std::size_t(y - box_.top)];
+        if (y < box_.top || y >= box_.bottom)
+            return 0;
+        const int column = x - left_[std::size_t(y - box_.top)];
+        return column >= 0 && column < columns_ ? place(column, y - box_.top) : 0;
     }
 
-    const LensRun *begin_, *end_;
     PixelBox box_{};
-    std::vector<std::size_t> offset_;       ///< of each run's first pixel
-    std::vector<std::ptrdiff_t> row_start_; ///< of each row of the box, and one more
-    std::vector<float> depth_;
+    int columns_ = 0;
+    bool upright_ = true;
+    std::vector<int> left_;            ///< first pixel of each row
+    std::vector<float> depth_, empty_; ///< of each place: now, and after clear()
     std::vector<Colour> colour_;
 };
 

@@ -4,6 +4,10 @@
 build_lib_libintegral_a_SOURCES += \
   integral/wireframe/block_mesh.cpp \
   integral/wireframe/block_mesh.h \
+  integral/wireframe/depth_limits.h \
+  integral/wireframe/far_things.cpp \
+  integral/wireframe/film_loops.cpp \
+  integral/wireframe/film_loops.h \
   integral/wireframe/lens_bins.cpp \
   integral/wireframe/lens_bins.h \
   integral/wireframe/lens_drawing.cpp \
@@ -17,9 +21,19 @@ build_lib_libintegral_a_SOURCES += \
   integral/wireframe/lens_rays.h \
   integral/wireframe/mesh.cpp \
   integral/wireframe/mesh.h \
+  integral/wireframe/mesh_file.cpp \
+  integral/wireframe/mesh_file.h \
   integral/wireframe/obj_file.cpp \
   integral/wireframe/obj_file.h \
+  integral/wireframe/vertex_film.cpp \
+  integral/wireframe/vertex_film.h \
   integral/wireframe/wireframe.cpp \
   integral/wireframe/wireframe.h \
   integral/wireframe/wireframe_report.cpp \
   integral/wireframe/wireframe_report.h
+
+if HAVE_ASSIMP
+build_lib_libintegral_a_SOURCES += integral/wireframe/assimp_file.cpp
+else
+build_lib_libintegral_a_SOURCES += integral/wireframe/without_assimp.cpp
+endif

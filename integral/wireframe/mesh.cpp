@@ -45,6 +45,15 @@ void fit_mesh(Mesh& mesh, double fit)
 
 } // namespace
 
+void keep_each_edge_once(Mesh& mesh)
+{
+    auto& edges = mesh.face_edges;
+    const auto less = [](const MeshLine& a, const MeshLine& b) { return a.vertex < b.vertex; };
+    const auto same = [](const MeshLine& a, const MeshLine& b) { return a.vertex == b.vertex; };
+    std::stable_sort(edges.begin(), edges.end(), less);
+    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+}
+
 void place(Mesh& mesh, const MeshPlace& place)
 {
     if (mesh.vertices.empty())

@@ -34,6 +34,16 @@ struct Mesh {
     std::vector<MeshTriangle> triangles; ///< of the faces
 };
 
+/// What files of meshes are asked for.
+struct MeshReading {
+    Colour plain{1, 1, 1, 1};    ///< linear light; of what has no colour of its own
+    bool ignore_colours = false; ///< everything is plain, and no material file is read
+};
+
+/// Sorts face_edges and leaves out what stands there twice; each edge's first vertex must be the
+/// one with the lower number.
+void keep_each_edge_once(Mesh& mesh);
+
 /// How a mesh's coordinates become those of the sheet frame: first it is scaled, or fitted, then
 /// turned about x, y and z, then moved.
 struct MeshPlace {

@@ -110,7 +110,7 @@ void read_materials(const std::string& path, Materials& materials)
 
 class ObjReader {
 public:
-    ObjReader(const std::string& path, const ObjReading& how) : path_(path), how_(how), file_(path)
+    ObjReader(const std::string& path, const MeshReading& how) : path_(path), how_(how), file_(path)
     {
     }
 
@@ -122,7 +122,7 @@ public:
         if (mesh_.points.empty() && mesh_.lines.empty() && mesh_.triangles.empty())
             throw InputError(display_name(path_, "standard input") +
                              ": it has no points, lines or faces (statements p, l and f)");
-        keep_each_edge_once();
+        keep_each_edge_once(mesh_);
         return std::move(mesh_);
     }
 
@@ -258,17 +258,8 @@ private:
                                                              : path_.substr(0, folder + 1) + name;
     }
 
-    void keep_each_edge_once()
-    {
-        auto& edges = mesh_.face_edges;
-        const auto less = [](const MeshLine& a, const MeshLine& b) { return a.vertex < b.vertex; };
-        const auto same = [](const MeshLine& a, const MeshLine& b) { return a.vertex == b.vertex; };
-        std::stable_sort(edges.begin(), edges.end(), less);
-        edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
-    }
-
     std::string path_;
-    ObjReading how_;
+    MeshReading how_;
     Statements file_;
     Mesh mesh_;
     std::vector<std::optional<Colour>> colours_; ///< of the first vertices
@@ -279,7 +270,7 @@ private:
 
 } // namespace
 
-Mesh read_obj(const std::string& path, const ObjReading& how)
+Mesh read_obj(const std::string& path, const MeshReading& how)
 {
     return ObjReader(path, how).read();
 }

@@ -9,11 +9,6 @@
 
 namespace integral {
 
-struct ObjReading {
-    Colour plain{1, 1, 1, 1};    ///< linear light; of what has no colour of its own
-    bool ignore_colours = false; ///< everything is plain, and no material file is read
-};
-
 /// Reads v (with or without r g b), p, l, f, usemtl and mtllib (whose Kd are the colours); skips
 /// vt, vn, o, g, s and comments. "-" is standard input. Colours in the file are taken as sRGB
 /// values, as programs show them. A vertex's colour goes before the material's. Faces are cut into
@@ -21,7 +16,7 @@ struct ObjReading {
 ///
 /// Throws InputError with the line's number for any other word, a malformed number, a vertex that
 /// does not exist, and a file without points, lines and faces.
-Mesh read_obj(const std::string& path, const ObjReading& how);
+Mesh read_obj(const std::string& path, const MeshReading& how);
 
 } // namespace integral
 

@@ -45,16 +45,6 @@ LensRange window_of(const LensPixels& pixels)
     return window;
 }
 
-/// Calls visit(thing) for each thing that the lens may image.
-template <class Thing, class Visit>
-void for_each_imaged(const std::vector<Thing>& things, const std::vector<LensRange>& ranges,
-                     LensIndex lens, Visit visit)
-{
-    for (std::size_t k = 0; k < things.size(); ++k)
-        if (ranges[k].contains(lens))
-            visit(things[k]);
-}
-
 class FrameDrawing {
 public:
     FrameDrawing(const WireframeRequest& request, const Channel& channel, Image& image, int threads)
@@ -82,9 +72,10 @@ public:
             int(lenses.size()), threads_,
             [&](int number) {
                 const BlockMesh block = blocks.block(number);
-                VertexFilm vertices(request_, block.mesh, channel_.shift);
+                VertexFilm vertices(request_, block, channel_.shift);
+                LensRaster raster;
                 for (const int lens : lenses[std::size_t(number)])
-                    draw_lens(block, lens, vertices);
+                    draw_lens(lens, blocks.number_in_block(pixels_.lens(lens)), vertices, raster);
                 const std::lock_guard<std::mutex> lock(adding);
                 cost.projections += vertices.projections() / double(bundles_.size());
             },
@@ -92,20 +83,16 @@ public:
     }
 
 private:
-    void draw_lens(const BlockMesh& block, int number, VertexFilm& vertices)
+    void draw_lens(int number, int number_in_block, VertexFilm& vertices, LensRaster& raster)
     {
         const LensIndex lens = pixels_.lens(number);
-        LensRaster raster(pixels_.begin(number), pixels_.end(number));
+        raster.begin(pixels_.begin(number), pixels_.end(number));
         std::vector<Colour> light(raster.size());
         for (const RayBundle& bundle : bundles_) {
-            vertices.begin(lens, bundle.rays);
+            vertices.begin(lens, number_in_block, bundle.rays, raster);
             for (const SharpPicture& picture : bundle.pictures) {
                 raster.clear();
-                LensDrawing drawing(request_, lens, channel_.shift, picture, vertices, raster);
-                const auto draw = [&](const auto& thing) { drawing.draw(thing); };
-                for_each_imaged(block.mesh.triangles, block.ranges[2], lens, draw);
-                for_each_imaged(block.mesh.lines, block.ranges[1], lens, draw);
-                for_each_imaged(block.mesh.points, block.ranges[0], lens, draw);
+                LensDrawing(request_, lens, channel_.shift, picture, vertices, raster).draw_all();
                 add(raster, float(picture.weight), light);
             }
         }

@@ -36,7 +36,12 @@ BOOST_AUTO_TEST_CASE(the_inverse_gives_both_points_back)
     };
     for (int k = 0; k < 1000; ++k) {
         const double focal = between(10, 300);
-        const ProjectionLens lens{focal, focal * between(1.1, 4), 500};
+        ProjectionLens lens{focal, focal * between(1.1, 4), 500};
+        if (k % 2) { // of several: whichever of them the light meets
+            lens.columns = 1 + k % 5;
+            lens.rows = 1 + k % 3;
+            lens.extent = {between(20, 110), between(20, 110)};
+        }
         const Vec2 sheet{between(-100, 100), between(-100, 100)},
             at_lens{between(-50, 50), between(-50, 50)};
         Line line = projected(lens, sheet, at_lens);
@@ -47,6 +52,40 @@ BOOST_AUTO_TEST_CASE(the_inverse_gives_both_points_back)
         BOOST_TEST(length(from.sheet_point - sheet) < 1e-10);
         BOOST_TEST(length(from.lens_point - at_lens) < 1e-10);
     }
+}
+
+BOOST_AUTO_TEST_CASE(each_macro_lens_images_about_its_own_middle)
+{
+    ProjectionLens lens{100, 150, 500};
+    lens.columns = 3;
+    lens.rows = 2;
+    lens.extent = {60, 40};
+    const auto is_at = [](Vec2 a, Vec2 b) { return length(a - b) < 1e-12; };
+    BOOST_TEST(is_at(lens.middle_at({-11, 1}), {-20, 10}));
+    BOOST_TEST(is_at(lens.middle_at({9, -19}), {0, -10}));
+    BOOST_TEST(is_at(lens.middle_at({1000, -1000}), {20, -10})); // beyond: the outermost
+    // What stands before a lens's middle is imaged there; all else upside down about it.
+    for (const Vec2 lens_point : {Vec2{12, 3}, Vec2{28, 17}}) {
+        BOOST_TEST(is_at({projected(lens, {20, 10}, lens_point).origin.x,
+                          projected(lens, {20, 10}, lens_point).origin.y},
+                         {20, 10}));
+        const Vec3 off = projected(lens, {21, 13}, lens_point).origin;
+        BOOST_TEST(is_at({off.x, off.y}, {18, 4}));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_eye_has_its_image_between_sheet_and_lens)
+{
+    // The eye is 300 + 700 before the lens: 1/100 = 1/1000 + 9/1000, a ninth as large.
+    const ProjectionLens lens{100, 150, 700};
+    BOOST_TEST(std::abs(lens.eye_image_distance() - (150 - 1000 / 9.0)) < 1e-12);
+    BOOST_TEST(std::abs(lens.eye_scale() - 1 / 9.0) < 1e-15);
+    // A line from the sheet through the eye's image goes through the eye.
+    const Vec2 from{4, -3}, eye{9, 18}, image = -lens.eye_scale() * eye;
+    const Vec2 on_lens = from + (lens.distance / lens.eye_image_distance()) * (image - from);
+    const Line line = projected(lens, from, on_lens);
+    const Vec2 seen{line.origin.x - 700 * line.direction.x, line.origin.y - 700 * line.direction.y};
+    BOOST_TEST(length(seen - eye) < 1e-11);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

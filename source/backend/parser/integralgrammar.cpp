@@ -104,7 +104,7 @@ const std::vector<IntegralGrammar::Word>& IntegralGrammar::Words()
         Word::Value<&P::pixel_samples, &G::Parse_Count>("pixel_samples"),
         Word::Value<&P::display_prefilter, &G::Parse_Flag>("display_prefilter"),
         Word::Value<&P::depth_range, &G::Parse_Vector>("depth_range"),
-        Word::Value<&P::projection_lens, &G::Parse_Vector>("projection_lens"),
+        Word::Value<&P::projection_lens, &G::Parse_Projection>("projection_lens"),
         Word::Value<&P::pseudoscopic, &G::Parse_Flag>("pseudoscopic"),
     };
     return words;
@@ -244,6 +244,20 @@ int IntegralGrammar::Parse_Count()
 double IntegralGrammar::Parse_Number() { return parser.Parse_Float(); }
 
 integral::Vec2 IntegralGrammar::Parse_Vector() { return Parse_Pair(false); }
+
+/// <focal length, distance>, and after them perhaps the macro-lenses' columns and rows.
+integral::ProjectionWords IntegralGrammar::Parse_Projection()
+{
+    EXPRESS components;
+    const int terms = parser.Parse_Unknown_Vector(components);
+    if (terms != 2 && terms != 4)
+        parser.Error(
+            "projection_lens <focal length, distance> or <focal length, distance, columns, "
+            "rows> expected.");
+    if (terms == 2)
+        return {components[X], components[Y]};
+    return {components[X], components[Y], components[Z], components[T]};
+}
 
 /// A word without a value.
 bool IntegralGrammar::Parse_Flag() { return true; }

@@ -75,6 +75,7 @@ private:
     int Parse_Count();
     double Parse_Number();
     integral::Vec2 Parse_Vector();
+    integral::ProjectionWords Parse_Projection();
     bool Parse_Flag();
     void Apply_Option(IntegralStatement& statement);
     void Parse_Text(const std::string& text);

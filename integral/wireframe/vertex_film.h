@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Where on the film the rays of one lens put a mesh's vertices.
+#ifndef INTEGRAL_WIREFRAME_VERTEX_FILM_H
+#define INTEGRAL_WIREFRAME_VERTEX_FILM_H
+
+#include "integral/wireframe/block_mesh.h"
+#include "integral/wireframe/film_loops.h"
+#include "integral/wireframe/lens_raster.h"
+#include "integral/wireframe/lens_rays.h"
+
+#include <array>
+#include <vector>
+
+namespace integral {
+
+/// The film points of a block's vertices, in continuous pixel coordinates, for one lens of the
+/// block after another. Through poles of square and hexagonal lenses the vertices that the lens may
+/// image are projected together; others are when they are first asked for.
+class VertexFilm {
+public:
+    /// `shift`: of a colour's subpixels from their pixels' centres, in pixels, +y down.
+    VertexFilm(const WireframeRequest& request, const BlockMesh& block, Vec2 shift);
+
+    /// Forgets all places. `number`: of the lens in its block.
+    void begin(LensIndex lens, int number, const std::vector<LensPoint>& rays,
+               const LensRaster& raster);
+
+    const BlockMesh& block() const { return block_; }
+    /// The places of a vertex, one for each ray; nullptr where a ray has none.
+    const Vec2* of(std::uint32_t vertex);
+    /// The same of any scene point, kept until the next call.
+    const Vec2* of_point(Vec3 point);
+    double projections() const { return projections_; }
+
+    /// Whether the vertices of the block's far things were projected together. Only then there are
+    /// the following.
+    bool is_together() const { return together_; }
+    /// The raster's place of each vertex; nowhere() of those that were not projected.
+    const int* places() const { return places_.data(); }
+    const FilmExtent* extents() const { return extents_.data(); }
+
+private:
+    bool project(Vec3 point, Vec2* pixel) const;
+    void project_together(int number, const LensRaster& raster);
+
+    const WireframeRequest& request_;
+    const BlockMesh& block_;
+    Vec2 shift_;
+    LensIndex lens_;
+    const std::vector<LensPoint>* rays_ = nullptr;
+    std::vector<Vec2> pixel_;
+    std::vector<std::uint32_t> state_; ///< of each vertex: 2 generation_ + whether it has film
+                                       ///< points
+    std::uint32_t generation_ = 0;
+    bool together_ = false;
+    std::vector<std::uint32_t> list_; ///< vertices to project
+    std::vector<int> places_;
+    std::vector<FilmExtent> extents_;
+    std::array<Vec2, 5> single_;
+    double projections_ = 0;
+};
+
+} // namespace integral
+
+#endif
