@@ -58,6 +58,7 @@ unit_sources = \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
   tests/unit/depth_multibaseline.cpp \
+  tests/unit/depth_spread.cpp \
   tests/unit/fabrication.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_pfm.cpp \

@@ -33,8 +33,7 @@ MultibaselineSettings settings_for(DepthQuality quality)
 bool is_kept(Vec2 shift, DepthQuality quality)
 {
     const bool on_diagonal = std::fabs(std::fabs(shift.x) - std::fabs(shift.y)) < 0.51;
-    return is_in_cross(shift) || quality == DepthQuality::best ||
-           (quality == DepthQuality::good && on_diagonal);
+    return is_in_cross(shift) || (quality != DepthQuality::draft && on_diagonal);
 }
 
 void keep_views(ViewSet& views, DepthQuality quality)

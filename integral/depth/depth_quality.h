@@ -20,7 +20,8 @@ MultibaselineSettings settings_for(DepthQuality quality);
 bool is_kept(Vec2 shift, DepthQuality quality);
 
 /// Leaves out views: draft keeps those to the left, right, above and below of the middle one, good
-/// also those on the diagonals, best all. Views that all stand in one row are kept.
+/// and best also those on the diagonals. The others lie between these: they cost time, and the half
+/// of the views that agrees best is told worse with them. Views that all stand in one row are kept.
 void keep_views(ViewSet& views, DepthQuality quality);
 
 } // namespace integral

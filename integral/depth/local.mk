@@ -14,13 +14,19 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/depth_report.h \
   integral/depth/depth_scores.cpp \
   integral/depth/depth_scores.h \
+  integral/depth/disparity_search.cpp \
+  integral/depth/disparity_search.h \
   integral/depth/edge_filter.cpp \
   integral/depth/edge_filter.h \
   integral/depth/frame_views.cpp \
   integral/depth/multibaseline.cpp \
   integral/depth/multibaseline.h \
+  integral/depth/plane_filter.cpp \
+  integral/depth/plane_filter.h \
   integral/depth/ray_trace.cpp \
   integral/depth/ray_trace.h \
+  integral/depth/reflections.cpp \
+  integral/depth/reflections.h \
   integral/depth/relief.cpp \
   integral/depth/relief.h \
   integral/depth/relief_frame.cpp \

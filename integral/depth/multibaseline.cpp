@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/multibaseline.h"
 
+#include "integral/depth/reflections.h"
 #include "integral/depth/spread.h"
 
 #include <algorithm>
@@ -19,102 +20,6 @@ double farthest_shift(const ViewSet& views)
     return farthest;
 }
 
-/// The disparities that are tried.
-struct Labels {
-    Labels(DisparityRange range, double wanted_step)
-        : first(range.least),
-          count(std::max(3, int(std::ceil((range.greatest - range.least) / wanted_step)) + 1)),
-          step((range.greatest - range.least) / (count - 1))
-    {
-    }
-    double at(double label) const { return first + label * step; }
-    double first;
-    int count;
-    double step;
-};
-
-/// The best label of each pixel so far, and the means beside it.
-class Winners {
-public:
-    explicit Winners(std::size_t pixels)
-        : label_(pixels, 0),
-          best_(pixels, -1),
-          before_(pixels, 0),
-          after_(pixels, 0),
-          last_(pixels, 0),
-          sum_(pixels, 0)
-    {
-    }
-    /// Takes the means of the next label.
-    void add(int label, const float* mean)
-    {
-        for (std::size_t i = 0; i < best_.size(); ++i) {
-            if (label_[i] == label - 1)
-                after_[i] = mean[i];
-            if (mean[i] > best_[i]) {
-                best_[i] = mean[i];
-                label_[i] = label;
-                before_[i] = after_[i] = last_[i];
-            }
-            last_[i] = mean[i];
-            sum_[i] += mean[i];
-        }
-    }
-    /// The place of the top of the parabola through the three means; whole at the ends.
-    double label(std::size_t i, int count) const
-    {
-        if (label_[i] == 0 || label_[i] == count - 1)
-            return label_[i];
-        const double bend = 2 * best_[i] - before_[i] - after_[i];
-        return bend > 0 ? label_[i] + 0.5 * (after_[i] - before_[i]) / bend : label_[i];
-    }
-    float confidence(std::size_t i, int count) const
-    {
-        return std::clamp(best_[i] - sum_[i] / float(count), 0.0f, 1.0f);
-    }
-
-private:
-    std::vector<int> label_;
-    std::vector<float> best_, before_, after_, last_, sum_;
-};
-
-/// Finds the best disparities of rows [first, last).
-class Search {
-public:
-    Search(const ViewSet& views, const Votes& votes, const EdgeFilterSettings& filter,
-           const Labels& labels)
-        : views_(views), votes_(votes), filter_(filter), labels_(labels)
-    {
-    }
-
-    void rows(int first, int last, DepthMap& map) const
-    {
-        const int top = std::max(0, first - filter_.down),
-                  bottom = std::min(views_.height, last + filter_.down), rows = bottom - top;
-        const std::size_t width = std::size_t(views_.width), count = width * (last - first);
-        const EdgeFilter filter(views_, top, rows, filter_);
-        std::vector<float> mean(width * rows), other(mean.size());
-        Winners winners(count);
-        for (int label = 0; label < labels_.count; ++label) {
-            votes_.count(labels_.at(label), top, rows, mean.data());
-            filter.apply(mean.data(), other.data());
-            winners.add(label, mean.data() + width * (first - top));
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t at = width * first + i;
-            const bool lit = views_.is_lit(at);
-            map.disparity[at] = lit ? float(labels_.at(winners.label(i, labels_.count))) : NAN;
-            map.confidence[at] = lit ? winners.confidence(i, labels_.count) : 0;
-        }
-    }
-
-private:
-    const ViewSet& views_;
-    const Votes& votes_;
-    EdgeFilterSettings filter_;
-    Labels labels_;
-};
-
 /// The filter for pixels that are wider than they are high, as behind lenticular sheets: it then
 /// reaches farther down.
 EdgeFilterSettings stretched(EdgeFilterSettings filter, const ViewSet& views)
@@ -124,20 +29,6 @@ EdgeFilterSettings stretched(EdgeFilterSettings filter, const ViewSet& views)
     filter.down = int(std::lround(filter.down * std::clamp(wide, 1.0, most)));
     return filter;
 }
-
-DepthMap blank_map(const ViewSet& views)
-{
-    DepthMap map;
-    map.width = views.width;
-    map.height = views.height;
-    map.disparity.resize(views.pixels());
-    map.confidence.resize(views.pixels());
-    return map;
-}
-
-} // namespace
-
-namespace {
 
 constexpr double rough_step = 0.08;
 
@@ -211,25 +102,23 @@ std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineS
     const DisparityRange range = settings.range ? *settings.range
                                                 : find_range(views, settings.votes, threads);
     const Votes votes(views, settings.votes);
-    const Search search(views, votes, stretched(settings.filter, views),
-                        Labels(range, settings.step / std::max(1.0, farthest_shift(views))));
+    const double step = settings.step / std::max(1.0, farthest_shift(views));
+    const Search search(views, votes, stretched(settings.filter, views), Labels(range, step));
     DepthMap map = blank_map(views);
     map.range = range;
-    const int blocks = (views.height + rows_of_a_block - 1) / rows_of_a_block;
-    const auto end_of = [&](int block) {
-        return std::min(views.height, (block + 1) * rows_of_a_block);
-    };
-    if (!for_each_row(
-            blocks, threads, [&](int k) { search.rows(k * rows_of_a_block, end_of(k), map); },
-            progress))
+    if (!search.all_rows(threads, map, progress))
         return std::nullopt;
-    if (settings.reach > 0)
+    if (settings.reach > 0) {
+        put_reflections_on_their_surface(views, step, threads, map);
         spread_from_sure_pixels(views, settings.reach, threads, map.disparity, map.confidence);
+    }
     const EdgeFilterSettings median = stretched(settings.median, views);
     std::vector<float> smooth(map.disparity.size());
+    const int blocks = (views.height + rows_of_a_block - 1) / rows_of_a_block;
     for_each_row(blocks, threads, [&](int k) {
-        weighted_median(views, map.disparity, map.confidence, median, k * rows_of_a_block,
-                        end_of(k), smooth);
+        const int first = k * rows_of_a_block;
+        weighted_median(views, map.disparity, map.confidence, median, first,
+                        std::min(views.height, first + rows_of_a_block), smooth);
     });
     map.disparity = std::move(smooth);
     return map;

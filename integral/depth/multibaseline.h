@@ -4,15 +4,9 @@
 #ifndef INTEGRAL_DEPTH_MULTIBASELINE_H
 #define INTEGRAL_DEPTH_MULTIBASELINE_H
 
-#include "integral/depth/edge_filter.h"
-#include "integral/depth/votes.h"
+#include "integral/depth/disparity_search.h"
 
 namespace integral {
-
-/// Disparities from least to greatest.
-struct DisparityRange {
-    double least = 0, greatest = 0;
-};
 
 struct MultibaselineSettings {
     std::optional<DisparityRange> range; ///< to search; nothing: find it
@@ -20,14 +14,6 @@ struct MultibaselineSettings {
     VoteSettings votes;
     EdgeFilterSettings filter, median;
     double reach = 40; ///< pixels within a surface over which sure pixels tell unsure ones; 0: none
-};
-
-/// The depth of the middle view of a set, row by row.
-struct DepthMap {
-    int width = 0, height = 0;
-    std::vector<float> disparity;  ///< NaN for a pixel without light
-    std::vector<float> confidence; ///< 0 to 1: how much more views agree than for others on average
-    DisparityRange range;          ///< that was searched
 };
 
 /// The range in which most of the pixels are that can be told: from sparse rows, between -4 and 4

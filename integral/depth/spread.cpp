@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/spread.h"
 
+#include "integral/depth/plane_filter.h"
 #include "integral/depth/texture.h"
 
 #include <algorithm>
@@ -9,47 +10,93 @@
 namespace integral {
 namespace {
 
-constexpr int passes = 3;
-constexpr double even_colour = 0.05; ///< sum of differences in R, G and B over which the mean
-                                     ///< reaches e times less far
-constexpr float unsure = 0.05f, sure = 0.25f; ///< confidences
-constexpr float no_texture = 0.006f, some_texture = 0.016f;
+// Shading says less than edges: highlights move over a surface as if they were far behind it.
+constexpr float no_edge = 0.008f, clear_edge = 0.03f;       ///< texture of what tells others
+constexpr float least_confidence = 0.1f;                    ///< of what tells others
+constexpr float no_texture = 0.006f, some_texture = 0.016f; ///< texture of what keeps its depth
+constexpr int least_size = 128;      ///< of views whose edges tell surfaces, pixels
+constexpr float much_farther = 0.1f; ///< an edge by so much farther counts e times more
+constexpr float about_same = 0.3f;   ///< near edges count if they are not nearer than that
+constexpr float few_edges = 0.002f;  ///< mean weight of near edges with which they count half
+constexpr double slow_change = 0.02; ///< of a colour, from pixel to pixel, within a surface
+
 /// How far a value is on the way from `low` to `high`: 0 to 1.
 float part_of(float value, float low, float high)
 {
     return std::clamp((value - low) / (high - low), 0.0f, 1.0f);
 }
 
-/// The distances between neighbouring pixels, made longer by their difference of colour, in pixels.
-std::vector<float> distances(const ViewSet& views, double reach, std::size_t step)
+/// The texture around each pixel, within `reach` pixels.
+std::vector<float> textures(const ViewSet& views, int reach, int threads)
 {
-    std::vector<float> far(views.pixels(), 1);
-    for (std::size_t i = 0; i + step < far.size(); ++i) {
-        float difference = 0;
-        for (const auto& channel : views.colours)
-            difference += std::fabs(channel[i + step] - channel[i]);
-        far[i] += float(reach / even_colour) * difference;
-    }
-    return far;
+    const Texture texture(views);
+    std::vector<float> values(views.pixels());
+    for_each_row(views.height, threads, [&](int y) {
+        float* row = values.data() + std::size_t(y) * std::size_t(views.width);
+        for (int x = 0; x < views.width; ++x)
+            row[x] = float(texture.at(x, y, reach));
+    });
+    return values;
 }
 
-/// Two sums along a line of `count` pixels, `step` apart, each carried on to the next pixel with
-/// the weight of their distance, there and back.
-void filter_line(std::vector<float>& value, std::vector<float>& weight,
-                 const std::vector<float>& carried, std::size_t first, std::size_t step, int count)
+/// How much each pixel tells others, by texture and confidence.
+std::vector<float> weights(const ViewSet& views, int threads, const std::vector<float>& confidence)
 {
-    const auto carry = [&](std::size_t from, std::size_t to, float part) {
-        value[to] += part * (value[from] - value[to]);
-        weight[to] += part * (weight[from] - weight[to]);
-    };
-    for (int k = 1; k < count; ++k) {
-        const std::size_t at = first + step * std::size_t(k);
-        carry(at - step, at, carried[at - step]);
+    std::vector<float> weight = textures(views, 3, threads);
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+        const float part = std::max(0.0f, confidence[i] - least_confidence) *
+                           part_of(weight[i], no_edge, clear_edge);
+        weight[i] = views.is_lit(i) ? part * part : 0;
     }
-    for (int k = count - 1; k > 0; --k) {
-        const std::size_t at = first + step * std::size_t(k);
-        carry(at, at - step, carried[at - step]);
+    return weight;
+}
+
+/// The weights, greater the farther off a pixel is.
+std::vector<float> farthest_first(const std::vector<float>& weight,
+                                  const std::vector<float>& disparity)
+{
+    constexpr float most = 60; // so that no product is too small for a float
+    float least = HUGE_VALF;
+    for (std::size_t i = 0; i < weight.size(); ++i)
+        if (weight[i] > 0)
+            least = std::min(least, disparity[i]);
+    std::vector<float> to(weight.size());
+    for (std::size_t i = 0; i < weight.size(); ++i)
+        if (weight[i] > 0)
+            to[i] = weight[i] * std::exp(-std::min(most, (disparity[i] - least) / much_farther));
+    return to;
+}
+
+/// What the edges around tell each pixel.
+std::vector<float> told_by_edges(const ViewSet& views, double reach, int threads,
+                                 const std::vector<float>& disparity,
+                                 const std::vector<float>& confidence)
+{
+    const std::vector<float> weight = weights(views, threads, confidence),
+                             farther = farthest_first(weight, disparity);
+    const PlaneFilter wide(views, {10 * reach, 0.01, slow_change}, threads),
+        close(views, {0.35 * reach, 0.02, slow_change}, threads);
+    std::vector<float> told = wide.means(disparity, farther).value;
+    const std::vector<float> near = close.planes(disparity, farther).value,
+                             number = close.means(disparity, weight).weight;
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        const float nearer = std::max(0.0f, (near[i] - told[i]) / about_same);
+        if (std::isfinite(near[i]) && std::isfinite(told[i]))
+            told[i] += number[i] / (number[i] + few_edges) * std::exp(-nearer * nearer) *
+                       (near[i] - told[i]);
     }
+    return told;
+}
+
+/// What all pixels around tell each one, by their confidence.
+std::vector<float> told_by_all(const ViewSet& views, double reach, int threads,
+                               const std::vector<float>& disparity,
+                               const std::vector<float>& confidence)
+{
+    std::vector<float> weight(confidence.size());
+    for (std::size_t i = 0; i < weight.size(); ++i)
+        weight[i] = views.is_lit(i) ? confidence[i] * confidence[i] + 1e-6f : 0;
+    return PlaneFilter(views, {reach, 0.05, 0}, threads).means(disparity, weight).value;
 }
 
 } // namespace
@@ -57,42 +104,17 @@ void filter_line(std::vector<float>& value, std::vector<float>& weight,
 void spread_from_sure_pixels(const ViewSet& views, double reach, int threads,
                              std::vector<float>& disparity, const std::vector<float>& confidence)
 {
-    const std::size_t width = std::size_t(views.width);
-    std::vector<float> value(views.pixels()), weight(views.pixels());
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        weight[i] = confidence[i] * confidence[i] + 1e-6f;
-        if (!views.is_lit(i))
-            weight[i] = 0;
-        value[i] = weight[i] > 0 ? weight[i] * disparity[i] : 0;
+    const bool is_large = std::min(views.width, views.height) >= least_size;
+    const std::vector<float> told = (is_large ? told_by_edges : told_by_all)(views, reach, threads,
+                                                                             disparity, confidence),
+                             texture = textures(views, 2, threads);
+    const float unsure = is_large ? 0.1f : 0.05f, sure = unsure + 0.2f;
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        const float trust = std::max(part_of(confidence[i], unsure, sure),
+                                     part_of(texture[i], no_texture, some_texture));
+        if (views.is_lit(i) && std::isfinite(told[i]))
+            disparity[i] += (1 - trust) * (told[i] - disparity[i]);
     }
-    const auto across = distances(views, reach, 1), down = distances(views, reach, width);
-    std::vector<float> carried(views.pixels());
-    for (int pass = 0; pass < passes; ++pass) {
-        const double spread = reach * std::sqrt(3.0) * std::pow(2.0, passes - pass - 1) /
-                              std::sqrt(std::pow(4.0, passes) - 1);
-        const float slope = float(-std::sqrt(2.0) / spread);
-        for_each_row(views.height, threads, [&](int y) {
-            for (std::size_t i = width * y; i < width * (y + 1); ++i)
-                carried[i] = std::exp(slope * across[i]);
-            filter_line(value, weight, carried, width * y, 1, views.width);
-            for (std::size_t i = width * y; i < width * (y + 1); ++i)
-                carried[i] = std::exp(slope * down[i]);
-        });
-        for_each_row(views.width, threads, [&](int x) {
-            filter_line(value, weight, carried, std::size_t(x), width, views.height);
-        });
-    }
-    const Texture texture(views);
-    for_each_row(views.height, threads, [&](int y) {
-        for (int x = 0; x < views.width; ++x) {
-            const std::size_t i = width * std::size_t(y) + std::size_t(x);
-            const float trust = std::max(
-                part_of(confidence[i], unsure, sure),
-                part_of(float(texture.at(x, y)), no_texture, some_texture));
-            if (views.is_lit(i) && weight[i] > 0)
-                disparity[i] += (1 - trust) * (value[i] / weight[i] - disparity[i]);
-        }
-    });
 }
 
 } // namespace integral

@@ -11,10 +11,10 @@ class Texture {
 public:
     explicit Texture(const ViewSet& views); ///< which must outlive this
 
-    /// How much a shift of a pixel changes the colours of the 5 x 5 pixels around one of the middle
-    /// view: root of the mean square of the change (full scale 1), across or down, whichever is
-    /// greater; only across where all views stand in a row.
-    double at(int x, int y) const;
+    /// How much a shift of a pixel changes the colours of the pixels around one of the middle
+    /// view, up to `reach` away: root of the mean square of the change (full scale 1), across or
+    /// down, whichever is greater; only across where all views stand in a row.
+    double at(int x, int y, int reach = 2) const;
 
 private:
     const ViewSet& views_;
