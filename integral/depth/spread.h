@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Gives pixels whose depth is uncertain that of the edges of their surface.
+// Gives pixels of uncertain depth the depth of the edges of their surface.
 #ifndef INTEGRAL_DEPTH_SPREAD_H
 #define INTEGRAL_DEPTH_SPREAD_H
 
