@@ -76,6 +76,9 @@ start_slurm() {
 	NodeName=$host NodeAddr=127.0.0.1 CPUs=$cores RealMemory=$memory State=UNKNOWN ${1:-}
 	PartitionName=main Nodes=$host Default=YES MaxTime=INFINITE State=UP OverSubscribe=NO
 	end
+    # From 23.11 on slurmd does not start without a cgroup file system, which containers may lack,
+    # unless it is told so.
+    echo 'CgroupPlugin=disabled' > "$slurm/cgroup.conf"
     export SLURM_CONF=$slurm/slurm.conf
     trap 'stop_slurm; rm -rf "$scratch"' EXIT
     munged --foreground --force --key-file="$slurm/munge/key" --socket="$slurm/munge/socket" --pid-file="$slurm/munge/pid" \
