@@ -87,7 +87,7 @@ start_slurm() {
         { slurm_reason="munged does not start: $(tail -1 "$slurm/log/munged")"; return 1; }
     slurmctld -D -f "$SLURM_CONF" > "$slurm/log/slurmctld.said" 2>&1 & slurm_services+=($!)
     slurmd -D -f "$SLURM_CONF" -N "$host" > "$slurm/log/slurmd.said" 2>&1 & slurm_services+=($!)
-    until_it 30 node_is_idle || { \
+    until_it 60 node_is_idle || { \
         slurm_reason="its node does not become idle: $(cat "$slurm"/log/slurm*.said | grep -i error | tail -1)"; \
         return 1; }
 }
