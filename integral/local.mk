@@ -48,6 +48,12 @@ command-pages: build/bin/integral
 	      test ! -e $$page || sed '1,/^<!-- Above: written by/d' $$page; } > $$page.new && \
 	    mv $$page.new $$page || exit 1; done
 
+# The messages of doc/messages.md, from the sources; what it says of each is kept.
+.PHONY: messages-page
+messages-page:
+	$(srcdir)/doc/messages/make-page $(srcdir) > $(srcdir)/doc/messages.md.new && \
+	    mv $(srcdir)/doc/messages.md.new $(srcdir)/doc/messages.md
+
 # The INI files of papers and panels, from the program's tables.
 .PHONY: settings
 settings: build/bin/integral

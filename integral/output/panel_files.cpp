@@ -61,8 +61,9 @@ std::vector<std::string> panel_files(const std::string& output,
             throw RequestError("-o " + output + ": two inputs would make " + path +
                                "; -o NAME.png numbers the images");
         check_writable(path);
+        std::error_code none; // of a file that is missing: reading it says so
         for (const std::string& input : groups[std::size_t(k)])
-            if (std::filesystem::exists(path) && std::filesystem::equivalent(path, input))
+            if (std::filesystem::equivalent(path, input, none))
                 throw RequestError("-o " + output + ": it would overwrite the input " + input);
         paths.push_back(path);
     }

@@ -64,5 +64,9 @@ void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options)
     options.AddLibraryPath(share + "/ini");
     options.AddLibraryPath(share + "/include");
     options.AddLibraryPath(share + "/scenes");
+    // Where Debian's package povray-examples has upstream's scenes.
+    const std::string examples = share + "/../doc/povray/examples";
+    if (Readable(examples))
+        options.AddLibraryPath(examples);
 }
 }

@@ -29,7 +29,7 @@ void FindIntegralSettings(char **argv);
 
 /// Appends the share folder and its subfolders ini, include and scenes to the library paths of the
 /// settings and the command line, so that advanced/chess2.pov and integral/biplane.pov are found
-/// from any folder.
+/// from any folder. Upstream's scenes may also be where Debian's package povray-examples has them.
 void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options);
 }
 

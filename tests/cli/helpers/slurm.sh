@@ -29,12 +29,15 @@ until_it() {
 }
 
 start_slurm() {
-    local program user port host cores memory
+    local program user port host address cores memory
     for program in munged slurmctld slurmd sbatch squeue scancel scontrol; do
         command -v $program > /dev/null || { \
             slurm_reason="there is no $program (packages slurm-wlm and munge)"; return 1; }
     done
     user=$(id -un) host=$(hostname -s)
+    # Services listen at this machine's own name's address; installers give the name 127.0.1.1.
+    address=$(getent ahostsv4 "$host" | awk '/^127[.]/ { print $1; exit }') || true
+    address=${address:-127.0.0.1}
     port=$(free_port $((20000 + $$ % 20000)))
     cores=$(nproc) memory=$(awk '/^MemTotal/ { print int($2 / 1024) }' /proc/meminfo)
     mkdir -p -m 755 "$slurm"/{state,spool,log} "$slurm/munge"
@@ -44,7 +47,7 @@ start_slurm() {
     chmod 600 "$slurm/munge/key"
     cat > "$slurm/slurm.conf" <<-end
 	ClusterName=test
-	SlurmctldHost=$host(127.0.0.1)
+	SlurmctldHost=$host($address)
 	SlurmctldPort=$port
 	SlurmdPort=$((port + 1))
 	SlurmUser=$user
@@ -73,9 +76,13 @@ start_slurm() {
 	CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
 	MessageTimeout=60
 	MaxArraySize=${slurm_array_size:-1001}
-	NodeName=$host NodeAddr=127.0.0.1 CPUs=$cores RealMemory=$memory State=UNKNOWN ${1:-}
+	NodeName=$host NodeAddr=$address CPUs=$cores RealMemory=$memory State=UNKNOWN ${1:-}
 	PartitionName=main Nodes=$host Default=YES MaxTime=INFINITE State=UP OverSubscribe=NO
 	end
+    # From 23.11 on slurmd does not start without a cgroup file system, which containers may lack,
+    # unless it is told so; 22.05 does not know the word.
+    [ "$(printf '%s\n' 23.11 "$(slurmd -V | grep -o '[0-9][0-9.]*' | head -1)" | sort -V | head -1)" != 23.11 ] ||
+        echo 'CgroupPlugin=disabled' > "$slurm/cgroup.conf"
     export SLURM_CONF=$slurm/slurm.conf
     trap 'stop_slurm; rm -rf "$scratch"' EXIT
     munged --foreground --force --key-file="$slurm/munge/key" --socket="$slurm/munge/socket" --pid-file="$slurm/munge/pid" \
@@ -84,7 +91,7 @@ start_slurm() {
         { slurm_reason="munged does not start: $(tail -1 "$slurm/log/munged")"; return 1; }
     slurmctld -D -f "$SLURM_CONF" > "$slurm/log/slurmctld.said" 2>&1 & slurm_services+=($!)
     slurmd -D -f "$SLURM_CONF" -N "$host" > "$slurm/log/slurmd.said" 2>&1 & slurm_services+=($!)
-    until_it 30 node_is_idle || { \
+    until_it 60 node_is_idle || { \
         slurm_reason="its node does not become idle: $(cat "$slurm"/log/slurm*.said | grep -i error | tail -1)"; \
         return 1; }
 }
