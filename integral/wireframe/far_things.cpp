@@ -95,8 +95,12 @@ bool LensDrawing::may_be_seen(int from, int to, float nearest) const
         return is_seen(from) || is_seen(to);
     if (steps != stride - 1 && steps != stride + 1)
         return true;
+    // The two places beside; of one on the border, one may lie beyond the raster.
     const int down = way > 0 ? stride : -stride;
-    return is_seen(from) || is_seen(to) || is_seen(from + down) || is_seen(to - down);
+    const auto is_seen_beside = [&](int place) {
+        return place >= 0 && place <= nowhere && is_seen(place);
+    };
+    return is_seen(from) || is_seen(to) || is_seen_beside(from + down) || is_seen_beside(to - down);
 }
 
 /// Pixels by which a triangle's film points leave a straight triangle, over the square of its
