@@ -49,8 +49,8 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
         axes_[1].pixel_slope = float(steepness(sy) * pixel_along(pixel, lattice.along()));
         return;
     }
-    // Across the slit, the slit in the aperture's plane decides, and along the slit the lens. If
-    // the lines lean, the way along them has something of both.
+    // A pixel's rays spread along the lines by its height, seen from the slit in the aperture. If
+    // the lines lean, they spread along them by a part of its width, too.
     const Vec2 slit = slit_direction(lattice);
     const double d = camera.optics.aperture().distance;
     const double height = n * d / (n * d + medium.t) * pixel_along(pixel, lattice.along());

@@ -20,10 +20,12 @@ public:
     /// `centre`: the pixel's line.
     BeamPatch(const IntegralCamera& camera, const SightSlope& centre);
 
-    /// The two widths of which a patch's density is made, along one axis.
+    /// The two widths of which a patch's density is made, along one axis, in mm at the depth z
+    /// (mm): the lens's, cell_at_sheet + cell_slope |z|, and the pixel's, |pixel_at_sheet +
+    /// pixel_slope z|.
     struct Axis {
-        float cell_at_sheet = 0, cell_slope = 0;   ///< mm, and mm for each mm of depth, either way
-        float pixel_at_sheet = 0, pixel_slope = 0; ///< the same, but 0 where the two cancel
+        float cell_at_sheet = 0, cell_slope = 0;
+        float pixel_at_sheet = 0, pixel_slope = 0;
     };
     /// Across and along the lattice.
     const Axis& axis(int which) const { return axes_[which]; }

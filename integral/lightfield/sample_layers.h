@@ -12,7 +12,7 @@ namespace integral {
 
 class SampleLayers {
 public:
-    /// Begins a pixel: its beam and the line of its centre.
+    /// Begins a pixel. `centre`: the line from its centre through the lens's pole.
     void begin(const BeamPatch& patch, const SightSlope& centre);
 
     /// Adds the samples of a pixel, which must not be empty. `is_own`: it is the pixel itself.
