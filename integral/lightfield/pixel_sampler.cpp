@@ -123,21 +123,26 @@ PixelSampler::UnitPoint PixelSampler::even_point(std::uint64_t key, int index, i
     return point;
 }
 
+/// The ray of a film point through a point of its lens; nothing if no light gets through.
+std::optional<BeamRay> PixelSampler::ray_at(Vec2 film_point, const LensRay& pole_ray,
+                                            const LensPoint& point) const
+{
+    const SheetOptics& optics = camera_.optics;
+    if (camera_.pseudoscopic)
+        return beam_ray(optics, mirrored_in_lens(optics, film_point, pole_ray.lens), pole_ray.lens,
+                        point);
+    if (refracts_at_surface(optics.model()) || point.slit != 0)
+        return beam_ray(optics, film_point, pole_ray.lens, point);
+    BeamRay beam = pole_beam(pole_ray);
+    beam.point = beam.point + Vec3{point.offset.x, point.offset.y, 0};
+    beam.aperture_point = beam.aperture_point + point.offset;
+    return beam;
+}
+
 void PixelSampler::append_ray(Vec2 film_point, const LensRay& pole_ray, const LensPoint& point,
                               PixelRay ray, std::vector<PixelRay>& rays) const
 {
-    const SheetOptics& optics = camera_.optics;
-    std::optional<BeamRay> beam;
-    if (camera_.pseudoscopic)
-        beam = beam_ray(optics, mirrored_in_lens(optics, film_point, pole_ray.lens), pole_ray.lens,
-                        point);
-    else if (refracts_at_surface(optics.model()) || point.slit != 0)
-        beam = beam_ray(optics, film_point, pole_ray.lens, point);
-    else {
-        beam = pole_beam(pole_ray);
-        beam->point = beam->point + Vec3{point.offset.x, point.offset.y, 0};
-        beam->aperture_point = beam->aperture_point + point.offset;
-    }
+    const auto beam = ray_at(film_point, pole_ray, point);
     if (!beam)
         return;
     ray.ray = *beam;
@@ -218,10 +223,7 @@ std::optional<BeamRay> PixelSampler::pole_ray(Vec2 centre) const
 {
     const Vec2 film_point = film_from_pixel(camera_.film, centre);
     const auto ray = camera_.optics.map(film_point, camera_.mapping).ray;
-    std::vector<PixelRay> rays;
-    if (ray)
-        append_ray(film_point, *ray, {}, {}, rays);
-    return rays.empty() ? std::nullopt : std::optional(rays[0].ray);
+    return ray ? ray_at(film_point, *ray, {}) : std::nullopt;
 }
 
 bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index,
@@ -295,10 +297,10 @@ BeamRay PixelSampler::first_sample(Vec2 centre, const LensRay& pole_ray, bool al
 {
     const auto unit = scrambled_point(beam_seeds(centre, PixelRay::all_channels, alike), 0);
     const Vec2 film_point = moved(film_from_pixel(camera_.film, centre), {unit[2], unit[3]});
-    std::vector<PixelRay> rays;
+    std::optional<BeamRay> beam;
     if (const auto ray = sample_ray(film_point, pole_ray.lens))
-        append_ray(film_point, *ray, lens_point({unit[0], unit[1]}, *ray), {}, rays);
-    return rays.empty() ? pole_beam(pole_ray) : rays[0].ray;
+        beam = ray_at(film_point, *ray, lens_point({unit[0], unit[1]}, *ray));
+    return beam ? *beam : pole_beam(pole_ray);
 }
 
 PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const

@@ -123,6 +123,8 @@ private:
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;
     void append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
                         PixelOutcome& outcome) const;
+    std::optional<BeamRay> ray_at(Vec2 film_point, const LensRay& pole_ray,
+                                  const LensPoint& point) const;
     void append_ray(Vec2 film_point, const LensRay& pole_ray, const LensPoint& point, PixelRay ray,
                     std::vector<PixelRay>& rays) const;
 
