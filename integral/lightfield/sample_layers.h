@@ -31,30 +31,38 @@ private:
     /// Four numbers side by side in a vector register (of GCC and Clang).
     typedef float Four __attribute__((vector_size(16)));
 
-    struct Entry {
-        Four line;    ///< of the sample, less the centre's: point (x, y) and slope (x, y)
-        float depth;  ///< mm
-        float share;  ///< as which the sample counts where it is in the beam
-        float weight; ///< share times the beam's density where the sample ended
-        StoredLight light;
+    /// Four samples side by side. `lines` are those of the samples, less the centre's. A sample's
+    /// is one vector at first, (point x, y, slope x, y); weigh() turns them, so that a vector has
+    /// the same number of all four samples.
+    struct Group {
+        std::array<Four, 4> lines;
+        alignas(16) std::array<float, 4> depths; ///< mm
+        alignas(16) std::array<float, 4> shares; ///< as which the samples count inside the beam
+        alignas(16) std::array<float, 4> weights; ///< the shares times the beam's density where
+                                                  ///< the samples ended
+        std::array<StoredLight, 4> light;
+        std::array<std::uint16_t, 4> layers;
     };
     struct Layer {
-        float nearest, furthest;     ///< depths
-        float weight = 0, depth = 0; ///< sums: of the weights, and of the depths by weight
-        Four light{}, roots{};       ///< the sums by weight: of the light, and of its square roots
-        void add(const Entry& entry);
+        float furthest = -1e9f, weight = 0, depth = 0; ///< depth: the sum of depths by weight
+        Four light{};                                  ///< the sum by weight
     };
-    float density(Four line, float depth) const;
-    float scaled(float depth) const;
+    Four density(const Group& group, Four depth) const;
+    Four scaled(Four depth) const;
+    void weigh();
     void find_layers();
+    void sum_light();
     float passing(const Layer& layer) const;
 
-    Four centre_{}, widths_{}, width_slopes_{};
+    std::array<Four, 2> cells_{}, cell_slopes_{}, pixels_{}, pixel_slopes_{}; ///< of BeamPatch
+    Four centre_{};
     float steepness_ = 0;
-    std::vector<Entry> entries_;
-    std::size_t number_ = 0; ///< of entries
-    Layer all_{};            ///< all samples that ended in the beam
-    float own_ = 0;          ///< the weight of the pixel's own
+    std::vector<Group> groups_;
+    std::size_t number_ = 0;                ///< of samples
+    std::size_t own_begin_ = 0, own_end_ = 0; ///< the pixel's own
+    float nearest_ = 0, furthest_ = 0;      ///< the depths of the samples that ended in the beam
+    float weight_ = 0;                      ///< of all of them
+    Four roots_{};                          ///< the sum by weight of the light's square roots
     std::vector<Layer> layers_;
 };
 
