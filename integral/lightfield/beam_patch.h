@@ -53,9 +53,10 @@ public:
         std::vector<std::array<char, 2>> may_meet; ///< by `steps`, for both axes
     };
 
-    /// Calls visit(x, y, lens) for the pixels, which may be outside the frame or behind other
-    /// lenses than `lens`, the one that is expected. It leaves out those whose beams do not meet
-    /// the patch of a pixel behind `own` lens at any depth from `nearest` to `furthest`.
+    /// Calls visit(x, y, lens, part) for the pixels, which may be outside the frame or behind other
+    /// lenses than `lens`, the one that is expected. `part`: as which part of one its samples
+    /// should count, less for other directions. It leaves out those whose beams do not meet the
+    /// patch of a pixel behind `own` lens at any depth from `nearest` to `furthest`.
     template <class Visit>
     void for_each(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch, float nearest,
                   float furthest, Scratch& scratch, Visit visit) const;
@@ -72,6 +73,7 @@ private:
         int x, y;                   ///< pixels to the right and down
         std::int16_t i, j;          ///< the step to its lens
         std::array<int, 2> steps{}; ///< across and along
+        float part = 1;             ///< as which part of one it counts
     };
     void add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step);
     int index_of(int axis, double lens, double pixels);
@@ -96,7 +98,8 @@ void LendingPixels::for_each(int x, int y, FirstSamples::StoredLens own, const B
         if (scratch.may_meet[lender.steps[0]][0] && scratch.may_meet[lender.steps[1]][1])
             visit(x + lender.x, y + lender.y,
                   FirstSamples::StoredLens{std::uint16_t(own[0] + lender.i),
-                                           std::uint16_t(own[1] + lender.j)});
+                                           std::uint16_t(own[1] + lender.j)},
+                  lender.part);
 }
 
 } // namespace integral

@@ -150,12 +150,12 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
     for (float& depth : depths)
         depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
     scratch.layers.begin(patch, own.centre);
-    const auto lend = [&](int i, int j, FirstSamples::StoredLens lens) {
+    const auto lend = [&](int i, int j, FirstSamples::StoredLens lens, float part) {
         if (i < 0 || j < 0 || i >= width_ || j >= height_ || !first_.is_behind(index(i, j), lens) ||
             pixels_[index(i, j)].variance < 0)
             return;
         const BeamSamples::Pixel& pixel = samples_.pixel(index(i, j));
-        scratch.layers.add(samples_, pixel, &pixel == &own);
+        scratch.layers.add(samples_, pixel, part, &pixel == &own);
     };
     lending_.for_each(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending, lend);
 }

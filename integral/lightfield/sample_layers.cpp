@@ -12,8 +12,16 @@ namespace {
 
 // Depths are compared on a scale on which the lines of neighbouring pixels move apart by about a
 // patch's width from one number to the next. Two layers have an empty step between them.
-constexpr float step = 0.3f;
-constexpr int most_steps = 255;
+constexpr float step = 0.08f;
+constexpr int most_steps = 1023;
+
+// As how many samples without any slope the regression counts: it keeps few samples from finding
+// one by chance. The mean square of a place in the patch is about a fifth.
+constexpr float level_samples = 8, square_of_place = 0.2f;
+
+// A layer of less than this part of what is behind it is not looked at closely, and what is behind
+// layers that let less than this through is left out.
+constexpr float little_part = 0.02f, little_light = 0.004f;
 
 typedef std::int32_t Integers __attribute__((vector_size(16)));
 
@@ -22,10 +30,12 @@ template <class Four> inline Four least(Four a, Four b) { return a < b ? a : b; 
 template <class Four> inline Four most(Four a, Four b) { return a > b ? a : b; }
 template <class Four> inline float sum_of(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
-/// About the logarithms of four numbers to base 2, each at least 1: linear between powers of two.
-template <class Four> inline Four logarithm(Four x)
+/// About the logarithm of x to base 2, for x >= 1: linear between powers of two.
+float logarithm(float x)
 {
-    return __builtin_convertvector(Integers(x), Four) * 0x1p-23f - 127;
+    std::uint32_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return float(bits) * 0x1p-23f - 127;
 }
 
 /// Four 16-bit integers as floats.
@@ -37,13 +47,6 @@ template <class Short, class Four> inline Four four(const void* integers)
 }
 typedef std::int16_t Signed __attribute__((vector_size(8)));
 typedef std::uint16_t Unsigned __attribute__((vector_size(8)));
-
-template <class Four> inline Four loaded(const std::array<float, 4>& numbers)
-{
-    Four result;
-    std::memcpy(&result, &numbers, sizeof result);
-    return result;
-}
 
 /// Exchanges rows and columns.
 template <class Four> inline void turn(std::array<Four, 4>& rows)
@@ -73,14 +76,16 @@ void SampleLayers::begin(const BeamPatch& patch, const SightSlope& centre)
     number_ = own_begin_ = own_end_ = 0;
 }
 
-void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pixel, bool is_own)
+void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pixel, float part,
+                       bool is_own)
 {
     const Four start = Four{pixel.centre.point[0], pixel.centre.point[1], pixel.centre.slope[0],
                             pixel.centre.slope[1]} -
                        centre_,
                units = {samples.point_unit(), samples.point_unit(), samples.slope_unit(),
                         samples.slope_unit()};
-    const float share = 1.0f / float(pixel.number);
+    // More samples tell more. But if they counted in full, the mean would lean to where they are.
+    const float share = part / std::sqrt(float(pixel.number));
     const std::size_t end = number_ + pixel.number;
     if (4 * groups_.size() < end + 3) // three: see weigh()
         groups_.resize(end);
@@ -101,23 +106,25 @@ void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pix
         add_one(pixel.more[k]);
 }
 
-/// The density of the beam where the lines of four samples are at a depth, in terms of the greatest
-/// density there. Without branches, which the processor could not predict.
-inline SampleLayers::Four SampleLayers::density(const Group& group, Four depth) const
+/// Where the lines of four samples are at a depth. Without branches, which the processor could not
+/// predict.
+inline SampleLayers::Density SampleLayers::density(const Group& group, Four depth) const
 {
     const Four far = magnitude(depth), one = Four{} + 1;
-    Four result = one;
+    std::array<Four, 2> places;
+    Four value = one;
     for (int k = 0; k < 2; ++k) {
         const Four cell = cells_[k] + cell_slopes_[k] * far,
                    pixel = magnitude(pixels_[k] + pixel_slopes_[k] * depth),
-                   place = magnitude(group.lines[k] + depth * group.lines[k + 2]),
-                   both = cell + pixel, narrow = least(cell, pixel) + 1e-4f * both;
-        result *= most(least((0.5f * both - place) / narrow, one), Four{});
+                   place = group.lines[k] + depth * group.lines[k + 2], both = cell + pixel,
+                   narrow = least(cell, pixel) + 1e-4f * both;
+        places[k] = place / (0.5f * both);
+        value *= most(least((0.5f * both - magnitude(place)) / narrow, one), Four{});
     }
-    return result;
+    return {places[0], places[1], value};
 }
 
-/// Works out the weights of all samples, their sum, and the depths of those that have one.
+/// Works out the weights of all samples, and lists those that have one.
 void SampleLayers::weigh()
 {
     while (number_ % 4 != 0) { // the last group is filled up with samples that do not count
@@ -125,95 +132,113 @@ void SampleLayers::weigh()
         const std::size_t place = number_++ % 4;
         group.lines[place] = Four{};
         group.depths[place] = group.shares[place] = 0;
-        group.light[place] = StoredLight(LinearColour{});
     }
+    if (met_.size() < number_ + 4)
+        met_.resize(2 * number_ + 4);
+    met_number_ = 0;
     Four nearest = Four{} + 1e9f, furthest = -nearest, sum{};
     for (std::size_t k = 0; k < number_ / 4; ++k) {
         Group& group = groups_[k];
         turn(group.lines);
-        const Four depth = loaded<Four>(group.depths),
-                   weight = loaded<Four>(group.shares) * density(group, depth);
-        nearest = least(nearest, weight > 0 ? depth : nearest);
-        furthest = most(furthest, weight > 0 ? depth : furthest);
+        const Density at = density(group, group.depths);
+        const Four weight = group.shares * at.value;
+        group.weights = weight;
+        nearest = least(nearest, weight > 0 ? group.depths : nearest);
+        furthest = most(furthest, weight > 0 ? group.depths : furthest);
         sum += weight;
-        std::memcpy(&group.weights, &weight, sizeof weight);
+        std::array<Four, 4> numbers = {weight, at.x, at.y, group.depths};
+        turn(numbers);
+        for (int i = 0; i < 4; ++i) {
+            met_[met_number_].numbers = numbers[i];
+            met_[met_number_].light = group.light[i];
+            met_number_ += weight[i] > 0;
+        }
     }
     nearest_ = std::min({nearest[0], nearest[1], nearest[2], nearest[3]});
     furthest_ = std::max({furthest[0], furthest[1], furthest[2], furthest[3]});
     weight_ = sum_of(sum);
 }
 
-/// Depths on the scale on which layers are told apart.
-inline SampleLayers::Four SampleLayers::scaled(Four depth) const
+/// A depth on the scale on which layers are told apart.
+inline float SampleLayers::scaled(float depth) const
 {
-    const Four value = 2.2f * logarithm(1 + magnitude(depth) * steepness_);
+    const float value = 2.2f * logarithm(1 + std::fabs(depth) * steepness_);
     return depth < 0 ? -value : value;
 }
 
-/// Divides the depths of the samples that ended in the beam into layers, from the viewer on.
+/// Divides the samples that ended in the beam into layers, from the viewer on.
 void SampleLayers::find_layers()
 {
     layers_.clear();
-    const Four ends = scaled(Four{nearest_, furthest_, 0, 0});
-    const float last = (ends[1] - ends[0]) * (1 / step);
-    if (last < 2) {
-        layers_.emplace_back();
-        return;
-    }
+    const float begin = scaled(nearest_);
+    const auto step_of = [&](float depth) {
+        return std::min(most_steps, int((scaled(depth) - begin) * (1 / step)));
+    };
+    const int last = step_of(furthest_);
     std::bitset<most_steps + 1> used;
-    for (std::size_t k = 0; k < number_ / 4; ++k) {
-        Group& group = groups_[k];
-        Four steps = (scaled(loaded<Four>(group.depths)) - ends[0]) * (1 / step);
-        steps = least(steps, Four{} + most_steps);
-        steps = loaded<Four>(group.weights) > 0 ? steps : Four{};
-        const Integers numbers = __builtin_convertvector(steps, Integers);
-        for (int i = 0; i < 4; ++i) {
-            group.layers[i] = std::uint16_t(numbers[i]);
-            used.set(group.layers[i]);
+    if (last >= 2)
+        for (std::size_t k = 0; k < met_number_; ++k) {
+            met_[k].layer = std::uint16_t(step_of(met_[k].numbers[3]));
+            used.set(met_[k].layer);
         }
-    }
     std::array<std::uint16_t, most_steps + 1> layer_of;
-    for (int k = 0; k <= most_steps; ++k)
+    for (int k = 0; k <= last; ++k)
         if (used[k]) {
             if (k == 0 || !used[k - 1])
                 layers_.emplace_back();
             layer_of[k] = std::uint16_t(layers_.size() - 1);
         }
     if (layers_.size() > 1)
-        for (std::size_t k = 0; k < number_ / 4; ++k)
-            for (std::uint16_t& layer : groups_[k].layers)
-                layer = layer_of[layer];
+        for (std::size_t k = 0; k < met_number_; ++k)
+            met_[k].layer = layer_of[met_[k].layer];
 }
 
 /// Sums up the light of the layers.
-void SampleLayers::sum_light()
+void SampleLayers::sum_layers()
 {
-    roots_ = Four{};
-    const auto for_each = [&](auto add) {
-        for (std::size_t k = 0; k < number_ / 4; ++k)
-            for (int i = 0; i < 4; ++i)
-                add(groups_[k], i, groups_[k].weights[i],
-                    four<Unsigned, Four>(&groups_[k].light[i]));
-    };
-    if (layers_.size() == 1) {
-        Four light{}, all_roots{};
-        for_each([&](const Group&, int, float weight, Four roots) {
-            all_roots += weight * roots;
-            light += weight * (roots * roots);
-        });
-        layers_[0].weight = weight_;
-        layers_[0].light = light;
-        roots_ = all_roots;
-        return;
-    }
-    for_each([&](const Group& group, int i, float weight, Four roots) {
-        Layer& layer = layers_[group.layers[i]];
+    light_ = roots_ = Four{};
+    for (std::size_t k = 0; k < met_number_; ++k) {
+        const Met& met = met_[k];
+        Layer& layer = layers_[met.layer];
+        const float weight = met.numbers[0], depth = met.numbers[3];
+        const Four roots = four<Unsigned, Four>(&met.light), light = weight * (roots * roots);
         layer.weight += weight;
-        layer.depth += weight * group.depths[i];
-        layer.furthest = std::max(layer.furthest, weight > 0 ? group.depths[i] : layer.furthest);
-        layer.light += weight * (roots * roots);
+        layer.depth += weight * depth;
+        layer.furthest = std::max(layer.furthest, depth);
+        layer.light += light;
+        light_ += light;
         roots_ += weight * roots;
-    });
+    }
+}
+
+/// The light at the middle of the patch, of a straight line through all samples.
+SampleLayers::Four SampleLayers::fitted()
+{
+    Four light{}, roots_sum{}, light_x{}, light_y{}, squares{}, by_x{}, by_y{};
+    for (std::size_t k = 0; k < met_number_; ++k) {
+        const Four numbers = met_[k].numbers, roots = four<Unsigned, Four>(&met_[k].light),
+                   weighted = numbers[0] * numbers, own = numbers[0] * (roots * roots);
+        roots_sum += numbers[0] * roots;
+        light += own;
+        light_x += numbers[1] * own;
+        light_y += numbers[2] * own;
+        squares += weighted;
+        by_x += numbers[1] * weighted;
+        by_y += numbers[2] * weighted;
+    }
+    light_ = light;
+    roots_ = roots_sum;
+    const float one = 1 / weight_;
+    const Four mean = one * light;
+    // `squares` begins with that of the weights, which tells as how many even samples they count.
+    const float x = one * squares[1], y = one * squares[2],
+                level = square_of_place * level_samples * squares[0] * one * one,
+                xx = one * by_x[1] - x * x + level, yy = one * by_y[2] - y * y + level,
+                xy = one * by_x[2] - x * y, of_determinant = 1 / (xx * yy - xy * xy);
+    const Four to_x = one * light_x - x * mean, to_y = one * light_y - y * mean,
+               slope_x = of_determinant * (yy * to_x - xy * to_y),
+               slope_y = of_determinant * (xx * to_y - xy * to_x);
+    return most(mean - x * slope_x - y * slope_y, Four{});
 }
 
 /// The weight of the samples that pass a layer inside the beam.
@@ -223,10 +248,30 @@ float SampleLayers::passing(const Layer& layer) const
     Four sum{};
     for (std::size_t k = 0; k < number_ / 4; ++k) {
         const Group& group = groups_[k];
-        const Four passed = loaded<Four>(group.shares) * density(group, depth);
-        sum += loaded<Four>(group.depths) > layer.furthest ? passed : Four{};
+        const Four passed = group.shares * density(group, depth).value;
+        sum += group.depths > layer.furthest ? passed : Four{};
     }
     return sum_of(sum);
+}
+
+/// The light of all layers, each seen through those before it.
+SampleLayers::Four SampleLayers::composed() const
+{
+    Four sum{};
+    float open = 1, behind = weight_; // what the layers before let through
+    for (const Layer& layer : layers_) {
+        behind -= layer.weight;
+        const bool little = layer.weight < little_part * behind;
+        const float covered = &layer == &layers_.back()
+                                  ? 1
+                                  : layer.weight /
+                                        (layer.weight + (little ? behind : passing(layer)));
+        sum += open * covered / layer.weight * layer.light;
+        open *= 1 - covered;
+        if (open < little_light)
+            break;
+    }
+    return sum;
 }
 
 std::optional<SampleLayers::Light> SampleLayers::light()
@@ -235,24 +280,19 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     if (!(weight_ > 0))
         return {};
     find_layers();
-    sum_light();
+    Four light;
+    if (layers_.size() > 1) {
+        sum_layers();
+        light = composed();
+    } else
+        light = fitted();
+    light *= StoredLight::of_squared_root;
     Light result;
+    std::memcpy(&result.light, &light, sizeof light);
     for (std::size_t k = own_begin_; k < own_end_; ++k)
         result.own_part += groups_[k / 4].weights[k % 4] / weight_;
-    Four sum{}, squares{};
-    float open = 1; // what the layers before let through
-    for (std::size_t k = 0; k < layers_.size(); ++k) {
-        const Layer& layer = layers_[k];
-        const bool last = k + 1 == layers_.size();
-        const float covered = last ? 1 : layer.weight / (layer.weight + passing(layer));
-        sum += open * covered / layer.weight * layer.light;
-        squares += layer.light;
-        open *= 1 - covered;
-    }
-    sum *= StoredLight::of_squared_root;
-    std::memcpy(&result.light, &sum, sizeof sum);
     const Four mean = roots_ / weight_,
-               variance = StoredLight::of_squared_root * (squares / weight_ - mean * mean);
+               variance = StoredLight::of_squared_root * (light_ / weight_ - mean * mean);
     result.variance = std::max(0.0f, variance[0] + variance[1] + variance[2]);
     return result;
 }
