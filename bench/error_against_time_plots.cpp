@@ -200,7 +200,7 @@ Plot estimates(const std::vector<Panel>& panels)
     plot.x = {"measured RMSE over the lit pixels", true, {}, {}};
     plot.y = {"estimate / measured RMSE", true, {}, {}};
     PlotSeries audit, halves, model, exact;
-    audit.label = "audit of 1000 pixels";
+    audit.label = "audit";
     halves.label = "split halves (pixel_samples and beam_samples)";
     model.label = "audit, other lens_model";
     exact.label = "exact";

@@ -26,24 +26,17 @@ double squared_difference(const OutputCurve& curve, const Light& a, const Light&
 
 } // namespace
 
-double audited_error(const OutputCurve& curve, const Light& pixel,
-                     const std::vector<Light>& samples)
+double audited_error(const OutputCurve& curve, const Light& pixel, const Light& a, const Light& b)
 {
-    const double n = samples.size();
-    Light total{};
-    for (const Light& sample : samples)
-        for (std::size_t channel = 0; channel < total.size(); ++channel)
-            total[channel] += sample[channel];
-    const auto mean_without = [&](const Light& left_out, double count) {
-        Light mean;
-        for (std::size_t channel = 0; channel < mean.size(); ++channel)
-            mean[channel] = (total[channel] - left_out[channel]) / count;
-        return mean;
-    };
-    double without_one = 0; // mean of the errors computed with one sample left out
-    for (const Light& sample : samples)
-        without_one += squared_difference(curve, pixel, mean_without(sample, n - 1)) / n;
-    return n * squared_difference(curve, pixel, mean_without(Light{}, n)) - (n - 1) * without_one;
+    double sum = 0;
+    for (std::size_t channel = 0; channel < pixel.size(); ++channel) {
+        const double first = curve(a[channel]), second = curve(b[channel]),
+                     together = curve(0.5 * (a[channel] + b[channel])),
+                     truth = 2 * together - 0.5 * (first + second),
+                     error = curve(pixel[channel]) - truth;
+        sum += error * error - 0.25 * (first - second) * (first - second);
+    }
+    return sum / pixel.size();
 }
 
 double halves_error(const OutputCurve& curve, const Light& a, const Light& b, int first, int second)

@@ -44,13 +44,13 @@ struct ErrorEstimate {
     double seconds = 0;       ///< run time of the estimate, in addition to rendering
 };
 
-/// The squared error of one rendered pixel, averaged over its channels. `samples` are at least 2
-/// independent samples of the pixel's true light. The result is |encoded pixel - encoded mean of
-/// the samples|^2 less the bias from the samples' variance and the encoding's curvature, which the
-/// jackknife estimates. It is unbiased up to terms of order 1/samples^2, so it can be below 0.
-/// Values are clamped to 0..1. The result is always finite.
-double audited_error(const OutputCurve& curve, const Light& pixel,
-                     const std::vector<Light>& samples);
+/// The squared error of one rendered pixel, averaged over its channels. `a` and `b` are two
+/// independent estimates of the pixel's true light, from equally many samples. The result is
+/// |encoded pixel - estimate|^2 less the estimate's variance, which the difference of the two
+/// tells; the estimate is that of the two together, less the bias from the encoding's curvature
+/// (the jackknife). So the result can be below 0. Values are clamped to 0..1. The result is always
+/// finite.
+double audited_error(const OutputCurve& curve, const Light& pixel, const Light& a, const Light& b);
 
 /// The squared error of the mean m of two independent estimates of a pixel's light: `a` from
 /// `first` samples and `b` from `second` samples. It is the variance of the two encoded halves

@@ -226,7 +226,7 @@ std::optional<BeamRay> PixelSampler::pole_ray(Vec2 centre) const
     return ray ? ray_at(film_point, *ray, {}) : std::nullopt;
 }
 
-bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index,
+bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t set, std::uint32_t index,
                                      std::vector<PixelRay>& rays) const
 {
     const SheetOptics& optics = camera_.optics;
@@ -239,20 +239,22 @@ bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t index,
         if (!mapped.ray)
             continue;
         const std::uint64_t key = random_bits(
-            random_bits(pixel_key(centre), std::uint64_t(channel + 1)), ~index);
+            random_bits(pixel_key(centre), std::uint64_t(channel + 1)), ~set);
+        const auto even = scrambled_point(point_seeds(key), index);
         const std::size_t own = rays.size();
         for (int attempt = 0; attempt < search_limit && rays.size() == own; ++attempt) {
             const auto random = [&](int dimension) {
-                return random_shift(key, attempt, dimension);
+                return attempt == 0 ? even[dimension]
+                                    : random_shift(key, index * search_limit + attempt, dimension);
             };
             const bool last = attempt + 1 == search_limit;
-            const Vec2 film_point = last ? film_centre : moved(film_centre, {random(0), random(1)});
+            const Vec2 film_point = last ? film_centre : moved(film_centre, {random(2), random(3)});
             const auto at = sample_ray(film_point, mapped.ray->lens);
             if (!at)
                 continue;
             PixelRay ray;
             ray.channel = channel;
-            append_ray(film_point, *at, lens_point({random(2), random(3)}, *at), ray, rays);
+            append_ray(film_point, *at, lens_point({random(0), random(1)}, *at), ray, rays);
         }
     }
     return rays.size() > before;

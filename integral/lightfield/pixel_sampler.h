@@ -83,11 +83,13 @@ public:
     BeamRay first_sample(Vec2 centre, const LensRay& pole_ray, bool alike) const;
 
     /// Appends one ray per channel of the same pixel, at a random point of its area and of the
-    /// lens's cell, independent for each `index`. The mean over all indices is the converged 4-D
-    /// reference. For hybrid the reference is the full model. If the lens images only a tiny part
-    /// of the pixel, the pixel's centre may be used instead of a random point. Returns false if no
-    /// light gets through the lens.
-    bool append_random_ray(Vec2 centre, std::uint64_t index, std::vector<PixelRay>& rays) const;
+    /// lens's cell: number `index` of a `set`. Those of one set are well distributed, different
+    /// sets are independent. The mean over all is the converged 4-D reference. For hybrid the
+    /// reference is the full model. If the lens images only a tiny part of the pixel, the pixel's
+    /// centre may be used instead of a random point. Returns false if no light gets through the
+    /// lens.
+    bool append_random_ray(Vec2 centre, std::uint64_t set, std::uint32_t index,
+                           std::vector<PixelRay>& rays) const;
 
     /// The beam of the pixel with the given centre. `alike`: use the same sample pattern in every
     /// pixel; otherwise each pixel has its own. `depth`: distance of the surface that the pixel

@@ -139,7 +139,7 @@ static double error_of_edges(const IntegralCamera& camera, double depth, double 
         };
         std::vector<PixelRay> truth, samples;
         for (int index = 0; index < 2048; ++index)
-            sampler.append_random_ray(centre, index, truth);
+            sampler.append_random_ray(centre, index, 0, truth);
         const PixelBeam beam = sampler.beam(centre, false, aimed_at);
         for (int index = 0; index < 16; ++index)
             sampler.append_sample(beam, index, samples);

@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(what_becomes_of_film_points_adds_up)
             outside += o.outside_aperture;
             searched += o.searched;
             // If the ray of the pixel's centre exists, random rays are found, too.
-            const bool found = sampler.append_random_ray(centre, 0, rays);
+            const bool found = sampler.append_random_ray(centre, 0, 0, rays);
             BOOST_TEST((found || o.imaged == 0 || p.model == LensModel::full ||
                         p.model == LensModel::hybrid));
             for (const PixelRay& ray : rays) {

@@ -49,7 +49,7 @@ inline std::vector<PixelRay> random_rays_at(const PixelSampler& sampler, Vec2 ce
 {
     std::vector<PixelRay> rays;
     for (int index = 0; index < count; ++index)
-        sampler.append_random_ray(centre, index, rays);
+        sampler.append_random_ray(centre, index, 0, rays);
     return rays;
 }
 

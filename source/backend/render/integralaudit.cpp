@@ -21,8 +21,16 @@ namespace pov
 namespace
 {
 
-constexpr double usual_share = 0.005, picture_share = 0.05;
-constexpr long long least_pixels = 1000;
+constexpr double usual_share = 0.002, picture_share = 0.05;
+
+// Unless a share of the pixels is asked for, an audit takes this part of the frame's rays, but
+// examines at least so many pixels, and no more than most_pixels or usual_share of them.
+constexpr double part_of_rays = 0.05;
+constexpr double least_pixels = 100, most_pixels = 1000;
+
+// Samples of a pixel. What they err by themselves must be little beside the error to be found,
+// which is great where there is one ray a pixel. A picture shows single pixels.
+constexpr int samples_after_one_ray = 8, usual_samples = 32;
 
 std::uint64_t Key(int x, int y)
 {
@@ -33,6 +41,7 @@ std::uint64_t Key(int x, int y)
 
 IntegralAudit::IntegralAudit(const IntegralView& view, std::uint64_t seed)
     : optics(view.optics),
+      counts(view.counts),
       output(view.error.output),
       share(view.error.share),
       picture(view.error.picture),
@@ -79,7 +88,7 @@ void IntegralAudit::Note_One(int x, int y, const Colour& colour)
 /// seen so far, or the minimum number for a small frame if that is more.
 void IntegralAudit::Thin_Out()
 {
-    const double most = std::max(200.0 * least_pixels,
+    const double most = std::max(200 * most_pixels,
                                  2 * std::max(share, usual_share) * double(seen));
     if (double(noted.size()) <= most)
         return;
@@ -94,9 +103,13 @@ void IntegralAudit::Choose()
     begun = std::chrono::steady_clock::now();
     const double kept = (double(threshold) + 1) / std::pow(2.0, 64); // fraction of all hashes
     lit_pixels = std::round(noted.size() / kept);
-    const double wanted = share > 0
-                              ? std::ceil(share * lit_pixels)
-                              : std::max(double(least_pixels), std::ceil(usual_share * lit_pixels));
+    double rays = 0;
+    for (const IntegralTally& tally : counts->tallies)
+        rays += double(tally.rays.Get());
+    samples = rays < 1.5 * lit_pixels && picture.empty() ? samples_after_one_ray : usual_samples;
+    const double most = std::max(most_pixels, usual_share * lit_pixels),
+                 usual = std::max(least_pixels, std::min(most, part_of_rays * rays / samples)),
+                 wanted = std::ceil(share > 0 ? share * lit_pixels : usual);
     std::vector<std::pair<std::uint64_t, std::uint64_t>> order; // hash, pixel
     for (const auto& pixel : noted)
         order.emplace_back(pixel.second.hash, pixel.first);
@@ -105,6 +118,9 @@ void IntegralAudit::Choose()
     for (const auto& entry : order)
         pixels.push_back(
             {int(std::uint32_t(entry.second)), int(entry.second >> 32), noted[entry.second].light});
+    // Pixels beside each other meet the same objects, which are then in the processor's caches.
+    std::sort(pixels.begin(), pixels.end(),
+              [](const Pixel& a, const Pixel& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
     noted.clear();
 }
 
@@ -193,19 +209,23 @@ void IntegralAuditTask::Run()
 {
     radiosity.BeforeTile(0);
     trace.integralShading = NULL; // the error that shared shading causes counts too
-    std::vector<integral::Light> samples(IntegralAudit::samples);
     while (IntegralAudit::Pixel *pixel = audit->Next())
     {
-        for (int index = 0; index < IntegralAudit::samples; index++)
-        {
-            Colour colour;
-            trace.Integral().Audit(index);
-            trace(pixel->x, pixel->y, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
-                  colour);
-            samples[index] = {colour.red(), colour.green(), colour.blue()};
-            Cooperate();
-        }
-        pixel->squared_error = integral::audited_error(audit->Output(), pixel->rendered, samples);
+        integral::Light halves[2] = {};
+        const int half = audit->Samples() / 2;
+        for (int set = 0; set < 2; set++)
+            for (int index = 0; index < half; index++)
+            {
+                Colour colour;
+                trace.Integral().Audit(set, index);
+                trace(pixel->x, pixel->y, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
+                      colour);
+                for (int channel = 0; channel < 3; channel++)
+                    halves[set][channel] += double(colour[channel]) / half;
+                Cooperate();
+            }
+        pixel->squared_error = integral::audited_error(audit->Output(), pixel->rendered, halves[0],
+                                                       halves[1]);
     }
     radiosity.AfterTile();
 }

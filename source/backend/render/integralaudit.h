@@ -23,6 +23,7 @@ namespace pov
 {
 
 class Camera;
+struct IntegralCounts;
 struct IntegralView;
 
 /// The audit of one view. It takes the pixels with the smallest hashes of (seed, x, y), so that the
@@ -31,9 +32,6 @@ class IntegralAudit
 {
 public:
     IntegralAudit(const IntegralView& view, std::uint64_t seed);
-
-    /// The number of independent samples of each audited pixel.
-    static constexpr int samples = 16;
 
     struct Pixel
     {
@@ -49,6 +47,10 @@ public:
 
     /// The next pixel to audit; null when there is none left. The first call chooses the pixels.
     Pixel *Next();
+
+    /// The number of samples of each audited pixel, in two independent halves. Known after the
+    /// first call of Next.
+    int Samples() const { return samples; }
 
     /// The curve from a rendered pixel's light to its values in the picture file.
     const integral::OutputCurve& Output() const { return output; }
@@ -73,6 +75,7 @@ private:
     bool Write_Picture() const;
 
     std::shared_ptr<const integral::IntegralCamera> optics;
+    std::shared_ptr<const IntegralCounts> counts;
     integral::OutputCurve output;
     double share;
     std::string picture;
@@ -86,6 +89,7 @@ private:
     long long seen = 0;    ///< number of pixels passed to Note
     double lit_pixels = 0; ///< approximate number of lit pixels in the frame
     bool chosen = false;
+    int samples = 0;
     std::vector<Pixel> pixels; ///< to audit
     std::size_t taken = 0;
     bool picture_failed = false;

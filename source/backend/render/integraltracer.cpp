@@ -58,7 +58,7 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
     const integral::Vec2 centre{x + 0.5, y + 0.5};
     rays.clear();
     if (mode == audit)
-        return imaged = sampler.append_random_ray(centre, audit_index, rays);
+        return imaged = sampler.append_random_ray(centre, audit_set, audit_index, rays);
 
     integral::PixelOutcome outcome;
     if (mode == refinement)

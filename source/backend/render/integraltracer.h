@@ -38,11 +38,12 @@ public:
     /// The shared shading of the thread's rays; null if they do not share.
     IntegralCachedShading *Shading() { return shading.get(); }
 
-    /// From now on Trace_Pixel traces one random ray per pixel, the one with the number `index`,
-    /// and does not count it.
-    void Audit(std::uint64_t index)
+    /// From now on Trace_Pixel traces one random ray per pixel, number `index` of a `set`
+    /// (PixelSampler::append_random_ray), and does not count it.
+    void Audit(std::uint64_t set, std::uint32_t index)
     {
         mode = audit;
+        audit_set = set;
         audit_index = index;
     }
 
@@ -133,7 +134,8 @@ private:
     integral::LensIndex lens;             ///< the lens of these rays
     bool imaged = false;                  ///< whether there are such rays
     Mode mode = camera_rays;
-    std::uint64_t audit_index = 0;
+    std::uint64_t audit_set = 0;
+    std::uint32_t audit_index = 0;
     bool alike_samples = false;
     integral::BeamRay sampled, centre; ///< of the last sample
     integral::PixelBeam beam;          ///< of the pixel that is being refined

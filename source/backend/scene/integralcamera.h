@@ -72,8 +72,8 @@ struct IntegralCounts
 struct IntegralErrorOptions
 {
     bool wanted = true;
-    double share = 0; ///< fraction of the lit pixels to audit; 0: the default, which is 0.005 (0.05
-                      ///< with an error picture), and at least 1000 pixels
+    double share = 0; ///< fraction of the lit pixels to audit; 0: the default, by the frame's rays
+                      ///< (integralaudit.cpp); 0.05 with an error picture
     integral::OutputCurve output;
     std::string picture; ///< file of the error picture; empty: none
 };
