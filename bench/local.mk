@@ -118,6 +118,11 @@ build_bench_moving_eye_SOURCES = bench/moving_eye.cpp bench/error_against_time.h
   bench/views.cpp bench/views.h
 build_bench_moving_eye_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
+# Other routes to a frame, with an unmodified POV-Ray, on three of its sample scenes.
+.PHONY: other-routes
+other-routes: all build/tests/oracle
+	$(srcdir)/bench/other_routes
+
 # The thesis's table 4-1: doc/images/table-4-1.png and its figures. Takes a few minutes of rendering.
 EXTRA_PROGRAMS += build/bench/table_4_1
 build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \

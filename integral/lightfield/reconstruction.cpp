@@ -160,11 +160,11 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
     lending_.for_each(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending, lend);
 }
 
-/// Whether the pixel or one around it has an error that counts. One sample tells nothing of its
-/// own error.
-bool Reconstruction::is_noisy(int x, int y) const
+/// Whether the pixel, of the given variance, or one around it has an error that counts. One sample
+/// tells nothing of its own error.
+bool Reconstruction::is_noisy(int x, int y, float variance) const
 {
-    bool found = smooth_variance(x, y) >= least_variance_;
+    bool found = variance >= least_variance_;
     if (!found && samples_.pixel(x, y).number == 1)
         for_each_around(x, y, reach_around, [&](int, int, std::size_t at) {
             found = found || pixels_[at].variance >= least_variance_;
@@ -178,7 +178,10 @@ void Reconstruction::estimate(const PictureBlock& block, Scratch& scratch)
         for (int x = block.left; x <= block.right; ++x) {
             Pixel& pixel = pixels_[index(x, y)];
             pixel.others = 0;
-            if (!first_.lens(x, y) || pixel.variance < 0 || !is_noisy(x, y))
+            if (!first_.lens(x, y) || pixel.variance < 0)
+                continue;
+            const float variance = smooth_variance(x, y);
+            if (!is_noisy(x, y, variance))
                 continue;
             gather(x, y, scratch);
             const auto light = scratch.layers.light();
@@ -186,7 +189,8 @@ void Reconstruction::estimate(const PictureBlock& block, Scratch& scratch)
                 continue;
             pixel.layers = StoredLight(light->light);
             pixel.others = 1 - light->own_part;
-            pixel.expected = samples_.pixel(x, y).number == 1 ? light->variance : 0;
+            pixel.noise = samples_.pixel(x, y).number == 1 ? std::max(variance, light->variance)
+                                                           : variance;
         }
 }
 
@@ -222,8 +226,7 @@ Reconstruction::Difference Reconstruction::difference(int x, int y,
         result.smooth[k] /= weights;
         smooth[k] += result.smooth[k];
     }
-    const float all = own.others * std::max<float>(own.expected, smooth_variance(x, y)),
-                part = squares / (weights * weights);
+    const float all = own.others * own.noise, part = squares / (weights * weights);
     result.smooth_square = squared_difference(encode, smooth, layers);
     result.smooth_noise = part * all;
     result.noise = (1 + part - 2 * tent(0, 0) / weights) * all;

@@ -113,16 +113,16 @@ private:
         ShortFloat variance;
         ShortFloat of_halves; ///< as the halves of the samples show it; below 0: not at all
         StoredLight layers;
-        ShortFloat others;   ///< the part of other pixels' samples in the layers; 0: no layers
-        ShortFloat expected; ///< of a pixel with one sample: its variance, by all samples in the
-                             ///< beam; else 0
+        ShortFloat others; ///< the part of other pixels' samples in the layers; 0: no layers
+        ShortFloat noise;  ///< the variance that is expected of the mean, by the pixels around;
+                           ///< if it is of one sample, by all samples in the beam, too
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
     struct Difference;
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
     float smooth_variance(int x, int y) const;
-    bool is_noisy(int x, int y) const;
+    bool is_noisy(int x, int y, float variance) const;
     template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
     void gather(int x, int y, Scratch& scratch) const;
     Difference difference(int x, int y, const TabulatedCurve& encode) const;

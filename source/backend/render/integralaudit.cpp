@@ -26,7 +26,7 @@ constexpr double usual_share = 0.002, picture_share = 0.05;
 // Unless a share of the pixels is asked for, an audit takes this part of the frame's rays, but
 // examines at least so many pixels, and no more than most_pixels or usual_share of them.
 constexpr double part_of_rays = 0.05;
-constexpr double least_pixels = 100, most_pixels = 1000;
+constexpr double least_pixels = 150, most_pixels = 1000;
 
 // Samples of a pixel. What they err by themselves must be little beside the error to be found,
 // which is great where there is one ray a pixel. A picture shows single pixels.
