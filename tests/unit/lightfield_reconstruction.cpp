@@ -245,6 +245,18 @@ BOOST_AUTO_TEST_CASE(slanted_surfaces_become_clear)
                    "rise " << rise);
 }
 
+BOOST_AUTO_TEST_CASE(slopes_are_kept)
+{
+    // Brightness that rises evenly: what the samples of a pixel differ by is where they lie alone.
+    // At a lens's border they lie on one side.
+    const Scene scene = [&](const BeamRay& ray) {
+        const Vec2 place = place_at(ray, 6);
+        return Look{0.5 + 0.02 * place.x + 0.01 * place.y, 6};
+    };
+    BOOST_TEST(ratio(sheet(Arrangement::square), scene, 1) < 0.13);
+    BOOST_TEST(ratio(sheet(Arrangement::lenticular), scene, 1) < 0.23);
+}
+
 BOOST_AUTO_TEST_CASE(outlines_become_clear)
 {
     // A bright plane covers half of a dark one behind it.
@@ -256,6 +268,21 @@ BOOST_AUTO_TEST_CASE(outlines_become_clear)
             const double found = ratio(sheet(arrangement), scene, 4);
             BOOST_TEST(found < 0.77, int(arrangement) << ", " << back << " mm: " << found);
         }
+}
+
+BOOST_AUTO_TEST_CASE(near_depths_are_told_apart)
+{
+    // Planes little apart, one before the other: what the front one hides must not count.
+    const struct {
+        double front, back, most;
+    } planes[] = {{4, 7, 0.45}, {-20, -14, 0.65}};
+    for (const auto& one : planes) {
+        const Scene scene = [&](const BeamRay& ray) {
+            return place_at(ray, one.front).y < 0.3 ? Look{0.2, one.front} : Look{0.8, one.back};
+        };
+        const double found = ratio(sheet(Arrangement::square), scene, 4);
+        BOOST_TEST(found < one.most, one.front << " mm: " << found);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(what_lies_behind_is_seen_through_gaps)
