@@ -132,16 +132,18 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         }
         view->rows = given.rows;
         view->error = {given.audit, given.audit_share, given.output, given.error_picture};
-        view->caches_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
         // What is shared and reconstructed takes the aperture for the eyes' place.
-        if (!projects && (given.sharing == pov_base::IntegralSharing::on ||
-                          (view->caches_dear_shading_only && given.antialias)))
-            view->shading_cache = std::make_shared<IntegralShadingCache>(
-                *view->optics, Patches_In_Beam(*view->optics, given));
         if (given.antialias && given.light_field && !projects)
             view->sampling = std::make_shared<IntegralSampling>(
                 *view->optics, given.rows, given.block_side, given.most_memory, given.reconstruct,
                 least_error_of_threshold * given.threshold);
+        // Reconstruction gains more than sharing, and has less of an error of its own.
+        view->caches_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
+        const bool reconstructs = view->sampling && view->sampling->Reconstruction();
+        if (!projects && (given.sharing == pov_base::IntegralSharing::on ||
+                          (view->caches_dear_shading_only && given.antialias && !reconstructs)))
+            view->shading_cache = std::make_shared<IntegralShadingCache>(
+                *view->optics, Patches_In_Beam(*view->optics, given));
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
         // The two halves do not include anti-aliasing's samples and cannot make an error picture.
