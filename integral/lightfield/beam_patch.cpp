@@ -7,9 +7,10 @@ namespace integral {
 
 namespace {
 
-// How far, in pixels, the direction of a pixel may be from that of one whose samples it uses, and
-// how fast what they count falls with the square of that. Behind a line of lenses fewer pixels
-// share a place, so that it pays to go further. Found by trying on sample scenes of POV-Ray's.
+// A pixel uses the samples of pixels whose directions are at most this far from its own, in pixels.
+// At a distance of r pixels they have the weight exp(-fall r^2). Behind a line of lenses fewer
+// pixels share a place, so that it pays to go further. Found by trying on sample scenes of
+// POV-Ray's.
 constexpr double most_pixels = 3.2, most_pixels_across_lines = 7.2, fall = 0.17,
                  fall_across_lines = 0.03;
 

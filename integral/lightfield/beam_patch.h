@@ -54,9 +54,10 @@ public:
     };
 
     /// Calls visit(x, y, lens, part) for the pixels, which may be outside the frame or behind other
-    /// lenses than `lens`, the one that is expected. `part`: as which part of one its samples
-    /// should count, less for other directions. It leaves out those whose beams do not meet the
-    /// patch of a pixel behind `own` lens at any depth from `nearest` to `furthest`.
+    /// lenses than `lens`, the one that is expected. `part`: the weight of the pixel's
+    /// samples, 0 to 1, which falls with the distance between directions. It leaves out those whose
+    /// beams do not meet the patch of a pixel behind `own` lens at any depth from `nearest` to
+    /// `furthest`.
     template <class Visit>
     void for_each(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch, float nearest,
                   float furthest, Scratch& scratch, Visit visit) const;
@@ -73,7 +74,7 @@ private:
         int x, y;                   ///< pixels to the right and down
         std::int16_t i, j;          ///< the step to its lens
         std::array<int, 2> steps{}; ///< across and along
-        float part = 1;             ///< as which part of one it counts
+        float part = 1;             ///< the weight of its samples
     };
     void add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step);
     int index_of(int axis, double lens, double pixels);

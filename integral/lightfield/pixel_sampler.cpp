@@ -40,7 +40,6 @@ PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
                               !(camera.slit_height({0, 0}) > 0);
     film_dimensions_ = camera.pixel_samples > 1 ? 2 : 0;
     lens_dimensions_ = hybrid || camera.beam_samples == 1 ? 0 : cell_is_flat ? 1 : 2;
-    cell_dimensions_ = cell_is_flat ? 1 : 2;
     one_ray_ = film_dimensions_ + lens_dimensions_ == 0 && !hybrid && !camera.pseudoscopic &&
                camera.film.subpixels == Subpixels::none && optics.model() != LensModel::full;
 }

@@ -135,7 +135,6 @@ private:
     std::vector<WeightedLensPoint> hybrid_; ///< empty for other models
     Vec2 area_;                             ///< size of a pixel or of its subpixels, mm
     int film_dimensions_, lens_dimensions_; ///< that append_rays samples, 0 to 2 each
-    int cell_dimensions_;                   ///< dimensions of a lens's cell: 1 for a line, else 2
     bool one_ray_;                          ///< see gives_one_ray
 };
 

@@ -15,8 +15,8 @@ namespace {
 constexpr float step = 0.08f;
 constexpr int most_steps = 1023;
 
-// As how many samples without any slope the regression counts: it keeps few samples from finding
-// one by chance. The mean square of a place in the patch is about a fifth.
+// The regression is damped as if this many further samples showed no slope (ridge regression), so
+// that few samples do not show one by chance. The mean square of a place in the patch is about 0.2.
 constexpr float level_samples = 8, square_of_place = 0.2f;
 
 // A layer of less than this part of what is behind it is not looked at closely, and what is behind

@@ -19,8 +19,8 @@ public:
     /// Begins a pixel. `centre`: the line from its centre through the lens's pole.
     void begin(const BeamPatch& patch, const SightSlope& centre);
 
-    /// Adds the samples of a pixel, which must not be empty. `part`: as which part of one they
-    /// count. `is_own`: it is the pixel itself.
+    /// Adds the samples of a pixel, which must not be empty. `part`: their weight, 0 to 1.
+    /// `is_own`: it is the pixel itself.
     void add(const BeamSamples& samples, const BeamSamples::Pixel& pixel, float part, bool is_own);
 
     struct Light {
