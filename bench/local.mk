@@ -48,6 +48,11 @@ EXTRA_PROGRAMS += build/bench/depth_limit
 build_bench_depth_limit_SOURCES = bench/depth_limit.cpp
 build_bench_depth_limit_LDADD = $(LIBINTEGRAL_LIBS)
 
+# The picture of method A's ghost points.
+EXTRA_PROGRAMS += build/bench/depth_ghosts
+build_bench_depth_ghosts_SOURCES = bench/depth_ghosts.cpp
+build_bench_depth_ghosts_LDADD = $(LIBINTEGRAL_LIBS)
+
 # OpenCV's stereo matcher beside it, where OpenCV is (Debian: libopencv-calib3d-dev,
 # libopencv-imgcodecs-dev); else the table says that it is missing.
 if HAVE_OPENCV

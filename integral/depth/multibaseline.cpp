@@ -85,12 +85,13 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
     rough.tolerance = std::max(settings.tolerance, 0.5 * rough_step * farthest_shift(views));
     rough.cross = true; // views farther off add time, and aliases where there are few pixels
     const auto sure = sure_disparities(views, rough, usual, threads);
-    if (sure.size() < least_number)
-        return {-usual, usual};
-    const DisparityRange found = range_of(sure);
-    if (found.least > -usual && found.greatest < usual)
-        return found;
-    // The scene reaches beyond. What is far off may have no texture that shows: it may be endless.
+    if (sure.size() >= least_number) {
+        const DisparityRange found = range_of(sure);
+        if (found.least > -usual && found.greatest < usual)
+            return found;
+    }
+    // The scene reaches beyond, or little of it can be told. What is far off may have no texture
+    // that shows: it may be endless.
     const auto wide = sure_disparities(views, rough, widest, threads);
     const double nearest = wide.size() >= least_number ? range_of(wide).greatest : usual;
     return {-std::min(widest, views.scale ? views.scale->ratio : widest), std::max(usual, nearest)};
