@@ -8,11 +8,12 @@ namespace integral {
 namespace {
 
 // A pixel uses the samples of pixels whose directions are at most this far from its own, in pixels.
-// At a distance of r pixels they have the weight exp(-fall r^2). Behind a line of lenses fewer
-// pixels share a place, so that it pays to go further. Found by trying on sample scenes of
-// POV-Ray's.
+// At a distance of r pixels they have the weight exp(-fall r^2). Their lenses are at most so many
+// steps away. Behind a line of lenses fewer pixels share a place, so that it pays to go further.
+// Found by trying on sample scenes of POV-Ray's.
 constexpr double most_pixels = 3.2, most_pixels_across_lines = 7.2, fall = 0.17,
                  fall_across_lines = 0.03;
+constexpr int most_lenses = 1, most_lenses_across_lines = 3;
 
 // Two patches meet if their centres are nearer than this part of the sum of their widths. Where
 // they are further apart, less than a thirtieth of one lies in the other.
@@ -66,9 +67,11 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
 LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
     : lines_(lattice.arrangement() == Arrangement::lenticular)
 {
+    const int across = lines_ ? most_lenses_across_lines : most_lenses,
+              along = lines_ ? 0 : most_lenses;
     for (int row = 0; row < 2; ++row)
-        for (int j = lines_ ? 0 : -1; j <= (lines_ ? 0 : 1); ++j)
-            for (int i = -1; i <= 1; ++i)
+        for (int j = -along; j <= along; ++j)
+            for (int i = -across; i <= across; ++i)
                 add_pixels(lattice, film, row, {i, j});
 }
 
@@ -76,7 +79,8 @@ LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
 void LendingPixels::add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step)
 {
     Vec2 way = lattice.pole({step.i, row + step.j}) - lattice.pole({0, row});
-    if (!(length(way) < 1.5 * lattice.pitch()))
+    const int most_steps = lines_ ? most_lenses_across_lines : most_lenses;
+    if (!(length(way) < (most_steps + 0.5) * lattice.pitch()))
         return;
     const Vec2 a = lattice.across(), b = lattice.along(), pixel = film.pixel_pitch;
     const double across = pixel_along(pixel, a), along = pixel_along(pixel, b);

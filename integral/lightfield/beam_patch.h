@@ -43,7 +43,7 @@ private:
 };
 
 /// The pixels whose samples a pixel uses: itself, and those of nearly the same direction behind its
-/// own lens and behind the neighbouring ones.
+/// own lens and behind those around.
 class LendingPixels {
 public:
     LendingPixels(const Lattice& lattice, const Film& film);
