@@ -146,6 +146,8 @@ template <class Take> void read(const std::string& text, Take take)
     if (text.size() > most_json_megabytes << 20)
         throw JsonError(1, "the document has more than " + std::to_string(most_json_megabytes) +
                                " MB; leave some of it out");
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        throw JsonError(1, "this is no JSON: it is empty");
     LineCounter counter(text);
     std::istream stream(&counter);
     Builder builder(counter);
