@@ -313,6 +313,28 @@ BOOST_AUTO_TEST_CASE(one_sample_a_pixel_will_do)
     BOOST_TEST(ratio(sheet(Arrangement::lenticular), scene, 1) < 0.75);
 }
 
+BOOST_AUTO_TEST_CASE(far_places_are_seen_by_more_lenses)
+{
+    // How many lenses away pixels are whose beams meet that of a pixel at a depth.
+    const auto furthest = [](Arrangement arrangement, float depth) {
+        const IntegralCamera camera = camera_of(sheet(arrangement), width, height);
+        const LendingPixels lending(camera.optics.lattice(), camera.film);
+        const FirstSamples::StoredLens own{100, 100};
+        LendingPixels::Scratch scratch;
+        int most = 0;
+        lending.for_each(0, 0, own, BeamPatch(camera, SightSlope{}), depth, depth, scratch,
+                         [&](int, int, FirstSamples::StoredLens lens, float) {
+                             most = std::max(most, std::abs(lens[0] - own[0]));
+                         });
+        return most;
+    };
+    BOOST_TEST(furthest(Arrangement::lenticular, 0) == 0);
+    BOOST_TEST(furthest(Arrangement::lenticular, 5) == 2);
+    BOOST_TEST(furthest(Arrangement::lenticular, 200) == 3);
+    BOOST_TEST(furthest(Arrangement::square, 0) == 0);
+    BOOST_TEST(furthest(Arrangement::square, 200) == 1);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_noisy_is_left_alone)
 {
     Sampled frame(sheet(Arrangement::square), chequers(5, 3), 2, 0.001);
