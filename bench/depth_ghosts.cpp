@@ -4,18 +4,20 @@
 // pixels behind different lenses meet that have nearly the same colour, and the surfaces that are
 // there in truth. The plot is a section through the scene, seen from above.
 #include "bench/program.h"
+#include "integral/depth/ray_trace.h"
 #include "integral/io/image_file.h"
 #include "integral/io/plot.h"
 #include "integral/optics/lens_mapping.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace {
 
 using namespace integral;
 
-constexpr double like = 0.04;      // as RayTraceSettings::colour
 constexpr double depth_shown = 70; // mm from the sheet, to both sides
 constexpr std::size_t dots = 3000; // of all meetings, a random part
 
@@ -27,7 +29,7 @@ struct PixelRay {
     {
         const double r = colour.r - other.colour.r, g = colour.g - other.colour.g,
                      b = colour.b - other.colour.b;
-        return r * r + g * g + b * b < like * like;
+        return std::sqrt(r * r + g * g + b * b) < RayTraceSettings{}.colour;
     }
 };
 
@@ -46,43 +48,49 @@ std::vector<PixelRay> rays_of_row(const Frame& frame, const DepthFrame& depths, 
     return rays;
 }
 
+/// Where rays of like colours meet: mm across, and mm behind the sheet.
+std::vector<Vec2> meetings_of(const std::vector<PixelRay>& rays)
+{
+    std::vector<Vec2> meetings;
+    for (auto a = rays.begin(); a != rays.end(); ++a)
+        for (auto b = a + 1; b != rays.end(); ++b) {
+            const double z = (b->x - a->x) / (a->slope - b->slope);
+            if (a->lens != b->lens && std::fabs(z) < depth_shown && a->is_like(*b))
+                meetings.push_back({a->x + z * a->slope, z});
+        }
+    return meetings;
+}
+
+PlotSeries dots_at(const std::vector<Vec2>& places, const char* label, int colour)
+{
+    PlotSeries series;
+    series.label = label;
+    series.style = PlotSeries::Style::points;
+    series.colour = colour;
+    for (const Vec2 place : places) {
+        series.x.push_back(place.x);
+        series.y.push_back(-place.y);
+    }
+    return series;
+}
+
 int draw(const std::string& frame_file, const std::string& depth_file, const std::string& plot_file)
 {
     const Frame frame = read_frame_with_metadata(frame_file);
-    const int y = frame.image.height / 2;
-    const std::vector<PixelRay> rays = rays_of_row(frame, read_depths(depth_file), y);
-    PlotSeries meetings, surfaces;
-    for (std::size_t a = 0; a < rays.size(); ++a) {
-        surfaces.x.push_back(rays[a].x + rays[a].depth * rays[a].slope);
-        surfaces.y.push_back(-rays[a].depth);
-        for (std::size_t b = a + 1; b < rays.size(); ++b) {
-            const double z = (rays[b].x - rays[a].x) / (rays[a].slope - rays[b].slope);
-            if (rays[a].lens != rays[b].lens && std::fabs(z) < depth_shown &&
-                rays[a].is_like(rays[b])) {
-                meetings.x.push_back(rays[a].x + z * rays[a].slope);
-                meetings.y.push_back(-z);
-            }
-        }
-    }
-    std::printf("%zu rays, %zu meetings\n", rays.size(), meetings.x.size());
-    std::mt19937 random(1);
-    for (std::size_t k = 0; k < std::min(dots, meetings.x.size()); ++k) {
-        const std::size_t other = k + random() % (meetings.x.size() - k);
-        std::swap(meetings.x[k], meetings.x[other]);
-        std::swap(meetings.y[k], meetings.y[other]);
-    }
-    meetings.x.resize(std::min(dots, meetings.x.size()));
-    meetings.y.resize(meetings.x.size());
-    meetings.label = "where rays of like colours meet";
-    surfaces.label = "surfaces";
-    meetings.style = surfaces.style = PlotSeries::Style::points;
-    meetings.colour = 6;
-    surfaces.colour = 1;
+    const std::vector<PixelRay> rays = rays_of_row(frame, read_depths(depth_file),
+                                                   frame.image.height / 2);
+    std::vector<Vec2> surfaces, shown;
+    for (const PixelRay& ray : rays)
+        surfaces.push_back({ray.x + ray.depth * ray.slope, ray.depth});
+    const std::vector<Vec2> meetings = meetings_of(rays);
+    std::printf("%zu rays, %zu meetings\n", rays.size(), meetings.size());
+    std::sample(meetings.begin(), meetings.end(), std::back_inserter(shown), dots, std::mt19937(1));
     Plot plot;
     plot.title = "Ghost points of reversed rays";
     plot.x.label = "across the sheet (mm)";
     plot.y = {"in front of the sheet (mm)", false, -depth_shown, depth_shown};
-    plot.series = {meetings, surfaces};
+    plot.series = {dots_at(shown, "where rays of like colours meet", 6),
+                   dots_at(surfaces, "surfaces", 1)};
     write_plot(plot, plot_file);
     return 0;
 }

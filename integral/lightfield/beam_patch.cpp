@@ -8,9 +8,9 @@ namespace integral {
 namespace {
 
 // A pixel uses the samples of pixels whose directions are at most this far from its own, in pixels.
-// At a distance of r pixels they have the weight exp(-fall r^2). Their lenses are at most so many
-// steps away. Behind a line of lenses fewer pixels share a place, so that it pays to go further.
-// Found by trying on sample scenes of POV-Ray's.
+// At a distance of r pixels they have the weight exp(-fall r^2). Their lenses are at most
+// most_lenses steps from its own. Behind a line of lenses fewer pixels share a place, so that it
+// pays to go further. Found by trying on sample scenes of POV-Ray's.
 constexpr double most_pixels = 3.2, most_pixels_across_lines = 7.2, fall = 0.17,
                  fall_across_lines = 0.03;
 constexpr int most_lenses = 1, most_lenses_across_lines = 3;
@@ -79,8 +79,7 @@ LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
 void LendingPixels::add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step)
 {
     Vec2 way = lattice.pole({step.i, row + step.j}) - lattice.pole({0, row});
-    const int most_steps = lines_ ? most_lenses_across_lines : most_lenses;
-    if (!(length(way) < (most_steps + 0.5) * lattice.pitch()))
+    if (!lines_ && !(length(way) < (most_lenses + 0.5) * lattice.pitch()))
         return;
     const Vec2 a = lattice.across(), b = lattice.along(), pixel = film.pixel_pitch;
     const double across = pixel_along(pixel, a), along = pixel_along(pixel, b);
