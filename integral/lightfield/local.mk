@@ -18,6 +18,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/eye_place.h \
   integral/lightfield/first_samples.cpp \
   integral/lightfield/first_samples.h \
+  integral/lightfield/four_floats.h \
   integral/lightfield/frame.cpp \
   integral/lightfield/frame.h \
   integral/lightfield/frame_metadata.cpp \
@@ -28,6 +29,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/image.h \
   integral/lightfield/known_sheets.cpp \
   integral/lightfield/known_sheets.h \
+  integral/lightfield/layer_covers.cpp \
+  integral/lightfield/layer_covers.h \
   integral/lightfield/lens_profile.cpp \
   integral/lightfield/lens_profile.h \
   integral/lightfield/names.cpp \
@@ -44,6 +47,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/reconstruction.h \
   integral/lightfield/refinement.cpp \
   integral/lightfield/refinement.h \
+  integral/lightfield/sample_fit.cpp \
+  integral/lightfield/sample_fit.h \
   integral/lightfield/sample_layers.cpp \
   integral/lightfield/sample_layers.h \
   integral/lightfield/sample_points.cpp \

@@ -189,8 +189,9 @@ void Reconstruction::estimate(const PictureBlock& block, Scratch& scratch)
                 continue;
             pixel.layers = StoredLight(light->light);
             pixel.others = 1 - light->own_part;
-            pixel.noise = samples_.pixel(x, y).number == 1 ? std::max(variance, light->variance)
-                                                           : variance;
+            pixel.noise = samples_.pixel(x, y).number == 1
+                              ? std::max(variance, scratch.layers.variance())
+                              : variance;
         }
 }
 

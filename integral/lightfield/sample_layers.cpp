@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/sample_layers.h"
 
+#include "integral/lightfield/sample_fit.h"
+
 #include <algorithm>
 #include <bitset>
 #include <cmath>
@@ -12,23 +14,12 @@ namespace {
 
 // Depths are compared on a scale on which the lines of neighbouring pixels move apart by about a
 // patch's width from one number to the next. Two layers have an empty step between them.
-constexpr float step = 0.08f;
-constexpr int most_steps = 1023;
-
-// The regression is damped as if this many further samples showed no slope (ridge regression), so
-// that few samples do not show one by chance. The mean square of a place in the patch is about 0.2.
-constexpr float level_samples = 8, square_of_place = 0.2f;
+constexpr float step = 0.05f;
+constexpr int most_steps = 2047;
 
 // A layer of less than this part of what is behind it is not looked at closely, and what is behind
 // layers that let less than this through is left out.
-constexpr float little_part = 0.02f, little_light = 0.004f;
-
-typedef std::int32_t Integers __attribute__((vector_size(16)));
-
-template <class Four> inline Four magnitude(Four x) { return Four(Integers(x) & 0x7fffffff); }
-template <class Four> inline Four least(Four a, Four b) { return a < b ? a : b; }
-template <class Four> inline Four most(Four a, Four b) { return a > b ? a : b; }
-template <class Four> inline float sum_of(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+constexpr float little_part = 0.06f, little_light = 0.01f;
 
 /// About the logarithm of x to base 2, for x >= 1: linear between powers of two.
 float logarithm(float x)
@@ -38,52 +29,32 @@ float logarithm(float x)
     return float(bits) * 0x1p-23f - 127;
 }
 
-/// Four 16-bit integers as floats.
-template <class Short, class Four> inline Four four(const void* integers)
-{
-    Short narrow;
-    std::memcpy(&narrow, integers, sizeof narrow);
-    return __builtin_convertvector(__builtin_convertvector(narrow, Integers), Four);
-}
-typedef std::int16_t Signed __attribute__((vector_size(8)));
-typedef std::uint16_t Unsigned __attribute__((vector_size(8)));
-
-/// Exchanges rows and columns.
-template <class Four> inline void turn(std::array<Four, 4>& rows)
-{
-    const Four a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5),
-               b = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7),
-               c = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5),
-               d = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
-    rows = {__builtin_shufflevector(a, c, 0, 1, 4, 5), __builtin_shufflevector(a, c, 2, 3, 6, 7),
-            __builtin_shufflevector(b, d, 0, 1, 4, 5), __builtin_shufflevector(b, d, 2, 3, 6, 7)};
-}
-
 } // namespace
 
 void SampleLayers::begin(const BeamPatch& patch, const SightSlope& centre)
 {
-    centre_ = Four{centre.point[0], centre.point[1], centre.slope[0], centre.slope[1]};
+    centre_ = FourFloats{centre.point[0], centre.point[1], centre.slope[0], centre.slope[1]};
     for (int k = 0; k < 2; ++k) {
         const BeamPatch::Axis& axis = patch.axis(k);
-        cells_[k] = Four{} + axis.cell_at_sheet;
-        cell_slopes_[k] = Four{} + axis.cell_slope;
-        pixels_[k] = Four{} + axis.pixel_at_sheet;
-        pixel_slopes_[k] = Four{} + axis.pixel_slope;
+        cells_[k] = FourFloats{} + axis.cell_at_sheet;
+        cell_slopes_[k] = FourFloats{} + axis.cell_slope;
+        pixels_[k] = FourFloats{} + axis.pixel_at_sheet;
+        pixel_slopes_[k] = FourFloats{} + axis.pixel_slope;
     }
     // The width of a patch grows by this part of itself for each mm.
     steepness_ = patch.axis(0).pixel_slope / patch.axis(0).cell_at_sheet;
     number_ = own_begin_ = own_end_ = 0;
+    covers_.begin(patch);
 }
 
 void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pixel, float part,
                        bool is_own)
 {
-    const Four start = Four{pixel.centre.point[0], pixel.centre.point[1], pixel.centre.slope[0],
-                            pixel.centre.slope[1]} -
-                       centre_,
-               units = {samples.point_unit(), samples.point_unit(), samples.slope_unit(),
-                        samples.slope_unit()};
+    const FourFloats start = FourFloats{pixel.centre.point[0], pixel.centre.point[1],
+                                        pixel.centre.slope[0], pixel.centre.slope[1]} -
+                             centre_,
+                     units = {samples.point_unit(), samples.point_unit(), samples.slope_unit(),
+                              samples.slope_unit()};
     // More samples tell more. But if they counted in full, the mean would lean to where they are.
     const float share = part / std::sqrt(float(pixel.number));
     const std::size_t end = number_ + pixel.number;
@@ -92,7 +63,7 @@ void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pix
     const auto add_one = [&](const BeamSamples::Sample& sample) {
         Group& group = groups_[number_ / 4];
         const std::size_t place = number_++ % 4;
-        group.lines[place] = start + units * four<Signed, Four>(&sample.point);
+        group.lines[place] = start + units * floats_from<FourShorts>(&sample.point);
         group.depths[place] = sample.depth;
         group.shares[place] = share;
         group.light[place] = sample.light;
@@ -108,18 +79,18 @@ void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pix
 
 /// Where the lines of four samples are at a depth. Without branches, which the processor could not
 /// predict.
-inline SampleLayers::Density SampleLayers::density(const Group& group, Four depth) const
+inline SampleLayers::Density SampleLayers::density(const Group& group, FourFloats depth) const
 {
-    const Four far = magnitude(depth), one = Four{} + 1;
-    std::array<Four, 2> places;
-    Four value = one;
+    const FourFloats far = magnitude(depth), one = FourFloats{} + 1;
+    std::array<FourFloats, 2> places;
+    FourFloats value = one;
     for (int k = 0; k < 2; ++k) {
-        const Four cell = cells_[k] + cell_slopes_[k] * far,
-                   pixel = magnitude(pixels_[k] + pixel_slopes_[k] * depth),
-                   place = group.lines[k] + depth * group.lines[k + 2], both = cell + pixel,
-                   narrow = least(cell, pixel) + 1e-4f * both;
+        const FourFloats cell = cells_[k] + cell_slopes_[k] * far,
+                         pixel = magnitude(pixels_[k] + pixel_slopes_[k] * depth),
+                         place = group.lines[k] + depth * group.lines[k + 2], both = cell + pixel,
+                         narrow = least(cell, pixel) + 1e-4f * both;
         places[k] = place / (0.5f * both);
-        value *= most(least((0.5f * both - magnitude(place)) / narrow, one), Four{});
+        value *= most(least((0.5f * both - magnitude(place)) / narrow, one), FourFloats{});
     }
     return {places[0], places[1], value};
 }
@@ -130,24 +101,24 @@ void SampleLayers::weigh()
     while (number_ % 4 != 0) { // the last group is filled up with samples that do not count
         Group& group = groups_[number_ / 4];
         const std::size_t place = number_++ % 4;
-        group.lines[place] = Four{};
+        group.lines[place] = FourFloats{};
         group.depths[place] = group.shares[place] = 0;
     }
     if (met_.size() < number_ + 4)
         met_.resize(2 * number_ + 4);
     met_number_ = 0;
-    Four nearest = Four{} + 1e9f, furthest = -nearest, sum{};
+    FourFloats nearest = FourFloats{} + 1e9f, furthest = -nearest, sum{};
     for (std::size_t k = 0; k < number_ / 4; ++k) {
         Group& group = groups_[k];
-        turn(group.lines);
+        transpose(group.lines);
         const Density at = density(group, group.depths);
-        const Four weight = group.shares * at.value;
+        const FourFloats weight = group.shares * at.value;
         group.weights = weight;
         nearest = least(nearest, weight > 0 ? group.depths : nearest);
         furthest = most(furthest, weight > 0 ? group.depths : furthest);
         sum += weight;
-        std::array<Four, 4> numbers = {weight, at.x, at.y, group.depths};
-        turn(numbers);
+        std::array<FourFloats, 4> numbers = {weight, at.x, at.y, group.depths};
+        transpose(numbers);
         for (int i = 0; i < 4; ++i) {
             met_[met_number_].numbers = numbers[i];
             met_[met_number_].light = group.light[i];
@@ -178,7 +149,7 @@ void SampleLayers::find_layers()
     std::bitset<most_steps + 1> used;
     if (last >= 2)
         for (std::size_t k = 0; k < met_number_; ++k) {
-            met_[k].layer = std::uint16_t(step_of(met_[k].numbers[3]));
+            met_[k].layer = std::uint16_t(step_of(met_[k].depth()));
             used.set(met_[k].layer);
         }
     std::array<std::uint16_t, most_steps + 1> layer_of;
@@ -193,81 +164,111 @@ void SampleLayers::find_layers()
             met_[k].layer = layer_of[met_[k].layer];
 }
 
+/// The light of a sample, times StoredLight::of_squared_root.
+inline FourFloats light_of(const StoredLight& light)
+{
+    const FourFloats roots = floats_from<FourUnsignedShorts>(&light);
+    return roots * roots;
+}
+
 /// Sums up the light of the layers.
 void SampleLayers::sum_layers()
 {
-    light_ = roots_ = Four{};
     for (std::size_t k = 0; k < met_number_; ++k) {
         const Met& met = met_[k];
         Layer& layer = layers_[met.layer];
-        const float weight = met.numbers[0], depth = met.numbers[3];
-        const Four roots = four<Unsigned, Four>(&met.light), light = weight * (roots * roots);
-        layer.weight += weight;
-        layer.depth += weight * depth;
-        layer.furthest = std::max(layer.furthest, depth);
-        layer.light += light;
-        light_ += light;
-        roots_ += weight * roots;
+        layer.weight += met.weight();
+        layer.depth += met.weight() * met.depth();
+        layer.furthest = std::max(layer.furthest, met.depth());
+        layer.light += met.weight() * light_of(met.light);
     }
+    for (Layer& layer : layers_)
+        layer.depth /= layer.weight;
 }
 
-/// The light at the middle of the patch, of a straight line through all samples.
-SampleLayers::Four SampleLayers::fitted()
+/// The mean squares of both places in the patch over the beam, at a depth: (0, 0, x^2, y^2).
+FourFloats SampleLayers::mean_squares(float depth) const
 {
-    Four light{}, roots_sum{}, light_x{}, light_y{}, squares{}, by_x{}, by_y{};
+    FourFloats result{};
+    for (int k = 0; k < 2; ++k) {
+        const float cell = cells_[k][0] + cell_slopes_[k][0] * std::fabs(depth),
+                    pixel = pixels_[k][0] + pixel_slopes_[k][0] * depth,
+                    both = cell + std::fabs(pixel);
+        result[2 + k] = (cell * cell + pixel * pixel) / (3 * both * both);
+    }
+    return result;
+}
+
+/// The beam's mean light, of all samples that ended in it: of one layer.
+FourFloats SampleLayers::fitted() const
+{
+    SampleFit fit;
+    const FourFloats squares = mean_squares(0.5f * (nearest_ + furthest_)), one = FourFloats{} + 1;
     for (std::size_t k = 0; k < met_number_; ++k) {
-        const Four numbers = met_[k].numbers, roots = four<Unsigned, Four>(&met_[k].light),
-                   weighted = numbers[0] * numbers, own = numbers[0] * (roots * roots);
-        roots_sum += numbers[0] * roots;
-        light += own;
-        light_x += numbers[1] * own;
-        light_y += numbers[2] * own;
-        squares += weighted;
-        by_x += numbers[1] * weighted;
-        by_y += numbers[2] * weighted;
+        const FourFloats numbers = met_[k].numbers,
+                         place = __builtin_shufflevector(numbers, numbers, 1, 2, 1, 2),
+                         factor = __builtin_shufflevector(numbers, one, 4, 4, 1, 2);
+        fit.add(numbers[0], place * factor - squares, light_of(met_[k].light));
     }
-    light_ = light;
-    roots_ = roots_sum;
-    const float one = 1 / weight_;
-    const Four mean = one * light;
-    // `squares` begins with that of the weights, which tells as how many even samples they count.
-    const float x = one * squares[1], y = one * squares[2],
-                level = square_of_place * level_samples * squares[0] * one * one,
-                xx = one * by_x[1] - x * x + level, yy = one * by_y[2] - y * y + level,
-                xy = one * by_x[2] - x * y, of_determinant = 1 / (xx * yy - xy * xy);
-    const Four to_x = one * light_x - x * mean, to_y = one * light_y - y * mean,
-               slope_x = of_determinant * (yy * to_x - xy * to_y),
-               slope_y = of_determinant * (xx * to_y - xy * to_x);
-    return most(mean - x * slope_x - y * slope_y, Four{});
+    return fit.mean_of_beam();
 }
 
-/// The weight of the samples that pass a layer inside the beam.
-float SampleLayers::passing(const Layer& layer) const
+/// The samples that reach a layer inside the beam. `before`: the furthest depth of the layer before
+/// it.
+ReachingSamples SampleLayers::reaching(const Layer& layer, float before) const
 {
-    const Four depth = Four{} + layer.depth / layer.weight;
-    Four sum{};
+    const FourFloats depth = FourFloats{} + layer.depth, none{};
+    ReachingSamples result;
     for (std::size_t k = 0; k < number_ / 4; ++k) {
         const Group& group = groups_[k];
-        const Four passed = group.shares * density(group, depth).value;
-        sum += group.depths > layer.furthest ? passed : Four{};
+        const Density at = density(group, depth);
+        const FourFloats weight = group.depths > before ? group.shares * at.value : none,
+                         passed = group.depths > layer.furthest ? weight : none;
+        if (!(sum_of(weight) > 0))
+            continue;
+        result.add(weight, weight - passed, at.x, at.y);
+        result.passing += covers_.none() ? passed : passed * covers_.open(at.x, at.y);
     }
-    return sum_of(sum);
+    return result;
+}
+
+/// Leaves of a layer what those before it let through.
+void SampleLayers::see_through_covers(Layer& layer)
+{
+    const int number = int(&layer - layers_.data());
+    covers_.look_from(layer.depth);
+    float weight = 0;
+    FourFloats light{};
+    for (std::size_t k = 0; k < met_number_; ++k)
+        if (met_[k].layer == number) {
+            const Met& met = met_[k];
+            const float seen = met.weight() * covers_.open(met.numbers[1], met.numbers[2]);
+            weight += seen;
+            light += seen * light_of(met.light);
+        }
+    layer.weight = weight;
+    layer.light = light;
 }
 
 /// The light of all layers, each seen through those before it.
-SampleLayers::Four SampleLayers::composed() const
+FourFloats SampleLayers::composed()
 {
-    Four sum{};
-    float open = 1, behind = weight_; // what the layers before let through
-    for (const Layer& layer : layers_) {
+    FourFloats sum{};
+    float open = 1, behind = weight_, before = -1e9f; // open: what the layers before let through
+    for (Layer& layer : layers_) {
         behind -= layer.weight;
-        const bool little = layer.weight < little_part * behind;
-        const float covered = &layer == &layers_.back()
-                                  ? 1
-                                  : layer.weight /
-                                        (layer.weight + (little ? behind : passing(layer)));
+        const bool is_little = layer.weight < little_part * behind;
+        float covered = is_little ? layer.weight / (layer.weight + behind) : 1;
+        if (!covers_.none())
+            see_through_covers(layer);
+        if (!is_little && &layer != &layers_.back()) {
+            const ReachingSamples samples = reaching(layer, before);
+            covered = layer.weight / (layer.weight + sum_of(samples.passing));
+            covers_.add(layer.depth, samples);
+        }
         sum += open * covered / layer.weight * layer.light;
         open *= 1 - covered;
+        before = layer.furthest;
         if (open < little_light)
             break;
     }
@@ -280,7 +281,7 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     if (!(weight_ > 0))
         return {};
     find_layers();
-    Four light;
+    FourFloats light;
     if (layers_.size() > 1) {
         sum_layers();
         light = composed();
@@ -291,10 +292,21 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     std::memcpy(&result.light, &light, sizeof light);
     for (std::size_t k = own_begin_; k < own_end_; ++k)
         result.own_part += groups_[k / 4].weights[k % 4] / weight_;
-    const Four mean = roots_ / weight_,
-               variance = StoredLight::of_squared_root * (light_ / weight_ - mean * mean);
-    result.variance = std::max(0.0f, variance[0] + variance[1] + variance[2]);
     return result;
+}
+
+float SampleLayers::variance() const
+{
+    FourFloats sum{}, squares{};
+    for (std::size_t k = 0; k < met_number_; ++k) {
+        const FourFloats root = floats_from<FourUnsignedShorts>(&met_[k].light),
+                         weighted = met_[k].weight() * root;
+        sum += weighted;
+        squares += weighted * root;
+    }
+    const FourFloats mean = sum / weight_,
+                     variance = StoredLight::of_squared_root * (squares / weight_ - mean * mean);
+    return std::max(0.0f, variance[0] + variance[1] + variance[2]);
 }
 
 } // namespace integral

@@ -3,6 +3,7 @@
 // along the rays that PixelSampler chooses. What is right is found by many random rays of a pixel.
 #include "integral/lightfield/reconstruction.h"
 #include "integral/lightfield/refinement.h"
+#include "integral/lightfield/sample_fit.h"
 #include "tests/unit/pixel_origins.h"
 
 #include <boost/test/unit_test.hpp>
@@ -295,6 +296,39 @@ BOOST_AUTO_TEST_CASE(what_lies_behind_is_seen_through_gaps)
     };
     BOOST_TEST(ratio(sheet(Arrangement::square), scene, 4) < 0.7);
     BOOST_TEST(ratio(sheet(Arrangement::square), scene, 16) < 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(what_hides_the_same_part_counts_once)
+{
+    // Three ridges before a bright sky: all hide the lower part of the beams.
+    const Scene scene = [&](const BeamRay& ray) {
+        if (place_at(ray, -2).y < 0.4)
+            return Look{0.2, -2};
+        if (place_at(ray, 10).y < 0.45)
+            return Look{0.15, 10};
+        if (place_at(ray, 22).y < 0.5)
+            return Look{0.1, 22};
+        return Look{0.9, 1e9};
+    };
+    const double found = ratio(sheet(Arrangement::square), scene, 16);
+    BOOST_TEST(found < 0.6, found);
+}
+
+BOOST_AUTO_TEST_CASE(uneven_samples_show_the_mean_of_a_curve)
+{
+    // More samples near the middle than at the rim; the beam's own density is even.
+    std::mt19937 random(5);
+    std::normal_distribution<float> normal(0, 0.5f);
+    SampleFit fit;
+    for (int k = 0; k < 4000;) {
+        const float x = normal(random), y = normal(random) + 0.1f;
+        if (std::fabs(x) > 1 || std::fabs(y) > 1)
+            continue;
+        const float light = 2 + x - 0.5f * y + 3 * x * x - y * y;
+        fit.add(0.5f, FourFloats{x, y, x * x - 1 / 3.f, y * y - 1 / 3.f}, FourFloats{} + light);
+        ++k;
+    }
+    BOOST_TEST(fit.mean_of_beam()[1] == 2 + 1 - 1 / 3.f, boost::test_tools::tolerance(0.01f));
 }
 
 BOOST_AUTO_TEST_CASE(what_moves_otherwise_stays)

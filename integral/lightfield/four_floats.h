@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Four floats side by side in a vector register of the processor (vector extensions of GCC and
+// Clang): arithmetic and comparisons work on all four at once.
+#ifndef INTEGRAL_LIGHTFIELD_FOUR_FLOATS_H
+#define INTEGRAL_LIGHTFIELD_FOUR_FLOATS_H
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+namespace integral {
+
+typedef float FourFloats __attribute__((vector_size(16)));
+typedef std::int32_t FourIntegers __attribute__((vector_size(16)));
+
+inline FourFloats magnitude(FourFloats x) { return FourFloats(FourIntegers(x) & 0x7fffffff); }
+inline FourFloats least(FourFloats a, FourFloats b) { return a < b ? a : b; }
+inline FourFloats most(FourFloats a, FourFloats b) { return a > b ? a : b; }
+inline float sum_of(FourFloats x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+
+typedef std::int16_t FourShorts __attribute__((vector_size(8)));
+typedef std::uint16_t FourUnsignedShorts __attribute__((vector_size(8)));
+
+/// Four 16-bit integers (of the type Shorts) in memory as floats.
+template <class Shorts> inline FourFloats floats_from(const void* integers)
+{
+    Shorts narrow;
+    std::memcpy(&narrow, integers, sizeof narrow);
+    return __builtin_convertvector(__builtin_convertvector(narrow, FourIntegers), FourFloats);
+}
+
+/// Exchanges rows and columns.
+inline void transpose(std::array<FourFloats, 4>& rows)
+{
+    const FourFloats a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5),
+                     b = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7),
+                     c = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5),
+                     d = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
+    rows = {__builtin_shufflevector(a, c, 0, 1, 4, 5), __builtin_shufflevector(a, c, 2, 3, 6, 7),
+            __builtin_shufflevector(b, d, 0, 1, 4, 5), __builtin_shufflevector(b, d, 2, 3, 6, 7)};
+}
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/sample_fit.h"
+
+namespace integral {
+
+FourFloats SampleFit::mean_of_beam() const
+{
+    const float one = 1 / weight_, level = level_samples * squares_ * one * one;
+    const FourFloats mean = one * light_, places = one * places_,
+                     levels = level * FourFloats{square_of_place, square_of_place,
+                                                 variance_of_square, variance_of_square};
+    // The normal equations about the mean place, one row for each of its numbers.
+    std::array<FourFloats, 4> rows, right, slopes;
+    for (int k = 0; k < 4; ++k) {
+        rows[k] = one * products_[k] - places[k] * places;
+        rows[k][k] += levels[k];
+        right[k] = one * light_by_place_[k] - places[k] * mean;
+    }
+    for (int k = 0; k < 4; ++k)
+        for (int below = k + 1; below < 4; ++below) {
+            const float factor = rows[below][k] / rows[k][k];
+            rows[below] -= factor * rows[k];
+            right[below] -= factor * right[k];
+        }
+    FourFloats result = mean;
+    for (int k = 3; k >= 0; --k) {
+        slopes[k] = right[k];
+        for (int after = k + 1; after < 4; ++after)
+            slopes[k] -= rows[k][after] * slopes[after];
+        slopes[k] /= rows[k][k];
+        result -= places[k] * slopes[k];
+    }
+    return most(result, FourFloats{});
+}
+
+} // namespace integral
