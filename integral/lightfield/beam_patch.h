@@ -26,17 +26,18 @@ public:
     struct Axis {
         float cell_at_sheet = 0, cell_slope = 0;
         float pixel_at_sheet = 0, pixel_slope = 0;
+
+        float cell(float depth) const { return cell_at_sheet + cell_slope * std::fabs(depth); }
+        /// Negative where the pixel's rays have crossed.
+        float pixel(float depth) const { return pixel_at_sheet + pixel_slope * depth; }
+        /// Half the patch's width, mm.
+        float reach(float depth) const { return 0.5f * (cell(depth) + std::fabs(pixel(depth))); }
     };
     /// Across and along the lattice.
     const Axis& axis(int which) const { return axes_[which]; }
 
     /// Half the patch's width along an axis, mm.
-    float reach(int which, float depth) const
-    {
-        const Axis& axis = axes_[which];
-        return 0.5f * (axis.cell_at_sheet + axis.cell_slope * std::fabs(depth) +
-                       std::fabs(axis.pixel_at_sheet + axis.pixel_slope * depth));
-    }
+    float reach(int which, float depth) const { return axes_[which].reach(depth); }
 
 private:
     std::array<Axis, 2> axes_; ///< across and along the lattice

@@ -5,11 +5,21 @@
 
 namespace integral {
 
-void LayerCovers::begin(const BeamPatch& patch)
+namespace {
+
+/// Where the rays of a beam that meet a place at one depth cross another depth, both in terms of
+/// half the patch's width there: the mean over these rays, in terms of the place.
+float scale(const BeamPatch::Axis& axis, float depth, float place_depth)
 {
-    patch_ = patch;
-    covers_.clear();
+    // A ray's place is that on the lens plus that on the pixel, which are independent: the mean of
+    // one place that goes with another follows from their covariance.
+    const float cell = axis.cell(place_depth), pixel = axis.pixel(place_depth),
+                covariance = axis.cell(depth) * cell + axis.pixel(depth) * pixel,
+                variance = cell * cell + pixel * pixel;
+    return covariance / variance * axis.reach(place_depth) / axis.reach(depth);
 }
+
+} // namespace
 
 void LayerCovers::add(float depth, const ReachingSamples& samples)
 {
@@ -33,25 +43,12 @@ void LayerCovers::add(float depth, const ReachingSamples& samples)
     covers_.push_back(cover);
 }
 
-void LayerCovers::look_from(float depth)
+void LayerCovers::look_from(const BeamPatch& patch, float depth)
 {
     for (Cover& cover : covers_) {
-        cover.scale_x = scale(0, cover.depth, depth);
-        cover.scale_y = scale(1, cover.depth, depth);
+        cover.scale_x = scale(patch.axis(0), cover.depth, depth);
+        cover.scale_y = scale(patch.axis(1), cover.depth, depth);
     }
-}
-
-float LayerCovers::scale(int which, float depth, float other_depth) const
-{
-    // A ray's place is that on the lens plus that on the pixel, which are independent: the mean of
-    // one place that goes with another follows from their covariance.
-    const BeamPatch::Axis& axis = patch_.axis(which);
-    const auto cell = [&](float z) { return axis.cell_at_sheet + axis.cell_slope * std::fabs(z); };
-    const auto pixel = [&](float z) { return axis.pixel_at_sheet + axis.pixel_slope * z; };
-    const float from_cell = cell(other_depth), from_pixel = pixel(other_depth),
-                covariance = cell(depth) * from_cell + pixel(depth) * from_pixel,
-                variance = from_cell * from_cell + from_pixel * from_pixel;
-    return covariance / variance * patch_.reach(which, other_depth) / patch_.reach(which, depth);
 }
 
 } // namespace integral

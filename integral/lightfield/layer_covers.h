@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What part of a pixel's beam is hidden by layers of surfaces, from place to place. Two ridges
-// before each other hide the same lower half of a beam, a fence and a branch different parts: so
+// Which places of a pixel's beam are hidden by layers of surfaces. Two ridges, one behind the
+// other, may hide the same lower half of a beam, a fence and a branch different parts of it. So
 // what is seen of a layer depends on where the nearer ones are.
 #ifndef INTEGRAL_LIGHTFIELD_LAYER_COVERS_H
 #define INTEGRAL_LIGHTFIELD_LAYER_COVERS_H
@@ -41,20 +41,18 @@ struct ReachingSamples {
 /// The layers before the one that is looked at.
 class LayerCovers {
 public:
-    /// Begins a pixel, without layers.
-    void begin(const BeamPatch& patch);
-
+    void clear() { covers_.clear(); }
     bool none() const { return covers_.empty(); }
 
-    /// Adds a layer at a depth (mm). What it hides is a straight line through the samples: the part
-    /// of them that ended there, by their place.
+    /// Adds a layer at a depth (mm). The part of the beam that it hides is taken for a linear
+    /// function of the place, which is fitted to the samples that end there and those that go on.
     void add(float depth, const ReachingSamples& samples);
 
-    /// Sets the depth (mm) of the places at which open() is asked.
-    void look_from(float depth);
+    /// Sets the depth (mm) of the places in the patch at which open() is asked.
+    void look_from(const BeamPatch& patch, float depth);
 
-    /// The part, 0.1 to 1, of the beam's light from a place in the patch that the layers let
-    /// through, in terms of that from other places. Number: float or FourFloats.
+    /// How much of the light from a place in the patch the layers let through. The scale is
+    /// arbitrary, only the ratio between places counts. Number: float or FourFloats.
     template <class Number> Number open(Number x, Number y) const
     {
         Number part = Number{} + 1;
@@ -77,16 +75,11 @@ private:
     {
         return most(least(x, FourFloats{} + high), FourFloats{} + low);
     }
-    /// How far off the patch's middle the rays of a beam cross one depth, in terms of how far off
-    /// it they meet another: the mean over the rays.
-    float scale(int axis, float depth, float other_depth) const;
-
     struct Cover {
         float depth = 0;
         float at = 0, by_x = 0, by_y = 0; ///< the part in the middle, and its slopes
         float scale_x = 1, scale_y = 1;   ///< from the depth of the places asked for
     };
-    BeamPatch patch_;
     std::vector<Cover> covers_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The mean light of a pixel's beam, of a curved surface (squares of both places, no product)
-// through the light of samples by their places: a regression. So it hardly matters that the samples
-// lie unevenly, as they do by chance, at a lens's border, and where more pixels have samples near
-// the middle of the beam than at its rim.
+// The mean light of a pixel's beam, by a regression: a function of the place (x, y and their
+// squares) is fitted to the light of the samples, and averaged over the beam. So it hardly matters
+// that the samples lie unevenly: by chance, at a lens's border, and because more pixels have
+// samples near the middle of a beam than at its rim.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_FIT_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_FIT_H
 

@@ -44,7 +44,8 @@ void SampleLayers::begin(const BeamPatch& patch, const SightSlope& centre)
     // The width of a patch grows by this part of itself for each mm.
     steepness_ = patch.axis(0).pixel_slope / patch.axis(0).cell_at_sheet;
     number_ = own_begin_ = own_end_ = 0;
-    covers_.begin(patch);
+    covers_.clear();
+    patch_ = patch;
 }
 
 void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pixel, float part,
@@ -186,24 +187,21 @@ void SampleLayers::sum_layers()
         layer.depth /= layer.weight;
 }
 
-/// The mean squares of both places in the patch over the beam, at a depth: (0, 0, x^2, y^2).
-FourFloats SampleLayers::mean_squares(float depth) const
+/// The mean square of places in the patch over the beam, along one axis, at a depth.
+inline float mean_square(const BeamPatch::Axis& axis, float depth)
 {
-    FourFloats result{};
-    for (int k = 0; k < 2; ++k) {
-        const float cell = cells_[k][0] + cell_slopes_[k][0] * std::fabs(depth),
-                    pixel = pixels_[k][0] + pixel_slopes_[k][0] * depth,
-                    both = cell + std::fabs(pixel);
-        result[2 + k] = (cell * cell + pixel * pixel) / (3 * both * both);
-    }
-    return result;
+    const float cell = axis.cell(depth), pixel = axis.pixel(depth), both = cell + std::fabs(pixel);
+    return (cell * cell + pixel * pixel) / (3 * both * both);
 }
 
 /// The beam's mean light, of all samples that ended in it: of one layer.
 FourFloats SampleLayers::fitted() const
 {
     SampleFit fit;
-    const FourFloats squares = mean_squares(0.5f * (nearest_ + furthest_)), one = FourFloats{} + 1;
+    const float depth = 0.5f * (nearest_ + furthest_);
+    const FourFloats squares = {0, 0, mean_square(patch_.axis(0), depth),
+                                mean_square(patch_.axis(1), depth)},
+                     one = FourFloats{} + 1;
     for (std::size_t k = 0; k < met_number_; ++k) {
         const FourFloats numbers = met_[k].numbers,
                          place = __builtin_shufflevector(numbers, numbers, 1, 2, 1, 2),
@@ -232,11 +230,11 @@ ReachingSamples SampleLayers::reaching(const Layer& layer, float before) const
     return result;
 }
 
-/// Leaves of a layer what those before it let through.
+/// Reduces a layer's weight and light to what the layers before it let through.
 void SampleLayers::see_through_covers(Layer& layer)
 {
     const int number = int(&layer - layers_.data());
-    covers_.look_from(layer.depth);
+    covers_.look_from(patch_, layer.depth);
     float weight = 0;
     FourFloats light{};
     for (std::size_t k = 0; k < met_number_; ++k)

@@ -34,7 +34,7 @@ public:
     float variance() const;
 
 private:
-    /// FourFloats samples side by side. `lines` are those of the samples, less the centre's. A
+    /// Four samples side by side. `lines` are those of the samples, less the centre's. A
     /// sample's is one vector at first, (point x, y, slope x, y); weigh() turns them, so that a
     /// vector has the same number of all four samples.
     struct Group {
@@ -67,14 +67,13 @@ private:
     void weigh();
     void find_layers();
     void sum_layers();
-    FourFloats mean_squares(float depth) const;
     FourFloats fitted() const;
     ReachingSamples reaching(const Layer& layer, float before) const;
     void see_through_covers(Layer& layer);
     FourFloats composed();
 
-    std::array<FourFloats, 2> cells_{}, cell_slopes_{}, pixels_{},
-        pixel_slopes_{}; ///< of BeamPatch
+    BeamPatch patch_;
+    std::array<FourFloats, 2> cells_{}, cell_slopes_{}, pixels_{}, pixel_slopes_{}; ///< of patch_
     FourFloats centre_{};
     float steepness_ = 0;
     std::vector<Group> groups_;
