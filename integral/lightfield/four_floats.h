@@ -16,6 +16,13 @@ typedef std::int32_t FourIntegers __attribute__((vector_size(16)));
 inline FourFloats magnitude(FourFloats x) { return FourFloats(FourIntegers(x) & 0x7fffffff); }
 inline FourFloats least(FourFloats a, FourFloats b) { return a < b ? a : b; }
 inline FourFloats most(FourFloats a, FourFloats b) { return a > b ? a : b; }
+/// Whether a comparison holds for one of the four at least.
+inline bool any(FourIntegers x)
+{
+    std::int64_t halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    return (halves[0] | halves[1]) != 0;
+}
 inline float sum_of(FourFloats x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
 typedef std::int16_t FourShorts __attribute__((vector_size(8)));

@@ -14,8 +14,8 @@ namespace {
 
 // Depths are compared on a scale on which the lines of neighbouring pixels move apart by about a
 // patch's width from one number to the next. Two layers have an empty step between them.
-constexpr float step = 0.05f;
-constexpr int most_steps = 2047;
+constexpr float step = 0.08f;
+constexpr int most_steps = 1023;
 
 // A layer of less than this part of what is behind it is not looked at closely, and what is behind
 // layers that let less than this through is left out.
@@ -219,6 +219,8 @@ ReachingSamples SampleLayers::reaching(const Layer& layer, float before) const
     ReachingSamples result;
     for (std::size_t k = 0; k < number_ / 4; ++k) {
         const Group& group = groups_[k];
+        if (!any(group.depths > before))
+            continue;
         const Density at = density(group, depth);
         const FourFloats weight = group.depths > before ? group.shares * at.value : none,
                          passed = group.depths > layer.furthest ? weight : none;
