@@ -15,6 +15,10 @@ constexpr double most_pixels = 3.2, most_pixels_across_lines = 7.2, fall = 0.17,
                  fall_across_lines = 0.03;
 constexpr int most_lenses = 1, most_lenses_across_lines = 3;
 
+// As their weights fall, the directions of the samples that count are spread about as evenly over
+// this part of the range.
+constexpr double spread = 0.8;
+
 // Two patches meet if their centres are nearer than this part of the sum of their widths. Where
 // they are further apart, less than a thirtieth of one lies in the other.
 constexpr float least_part = 0.75f;
@@ -46,13 +50,20 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
         const double q = slope * std::sqrt(rest) / n;
         return n / medium.t / std::sqrt(rest) * (1 + m * q * q / rest);
     };
+    const auto lent = [](Axis& axis, double pixels, int lenses) {
+        axis.lent_slope = float(spread * pixels * axis.pixel_slope);
+        axis.lent_way = (lenses + 0.5f) * axis.cell_at_sheet;
+    };
     axes_[0].cell_at_sheet = float(lattice.pitch());
     axes_[0].pixel_slope = float(steepness(sx) * pixel_along(pixel, lattice.across()));
     if (lattice.arrangement() != Arrangement::lenticular) {
         axes_[1].cell_at_sheet = float(lattice.row_spacing());
         axes_[1].pixel_slope = float(steepness(sy) * pixel_along(pixel, lattice.along()));
+        for (Axis& axis : axes_)
+            lent(axis, most_pixels, most_lenses);
         return;
     }
+    lent(axes_[0], most_pixels_across_lines, most_lenses_across_lines);
     // A pixel's rays spread along the lines by its height, seen from the slit in the aperture. If
     // the lines lean, they spread along them by a part of its width, too.
     const Vec2 slit = slit_direction(lattice);

@@ -26,6 +26,9 @@ public:
     struct Axis {
         float cell_at_sheet = 0, cell_slope = 0;
         float pixel_at_sheet = 0, pixel_slope = 0;
+        /// Other pixels' samples count whose slopes differ from the beam's by up to about
+        /// lent_slope, and whose lenses are up to about lent_way (mm) away.
+        float lent_slope = 0, lent_way = 0;
 
         float cell(float depth) const { return cell_at_sheet + cell_slope * std::fabs(depth); }
         /// Negative where the pixel's rays have crossed.

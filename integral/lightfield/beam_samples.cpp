@@ -49,7 +49,10 @@ BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> mem
     const LensSheet& sheet = camera.optics.sheet();
     const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y);
     point_unit_ = float(4 * std::max(sheet.pitch, pixel) / 32767);
-    slope_unit_ = float(16 * sheet.ior * pixel / sheet.thickness / 32767);
+    const double pixel_slope = sheet.ior * pixel / sheet.thickness;
+    slope_unit_ = float(16 * pixel_slope / 32767);
+    // A surface that is seen edge-on an eighth of a pixel away has a tilt of 8 a pixel.
+    tilt_unit_ = float(100 / pixel_slope / 32767);
 }
 
 BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& seen) const
@@ -60,6 +63,7 @@ BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& se
     for (int k = 0; k < 2; ++k) {
         sample.point[k] = rounded((seen.line.point[k] - centre.point[k]) / point_unit_);
         sample.slope[k] = rounded((seen.line.slope[k] - centre.slope[k]) / slope_unit_);
+        sample.tilt[k] = rounded(seen.tilt[k] / tilt_unit_);
     }
     sample.light = StoredLight(seen.light);
     return sample;

@@ -54,10 +54,11 @@ class BeamSamples {
 public:
     static constexpr int most_stored = 16;
 
-    /// One sample: relative to the line from its pixel's centre through the lens's pole.
+    /// One sample. point, slope: relative to the line from its pixel's centre through the lens's
+    /// pole.
     struct Sample {
         float depth = 0; ///< mm from the sheet away from the viewer, at most furthest_depth
-        std::array<std::int16_t, 2> point{}, slope{};
+        std::array<std::int16_t, 2> point{}, slope{}, tilt{};
         StoredLight light;
     };
     static constexpr float furthest_depth = 1e5f;
@@ -79,6 +80,10 @@ public:
         SightSlope line;
         double depth = 0; ///< mm, may be infinite
         LinearColour light{};
+        /// How the surface lies: from a line whose slope differs by d, the area in which it is seen
+        /// is 1 + dot(tilt, d) times as large. Below 0, that line sees its other side. This is the
+        /// lateral part of the surface's normal, divided by the normal's product with (slope, 1).
+        std::array<float, 2> tilt{};
     };
     /// Sets a pixel's centre and its first sample.
     void set_first(int x, int y, const SightSlope& centre, const Seen& seen);
@@ -111,12 +116,14 @@ public:
     /// The units of Sample::point (mm) and Sample::slope.
     float point_unit() const { return point_unit_; }
     float slope_unit() const { return slope_unit_; }
+    /// The unit of Sample::tilt.
+    float tilt_unit() const { return tilt_unit_; }
 
 private:
     Sample stored(const SightSlope& centre, const Seen& seen) const;
 
     int width_;
-    float point_unit_, slope_unit_;
+    float point_unit_, slope_unit_, tilt_unit_;
     std::shared_ptr<void> memory_;
     Pixel* pixels_;
     std::mutex mutex_;

@@ -40,6 +40,8 @@ void SampleLayers::begin(const BeamPatch& patch, const SightSlope& centre)
         cell_slopes_[k] = FourFloats{} + axis.cell_slope;
         pixels_[k] = FourFloats{} + axis.pixel_at_sheet;
         pixel_slopes_[k] = FourFloats{} + axis.pixel_slope;
+        lent_slopes_[k] = FourFloats{} + axis.lent_slope;
+        lent_ways_[k] = FourFloats{} + axis.lent_way;
     }
     // The width of a patch grows by this part of itself for each mm.
     steepness_ = patch.axis(0).pixel_slope / patch.axis(0).cell_at_sheet;
@@ -65,6 +67,8 @@ void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pix
         Group& group = groups_[number_ / 4];
         const std::size_t place = number_++ % 4;
         group.lines[place] = start + units * floats_from<FourShorts>(&sample.point);
+        group.tilts[0][place] = samples.tilt_unit() * sample.tilt[0];
+        group.tilts[1][place] = samples.tilt_unit() * sample.tilt[1];
         group.depths[place] = sample.depth;
         group.shares[place] = share;
         group.light[place] = sample.light;
@@ -96,6 +100,39 @@ inline SampleLayers::Density SampleLayers::density(const Group& group, FourFloat
     return {places[0], places[1], value};
 }
 
+/// The mean area in which a surface is seen from slopes on both sides of one from which it is
+/// `middle`, and that make a difference of up to `off`, above 0. From behind it is not seen.
+inline FourFloats mean_area(FourFloats middle, FourFloats off)
+{
+    const FourFloats front = most(middle + off, FourFloats{});
+    return middle > off ? middle : front * front / (4 * off);
+}
+
+/// The area in which each sample's surface is seen from the pixel's slopes, in terms of that from
+/// all slopes whose samples count: below 1 for surfaces that are seen nearly edge-on, as a floor
+/// far away, which few samples meet at the horizon; 0 for the side that the pixel does not see.
+inline FourFloats SampleLayers::seen_part(const Group& group) const
+{
+    const FourFloats one = FourFloats{} + 1;
+    std::array<FourFloats, 2> tilts;
+    FourFloats middle = one, most_off{};
+    for (int k = 0; k < 2; ++k) {
+        tilts[k] = magnitude(group.tilts[k]);
+        middle -= group.tilts[k] * group.lines[k + 2];
+        most_off += tilts[k] * most(lent_slopes_[k], 0.5f * pixel_slopes_[k]);
+    }
+    if (!any(middle < most_off))
+        return one;
+    const FourFloats far = most(magnitude(group.depths), FourFloats{} + 1e-3f);
+    FourFloats own = FourFloats{} + 1e-9f, all = own;
+    for (int k = 0; k < 2; ++k) {
+        const FourFloats slope = 0.5f * pixel_slopes_[k];
+        own += tilts[k] * slope;
+        all += tilts[k] * most(least(lent_slopes_[k], lent_ways_[k] / far), slope);
+    }
+    return mean_area(middle, own) / most(mean_area(middle, all), FourFloats{} + 1e-9f);
+}
+
 /// Works out the weights of all samples, and lists those that have one.
 void SampleLayers::weigh()
 {
@@ -104,6 +141,7 @@ void SampleLayers::weigh()
         const std::size_t place = number_++ % 4;
         group.lines[place] = FourFloats{};
         group.depths[place] = group.shares[place] = 0;
+        group.tilts[0][place] = group.tilts[1][place] = 0;
     }
     if (met_.size() < number_ + 4)
         met_.resize(2 * number_ + 4);
@@ -113,7 +151,7 @@ void SampleLayers::weigh()
         Group& group = groups_[k];
         transpose(group.lines);
         const Density at = density(group, group.depths);
-        const FourFloats weight = group.shares * at.value;
+        const FourFloats weight = group.shares * at.value * seen_part(group);
         group.weights = weight;
         nearest = least(nearest, weight > 0 ? group.depths : nearest);
         furthest = most(furthest, weight > 0 ? group.depths : furthest);

@@ -39,8 +39,9 @@ private:
     /// vector has the same number of all four samples.
     struct Group {
         std::array<FourFloats, 4> lines;
-        FourFloats depths;  ///< mm
-        FourFloats shares;  ///< as which the samples count inside the beam
+        std::array<FourFloats, 2> tilts; ///< BeamSamples::Seen::tilt
+        FourFloats depths;               ///< mm
+        FourFloats shares;               ///< as which the samples count inside the beam
         FourFloats weights; ///< the shares times the beam's density where the samples ended
         std::array<StoredLight, 4> light;
     };
@@ -63,6 +64,7 @@ private:
         FourFloats x, y, value;
     };
     Density density(const Group& group, FourFloats depth) const;
+    FourFloats seen_part(const Group& group) const;
     float scaled(float depth) const;
     void weigh();
     void find_layers();
@@ -73,7 +75,9 @@ private:
     FourFloats composed();
 
     BeamPatch patch_;
-    std::array<FourFloats, 2> cells_{}, cell_slopes_{}, pixels_{}, pixel_slopes_{}; ///< of patch_
+    /// Numbers of patch_.
+    std::array<FourFloats, 2> cells_{}, cell_slopes_{}, pixels_{}, pixel_slopes_{}, lent_slopes_{},
+        lent_ways_{};
     FourFloats centre_{};
     float steepness_ = 0;
     std::vector<Group> groups_;

@@ -113,6 +113,12 @@ std::array<double, point_dimensions> scrambled_point(const PointSeeds& seeds, st
     return point;
 }
 
+std::uint32_t shuffled_index(std::uint32_t seed, std::uint32_t index)
+{
+    constexpr std::uint32_t low = 255;
+    return (index & ~low) | reversed(scrambled_upwards(reversed(index << 24), seed) & low) >> 24;
+}
+
 SumSplit::SumSplit(double ratio)
     : second_is_wide_(!(std::fabs(ratio) <= 1)),
       narrow_(second_is_wide_ ? 1 / ratio : ratio),

@@ -24,6 +24,11 @@ PointSeeds point_seeds(std::uint64_t key);
 /// first two coordinates fall once into each square of side 2^-k.
 std::array<double, point_dimensions> scrambled_point(const PointSeeds& seeds, std::uint32_t index);
 
+/// Another order of a sequence's points, so that two sequences with the same indices are
+/// independent: a random bijection that takes each run of 2^k indices that begins at a multiple of
+/// 2^k to such a run, for k <= 8 (Burley 2020). Each run of 256 indices stays where it is.
+std::uint32_t shuffled_index(std::uint32_t seed, std::uint32_t index);
+
 /// Maps (u, v) in (0, 1)^2 to two coordinates in [0, 1], preserving area, such that the sum first +
 /// ratio*second depends on u only and is monotonic in u. So if the values of u are well
 /// distributed, the sums are too.

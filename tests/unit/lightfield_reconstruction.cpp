@@ -16,9 +16,11 @@ namespace {
 
 constexpr int width = 48, height = 44;
 
-/// What is seen along a ray: a grey value, in linear light, and its depth.
+/// What is seen along a ray: a grey value, in linear light, its depth, and how the surface lies
+/// (BeamSamples::Seen::tilt).
 struct Look {
     double grey, depth;
+    std::array<float, 2> tilt{};
 };
 using Scene = std::function<Look(const BeamRay&)>;
 
@@ -73,7 +75,8 @@ struct Sampled {
     BeamSamples::Seen seen(const BeamRay& ray, const Look& look) const
     {
         const float grey = float(look.grey);
-        return {sight_slope(camera.optics.lattice(), ray), look.depth, {grey, grey, grey, 0}};
+        return {sight_slope(camera.optics.lattice(), ray), look.depth, {grey, grey, grey, 0},
+                look.tilt};
     }
 
     void take(int x, int y, const Scene& scene, int number, BeamSamples::Gathered& gathered)
@@ -312,6 +315,26 @@ BOOST_AUTO_TEST_CASE(what_hides_the_same_part_counts_once)
     };
     const double found = ratio(sheet(Arrangement::square), scene, 16);
     BOOST_TEST(found < 0.6, found);
+}
+
+BOOST_AUTO_TEST_CASE(each_side_of_a_floor_counts_for_itself)
+{
+    // A floor at the height of the lenses, up to its horizon: the lower half of the slopes sees its
+    // upper side, the upper half its dark lower one.
+    const auto floor_of = [](bool tells) -> Scene {
+        return [=](const BeamRay& ray) {
+            const double slope = ray.direction.y / ray.direction.z,
+                         depth = ray.point.z + (-0.2 - ray.point.y) / slope;
+            if (!(depth > -290 && depth < 1e4))
+                return Look{0.9, 1e9};
+            const auto tilt = tells ? std::array<float, 2>{0, float(1 / slope)}
+                                    : std::array<float, 2>{};
+            return Look{slope < 0 ? 0.6 : 0.1, depth, tilt};
+        };
+    };
+    const double told = ratio(sheet(Arrangement::square), floor_of(true), 4),
+                 untold = ratio(sheet(Arrangement::square), floor_of(false), 4);
+    BOOST_TEST(told < 0.35 && untold > 0.8, told << ", " << untold);
 }
 
 BOOST_AUTO_TEST_CASE(uneven_samples_show_the_mean_of_a_curve)

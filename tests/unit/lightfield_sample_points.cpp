@@ -45,6 +45,30 @@ BOOST_AUTO_TEST_CASE(points_are_a_digital_net)
             }
 }
 
+BOOST_AUTO_TEST_CASE(shuffled_indices_fill_the_same_runs)
+{
+    // Each run of 2^k indices goes to a run of 2^k, and the first index to all places alike.
+    std::vector<int> places(16);
+    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
+        const std::uint32_t key = std::uint32_t(random_bits(seed, 1));
+        ++places[shuffled_index(key, 0x300) % 16];
+        for (const std::uint32_t run : {4u, 16u, 256u}) {
+            std::vector<int> taken(run);
+            const std::uint32_t begin = 0x200 + (seed % (256 / run)) * run,
+                                moved = shuffled_index(key, begin) / run;
+            for (std::uint32_t k = 0; k < run; ++k) {
+                const std::uint32_t at = shuffled_index(key, begin + k);
+                BOOST_TEST_REQUIRE(at / run == moved);
+                BOOST_TEST_REQUIRE(at / 256 == 2);
+                ++taken[at % run];
+            }
+            BOOST_TEST_REQUIRE(std::count(taken.begin(), taken.end(), 1) == run);
+        }
+    }
+    for (const int number : places)
+        BOOST_TEST(std::abs(number - 250) < 80); // five standard deviations
+}
+
 BOOST_AUTO_TEST_CASE(scramblings_are_uniform_and_independent)
 {
     // Over many scramblings, the first point is evenly distributed; so are pairs of the first
