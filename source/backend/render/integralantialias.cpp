@@ -48,9 +48,9 @@ integral::LinearColour Linear(const Colour& colour)
 /// What the tracer's last sample saw.
 integral::BeamSamples::Seen Last_Seen(ViewData& view, TracePixel& trace, const Colour& colour)
 {
-    return {integral::sight_slope(view.GetCamera().Integral_View->optics->optics.lattice(),
-                                  trace.Integral().Sampled()),
-            trace.Integral().Depth(), Linear(colour)};
+    const integral::SightSlope line = integral::sight_slope(
+        view.GetCamera().Integral_View->optics->optics.lattice(), trace.Integral().Sampled());
+    return {line, trace.Integral().Depth(), Linear(colour), trace.Integral().Tilt(line)};
 }
 
 IntegralSampling *Sampling_Of(const Camera& camera)

@@ -3,6 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integraltracer.h"
+#include "backend/render/integralsampling.h"
 #include "backend/render/ray.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -16,8 +17,10 @@
 namespace pov
 {
 
-void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadData *of_thread)
+void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadData *of_thread,
+                           const DBL *of_normal)
 {
+    normal = of_normal;
     view = camera.Integral_View;
     active = view != nullptr;
     tally = nullptr;
@@ -38,6 +41,8 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     if (view->shading_cache && view->shading_cache->Of_Use() &&
         (!view->caches_dear_shading_only || IntegralCachedShading::Pays(scene)))
         shading.reset(new IntegralCachedShading(*view->shading_cache, *tally, thread));
+    area_lights.reset(view->sampling && view->sampling->Reconstruction() ? new IntegralAreaLights
+                                                                         : nullptr);
 }
 
 void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const
@@ -49,6 +54,20 @@ void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t tr
     tally->total_reflection.Add(outcome.total_reflection);
     tally->rays.Add(traced);
     tally->container_searches.Add(containers.None() ? 0 : traced);
+}
+
+/// Begins the choice of area lights' parts for the next sample of a pixel.
+void IntegralTracer::Choose_Area_Lights(DBL x, DBL y)
+{
+    if (mode == camera_rays)
+        return area_lights->See_All(); // of radiosity
+    std::uint64_t key = view->seed;
+    if (mode == audit || !alike_samples)
+        key = integral::random_bits(integral::random_bits(key, std::uint64_t(x)), std::uint64_t(y));
+    if (mode == audit)
+        area_lights->Begin(integral::random_bits(key, ~audit_set), audit_index);
+    else
+        area_lights->Begin(key, mode == refinement ? sample_index : 0);
 }
 
 /// Sets `rays` to the rays of a pixel through its lens. Returns false if the pixel images nothing.
@@ -156,6 +175,7 @@ bool IntegralTracer::Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace,
 void IntegralTracer::Refine(int x, int y, bool alike, double depth, const Colour *first)
 {
     mode = refinement;
+    alike_samples = alike;
     beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, depth);
     refined = Light();
     if (first)
@@ -178,6 +198,21 @@ void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pret
                               DBL& length) const
 {
     Make_Ray(ray, integral::sight_line(*view->optics, beam), pretrace, length);
+}
+
+std::array<float, 2> IntegralTracer::Tilt(const integral::SightSlope& line) const
+{
+    if (shading || !(last_depth < HUGE_VAL))
+        return {};
+    // A plane's normal is a covector: its components along the sheet's axes are products with them.
+    const integral::Placement& placement = view->optics->placement;
+    const integral::Lattice& lattice = view->optics->optics.lattice();
+    const integral::Vec3 of_scene{normal[X], normal[Y], normal[Z]};
+    const integral::Vec2 lateral{dot(of_scene, placement.x), dot(of_scene, placement.y)};
+    const double across = dot(lateral, lattice.across()), along = dot(lateral, lattice.along()),
+                 area = across * line.slope[0] + along * line.slope[1] + dot(of_scene, placement.z);
+    return area < 0 || area > 0 ? std::array<float, 2>{float(across / area), float(along / area)}
+                                : std::array<float, 2>{};
 }
 
 void IntegralTracer::Keep_Depth(const Ray& ray, DBL distance)

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "backend/frame.h"
+#include "backend/render/integralarealights.h"
 #include "backend/render/integralcontainers.h"
 #include "backend/render/integralshading.h"
+#include "integral/lightfield/beam_samples.h"
 #include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/pixel_run.h"
 
@@ -28,7 +30,8 @@ class IntegralTracer
 {
 public:
     /// Prepares for a camera. Active() becomes true if the camera is integral.
-    void Setup(const Camera& camera, SceneData& scene, TraceThreadData *thread);
+    /// `normal`: where the surface's normal is found after a ray has been traced.
+    void Setup(const Camera& camera, SceneData& scene, TraceThreadData *thread, const DBL *normal);
 
     bool Active() const { return active; }
 
@@ -37,6 +40,9 @@ public:
 
     /// The shared shading of the thread's rays; null if they do not share.
     IntegralCachedShading *Shading() { return shading.get(); }
+
+    /// The choice of the area lights' parts that samples see; null if they see all of them.
+    IntegralAreaLights *Area_Lights() { return area_lights.get(); }
 
     /// From now on Trace_Pixel traces one random ray per pixel, number `index` of a `set`
     /// (PixelSampler::append_random_ray), and does not count it.
@@ -80,6 +86,9 @@ public:
     /// from the viewer; infinite if it met none. Only with +A.
     double Depth() const { return last_depth; }
 
+    /// How the surface lies that the last ray met along `line` (BeamSamples::Seen::tilt).
+    std::array<float, 2> Tilt(const integral::SightSlope& line) const;
+
     /// Computes the colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)`
     /// traces one ray up to the distance `length` (scene units; 0 = unlimited) and returns the
     /// distance of the surface that it met (HUGE_VAL: none). A pixel that images nothing becomes
@@ -109,6 +118,7 @@ private:
         Colour Mean(int half) const;
     };
 
+    void Choose_Area_Lights(DBL x, DBL y);
     bool Choose_Rays(DBL x, DBL y, bool counted);
     bool Choose_First_Sample(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     bool Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
@@ -128,6 +138,7 @@ private:
     std::shared_ptr<const IntegralView> view;
     IntegralContainers containers;
     std::unique_ptr<IntegralCachedShading> shading;
+    std::unique_ptr<IntegralAreaLights> area_lights;
     TraceThreadData *thread = nullptr;
     IntegralTally *tally = nullptr;       ///< this thread's counts; null if the view has none
     std::vector<integral::PixelRay> rays; ///< of the pixel or sample that is being traced
@@ -144,6 +155,7 @@ private:
     bool active = false, counts_error = false;
     bool keeps_depth = false; ///< whether Depth is available
     double last_depth = 0;
+    const DBL *normal = nullptr; ///< of the surface that the last ray met
     bool one_ray = false;        ///< whether each pixel has at most one ray
     bool quilt = false;          ///< whether the picture is a quilt of views; then one_ray is true
     integral::PixelRun run;      ///< pixels of a row mapped at once: the last run that was computed
@@ -155,6 +167,8 @@ template <class Trace>
 void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Trace trace)
 {
     const bool counted = !pretrace && mode != audit && tally;
+    if (area_lights)
+        Choose_Area_Lights(x, y);
     colour.clear();
     DBL length;
     if ((mode == camera_rays && one_ray) || mode == first_samples)

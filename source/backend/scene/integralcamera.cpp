@@ -131,6 +131,7 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
             return Begin(camera, view);
         }
         view->rows = given.rows;
+        view->seed = given.seed;
         view->error = {given.audit, given.audit_share, given.output, given.error_picture};
         // What is shared and reconstructed takes the aperture for the eyes' place.
         if (given.antialias && given.light_field && !projects)
