@@ -191,9 +191,7 @@ void refocus(const DepthOptions& o, const DepthInput& input, int threads, const 
     const RefocusedPicture picture = refocused(relief, lens, input.form, threads,
                                                piece_of(bar, 1, 2));
     write_frame(*o.output, Frame{picture.image, std::nullopt});
-    say("depth", with_decimals(100 * picture.figures.holes / picture.figures.lines, 2) +
-                     "% of the lines of sight end where no view has seen anything: filled with "
-                     "what is beside, farther off");
+    say("depth", holes_text(picture.figures));
 }
 
 int run(const DepthOptions& o)

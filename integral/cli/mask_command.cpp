@@ -144,9 +144,7 @@ std::optional<ReliefChart> chart_of(const MaskOptions& o, const MaskRequest& req
 
 int run(const MaskOptions& o)
 {
-    const int bits = o.bits.value_or(16);
-    if (bits != 8 && bits != 16)
-        refuse("bits", std::to_string(bits), "8 or 16");
+    const int bits = bits_given(o.bits, 16);
     if (o.calibrate)
         return run_calibration(o, bits);
     if (!o.output)

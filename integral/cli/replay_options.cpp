@@ -131,11 +131,7 @@ View view_of(const ReplayOptions& o)
                                                      : plain_samples;
     if (o.eye)
         view.eye = parse_eye(*o.eye);
-    if (o.size) {
-        const PixelSize size = parse_size("size", *o.size, largest_replay_side);
-        view.width = size.width;
-        view.height = size.height;
-    }
+    read_size("size", o.size, largest_replay_side, view.width, view.height);
     if (o.part)
         view.part = parse_part(*o.part);
     return view;
@@ -150,14 +146,12 @@ ViewArrangement arrangement_of(const ReplayOptions& o)
     if (o.stereo)
         read_mm("stereo", o.stereo, 0, "a distance from 0 to 1e6 mm",
                 arrangement.separation.emplace());
-    if ((o.cross_eyed || o.anaglyph || o.half) && !o.stereo)
-        throw UsageError(std::string(o.cross_eyed ? "--cross-eyed"
-                                     : o.anaglyph ? "--anaglyph"
-                                                  : "--half") +
-                         " needs --stereo MM, the eyes' distance");
-    if (o.anaglyph && (o.cross_eyed || o.half))
-        throw UsageError(std::string(o.half ? "--half" : "--cross-eyed") +
-                         " and --anaglyph do not go together");
+    if (!o.stereo)
+        refuse_given({{"cross-eyed", o.cross_eyed}, {"anaglyph", o.anaglyph}, {"half", o.half}},
+                     "needs --stereo MM, the eyes' distance");
+    if (o.anaglyph)
+        refuse_given({{"half", o.half}, {"cross-eyed", o.cross_eyed}},
+                     "and --anaglyph do not go together");
     if (!o.grid)
         return arrangement;
     if (o.stereo)

@@ -66,15 +66,6 @@ void declare(options::options_description& all, SheetCommandOptions& o)
     add(all, "output,o", o.output, "FILE", "print to FILE instead of standard output");
 }
 
-/// Reads a number that has to be greater than 0, if it was given.
-void read_positive(const char* option, const std::optional<std::string>& text, double& value)
-{
-    read_number(option, text, value);
-    if (!(value > 0))
-        throw UsageError(std::string("--") + option + " " + text.value_or("") +
-                         ": it must be greater than 0");
-}
-
 Viewer viewer_of(const SheetCommandOptions& o)
 {
     Viewer viewer; // its pupil and its detail are 5 mm, as in the thesis's figure 4-8
