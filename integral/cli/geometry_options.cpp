@@ -69,6 +69,17 @@ void declare(options::options_description& all, ApertureOptions& aperture)
         "extent of the capture aperture, mm (default: what fills a lens)");
 }
 
+void declare_frame_geometry(options::options_description& all, std::optional<std::string>& file)
+{
+    add(all, "sheet", file, "FILE.json",
+        "geometry for a frame that carries none, or instead of its own");
+}
+
+void declare_start_geometry(options::options_description& all, std::optional<std::string>& file)
+{
+    add(all, "sheet", file, "FILE.json", "start from this geometry: a JSON document, or a frame");
+}
+
 const char* first_given(const SheetOptions& sheet)
 {
     return first_given({{"arrangement", sheet.arrangement},

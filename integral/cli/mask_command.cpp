@@ -55,8 +55,7 @@ void declare(options::options_description& all, MaskOptions& o)
     declare(all, o.sheet);
     declare(all, o.film);
     add(all, "print", o.print, "WxH", "size in mm, instead of --size");
-    add(all, "sheet", o.start, "FILE.json",
-        "start from this geometry: a JSON document, or a frame");
+    declare_start_geometry(all, o.start);
     add(all, "bits", o.bits, "N", "8 or 16 (default 16)");
     declare(all, o.threads);
 }

@@ -104,8 +104,7 @@ void declare(options::options_description& all, PrintOptions& o)
         "the printer's name of the paper (default: by the page's size)");
     add(all, "printer-option", o.printer_options, "NAME=VALUE",
         "of the printer's driver, as StpLaminate=Matte; may be given again");
-    add(all, "sheet", o.start, "FILE.json",
-        "geometry for a frame that carries none, or instead of its own");
+    declare_frame_geometry(all, o.start);
     add(all, "json", o.json, "with --even: print figures as JSON");
     options::options_description chart;
     declare_chart(chart, o);

@@ -111,8 +111,7 @@ int run(const ReplayOptions& o)
     request.view = view_of(o);
     request.threads = o.threads.count();
     request.arrangement = arrangement_of(o);
-    if (o.html)
-        check_writable(*o.html);
+    check_outputs({o.html});
     request.movement = movement_of(o);
     std::optional<PictureSeries> series = begin_output(o, request.movement);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/replay_options.h"
 
+#include "integral/cli/geometry_options.h"
 #include "integral/cli/values.h"
-#include "integral/lightfield/names.h"
 
 #include <cmath>
 
@@ -32,10 +32,10 @@ void read_mm(const char* option, const std::optional<std::string>& text, double 
 
 LensModel parse_model(const std::string& text)
 {
-    for (const LensModel model : {LensModel::extended_pinhole, LensModel::pinhole, LensModel::full})
-        if (text == name_of(model))
-            return model;
-    refuse("lens-model", text, "extended_pinhole, pinhole or full");
+    return meaning_of<LensModel>("lens-model", text,
+                                 {{"extended_pinhole", LensModel::extended_pinhole},
+                                  {"pinhole", LensModel::pinhole},
+                                  {"full", LensModel::full}});
 }
 
 SheetPart parse_part(const std::string& text)
@@ -110,8 +110,7 @@ void declare(options::options_description& all, ReplayOptions& o)
         "nearer");
     add(all, "steps", o.steps, "N (=48)",
         "views along the path, 2 to 10000; of several frames one each");
-    add(all, "sheet", o.sheet, "FILE.json",
-        "geometry for a frame that carries none, or instead of its own");
+    declare_frame_geometry(all, o.sheet);
     declare(all, o.threads);
     declare(all, o.series);
 }

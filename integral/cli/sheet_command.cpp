@@ -59,8 +59,7 @@ void declare(options::options_description& all, SheetCommandOptions& o)
     add(all, "plot", o.plot, "KIND",
         "draw instead: spread, lens, sheets, resolution, pixels-seen, pixel-spread or film; needs "
         "-o FILE.svg or FILE.png");
-    add(all, "sheet", o.start, "FILE.json",
-        "start from this geometry: a JSON document, or a frame");
+    declare_start_geometry(all, o.start);
     add(all, "json", o.json,
         "print the geometry and the figures as JSON, which --sheet of every command reads");
     add(all, "output,o", o.output, "FILE", "print to FILE instead of standard output");
@@ -120,9 +119,7 @@ int report_scene(const SheetCommandOptions& o)
 {
     refuse_geometry(o);
     const Viewer viewer = viewer_of(o);
-    for (const auto& file : {o.output, o.picture}) // before a long look through the scene
-        if (file)
-            check_writable(*file);
+    check_outputs({o.output, o.picture});
     if (o.picture)
         format_for(*o.picture);
     const bool page = o.output && extension_of(*o.output) == "html";

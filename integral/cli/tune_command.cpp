@@ -55,9 +55,7 @@ int run(const TuneOptions& o)
     const Words words(o.inputs.begin() + 1, o.inputs.end());
     if (o.plot)
         plot_format(*o.plot);
-    for (const auto& file : {o.plot, o.output}) // before a long work
-        if (file)
-            check_writable(*file);
+    check_outputs({o.plot, o.output});
     const TuneResult result = tune(scene, words, goal, progress_bar("tune"));
     if (o.plot)
         write_plot(tune_plot(scene, result), *o.plot);

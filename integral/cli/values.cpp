@@ -190,6 +190,13 @@ void check_picture(const std::string& path)
     check_writable(path);
 }
 
+void check_outputs(std::initializer_list<std::optional<std::string>> paths)
+{
+    for (const auto& path : paths)
+        if (path)
+            check_writable(*path);
+}
+
 int in_range(const char* option, int value, int least, int most)
 {
     if (value < least || value > most)

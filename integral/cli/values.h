@@ -92,6 +92,10 @@ std::string needed_output(const std::optional<std::string>& output, const std::s
 /// a folder that is missing. To be called before long work.
 void check_picture(const std::string& path);
 
+/// Checks the paths that were given, before long work. Throws OutputError where one cannot be
+/// written.
+void check_outputs(std::initializer_list<std::optional<std::string>> paths);
+
 /// What the word that an option was given stands for. Other words are refused, and `words` named.
 template <class Meaning> using WordList = std::initializer_list<std::pair<const char*, Meaning>>;
 template <class Meaning>

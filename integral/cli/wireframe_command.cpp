@@ -75,8 +75,7 @@ void declare(options::options_description& all, WireframeOptions& o)
     add(all, "print", o.print, "WxH",
         "size of the frame in mm, instead of --size (default 152.4x101.6)");
     declare(all, o.aperture);
-    add(all, "sheet", o.start, "FILE.json",
-        "start from this geometry: a JSON document, or a frame");
+    declare_start_geometry(all, o.start);
     add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default 8)");
     add(all, "json", o.json, "print what was drawn and at what cost");
     declare(all, o.threads);
