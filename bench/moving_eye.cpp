@@ -40,7 +40,8 @@ std::vector<Frame> views_of(const Frame& frame)
     return views;
 }
 
-/// RMS over the views of `by`'s differences of colours.
+/// The root mean square of what difference(view, x, y) returns for each pixel of the views: three
+/// differences of colours. `form` has a view's size.
 template <class Difference> double rms(int views, const Image& form, Difference difference)
 {
     double sum = 0;

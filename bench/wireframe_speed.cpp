@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Measures how fast wireframes are drawn: a ring of 33,410 vertices, 100,230 edges and 66,820
 // triangles, 84 mm large and 45 mm behind the sheet of a 4 x 6 inch print. Prints seconds of one
-// thread, the vertices that were projected, and the ratio to the seconds that so many projections
-// take one by one (film_point_imaging): the least that the thesis's method can cost, if it knows
-// which lenses image what and draws nothing. The least of several alternating runs.
+// thread, the number of projections (of a vertex through a lens), and the ratio to the seconds that
+// the same number of projections take one by one (film_point_imaging). The thesis's method cannot
+// take less than these, even if it knew which lenses image what and drew nothing. Each figure is
+// the least of several alternating runs.
 // usage: wireframe_speed [N [ROUNDS]]: vertices fewer by N^2 (default 1); runs (default 3)
 #include "integral/wireframe/wireframe.h"
 
@@ -70,7 +71,7 @@ WireframeRequest request_of(const LensSheet& sheet, const Mesh& mesh)
             Film{1800, 1200, {mm_per_inch / 300, mm_per_inch / 300}}};
 }
 
-/// Of so many projections, one by one.
+/// The seconds that `projections` projections take one by one.
 double seconds_one_by_one(const WireframeRequest& request, double projections)
 {
     const auto& vertices = request.mesh.vertices;

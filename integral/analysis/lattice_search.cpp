@@ -3,8 +3,8 @@
 
 #include "integral/analysis/border_fit.h"
 #include "integral/analysis/edge_response.h"
+#include "integral/analysis/lattice_candidates.h"
 #include "integral/analysis/lens_borders.h"
-#include "integral/analysis/spectrum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,97 +18,14 @@ constexpr double most_pixels_a_lens = 32; // of the reduced scan: more tell noth
 constexpr double least_pixels_a_lens = 4;
 constexpr int spectrum_side = 2048;
 constexpr int most_borders = 300000;
-constexpr int candidates = 3;
 
-/// The frequencies (cycles/mm) at which a sheet's micro-images repeat, on the axis.
-std::vector<Vec2> frequencies_of(const LensSheet& sheet, double distance)
+/// The distance (mm) of the farthest point from the middle.
+double farthest_of(const std::vector<Vec2>& points)
 {
-    const Lattice lattice(sheet);
-    const double pitch = sheet.pitch * (1 + sheet.thickness / (sheet.ior * distance));
-    const Vec2 u = (1 / pitch) * lattice.across(), v = (1 / pitch) * lattice.along();
-    switch (sheet.arrangement) {
-    case Arrangement::lenticular: return {u};
-    case Arrangement::square: return {u, v};
-    case Arrangement::hexagonal: break;
-    }
-    const double row = 1 / std::sqrt(3.0);
-    return {u + row * v, u - row * v, (2 * row) * v};
-}
-
-Vec2 frequency_in_scan(Vec2 frequency, const ScanMap& map)
-{
-    const double c = std::cos(map.rotation), s = std::sin(map.rotation);
-    return {(c * frequency.x - s * frequency.y) / map.scale.x,
-            -(s * frequency.x + c * frequency.y) / map.scale.y};
-}
-
-struct Candidate {
-    ScanMap map;
-    double score = 0;
-};
-
-/// Maps with other turns and scales, row by row of the same turn.
-struct CandidateGrid {
-    int scales, turns;
-    std::vector<Candidate> all;
-    const Candidate& at(int scale, int turn) const { return all[turn * scales + scale]; }
-};
-
-/// Every turn and scale in the range of the search, with the square roots of the powers of a few
-/// harmonics as their score.
-CandidateGrid scored_by_spectrum(const Spectrum& spectrum, const LatticeSearch& search,
-                                 const ScanMap& about)
-{
-    constexpr int harmonics = 3;
-    const std::vector<Vec2> frequencies = frequencies_of(search.sheet, search.aperture.distance);
-    // Steps that move the highest harmonic by half of what the window tells apart.
-    const double pixels = search.sheet.pitch * std::min(about.scale.x, about.scale.y);
-    const double step = 0.5 * pixels / (harmonics * spectrum.extent());
-    CandidateGrid grid;
-    grid.scales = 2 * int(std::ceil(search.scale_range / step)) + 1;
-    grid.turns = 2 * int(std::ceil(search.turn_range / step)) + 1;
-    const auto from_minus_one_to_one = [](int k, int count) {
-        return count > 1 ? 2.0 * k / (count - 1) - 1 : 0;
-    };
-    for (int j = 0; j < grid.turns; ++j)
-        for (int i = 0; i < grid.scales; ++i) {
-            Candidate c{about, 0};
-            const double factor = 1 + search.scale_range * from_minus_one_to_one(i, grid.scales);
-            c.map.scale = factor * about.scale;
-            c.map.rotation += search.turn_range * from_minus_one_to_one(j, grid.turns);
-            for (const Vec2 frequency : frequencies)
-                for (int h = 1; h <= harmonics; ++h)
-                    c.score += std::sqrt(
-                        spectrum.power(frequency_in_scan(double(h) * frequency, c.map)));
-            grid.all.push_back(c);
-        }
-    return grid;
-}
-
-/// Whether none within two steps each way has a higher score.
-bool is_peak(const CandidateGrid& grid, int scale, int turn)
-{
-    for (int j = std::max(0, turn - 2); j <= std::min(grid.turns - 1, turn + 2); ++j)
-        for (int i = std::max(0, scale - 2); i <= std::min(grid.scales - 1, scale + 2); ++i)
-            if (!(grid.at(i, j).score <= grid.at(scale, turn).score))
-                return false;
-    return true;
-}
-
-/// The likeliest turns and scales by the spectrum, best first.
-std::vector<Candidate> by_spectrum(const Spectrum& spectrum, const LatticeSearch& search,
-                                   const ScanMap& about)
-{
-    const CandidateGrid grid = scored_by_spectrum(spectrum, search, about);
-    std::vector<Candidate> peaks;
-    for (int j = 0; j < grid.turns; ++j)
-        for (int i = 0; i < grid.scales; ++i)
-            if (is_peak(grid, i, j))
-                peaks.push_back(grid.at(i, j));
-    std::sort(peaks.begin(), peaks.end(),
-              [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-    peaks.resize(std::min<std::size_t>(peaks.size(), candidates));
-    return peaks;
+    double farthest = 0;
+    for (const Vec2 point : points)
+        farthest = std::max(farthest, length(point));
+    return farthest;
 }
 
 /// The points within `radius` (mm) of the middle; of more than `most` that many, evenly picked.
@@ -195,10 +112,10 @@ double significance_of(const Plane& edges, const std::vector<Vec2>& points,
 
 /// How far from the sheet's centre the film that the scan holds reaches (mm, along x and y), by any
 /// of the candidates, and a lens more.
-Vec2 half_of_film(const std::vector<Candidate>& candidates, const Plane& edges, double pitch)
+Vec2 half_of_film(const std::vector<LatticeCandidate>& candidates, const Plane& edges, double pitch)
 {
     Vec2 half{0, 0};
-    for (const Candidate& candidate : candidates)
+    for (const LatticeCandidate& candidate : candidates)
         for (const double x : {0.0, double(edges.width)})
             for (const double y : {0.0, double(edges.height)}) {
                 const Vec2 corner = film_from_scan(candidate.map, {x, y});
@@ -211,8 +128,8 @@ Vec2 half_of_film(const std::vector<Candidate>& candidates, const Plane& edges, 
 /// Points on the borders of micro-images that lie in the scan, or at most `margin` pixels outside,
 /// under the likeliest map. Throws std::invalid_argument if there are none.
 std::vector<Vec2> borders_in_scan(const LatticeSearch& search,
-                                  const std::vector<Candidate>& candidates, const Plane& edges,
-                                  double margin, int threads)
+                                  const std::vector<LatticeCandidate>& candidates,
+                                  const Plane& edges, double margin, int threads)
 {
     const SheetOptics optics(search.sheet, search.aperture);
     const double pitch = search.sheet.pitch;
@@ -278,19 +195,40 @@ ScanMap fit_outwards(const BlurredEdges& edges, const std::vector<Vec2>& points,
     }
 }
 
+/// Of the maps that are in range, the one with the most edge on the borders; nothing if none is.
+std::optional<ScanMap> strongest_in_range(const Plane& edges, const std::vector<Vec2>& points,
+                                          const std::vector<ScanMap>& maps,
+                                          const LatticeSearch& search, const ScanMap& about)
+{
+    std::optional<ScanMap> best;
+    double most = 0;
+    for (const ScanMap& map : maps) {
+        const double edge = edge_on_borders(edges, points, map);
+        if ((!best || edge > most) && is_in_range(search, about, map)) {
+            most = edge;
+            best = map;
+        }
+    }
+    return best;
+}
+
 /// The last stages of a fit.
 struct CloseFit {
-    ScanMap map;    ///< on the ridges
-    ScanMap pulled; ///< before: on the edges, which the picture's own pull aside
+    ScanMap map;             ///< on the ridges
+    ScanMap pulled;          ///< before: on the edges, which the picture's own pull aside
+    double significance = 0; ///< of the fit on the edges
 };
 
 CloseFit fit_closely(const BlurredEdges& edges, const std::vector<Vec2>& points,
-                     const LatticeSearch& search, const ScanMap& about, const ScanMap& map)
+                     const LatticeSearch& search, const ScanMap& about, const ScanMap& rough)
 {
+    const ScanMap map = fit_borders(edges.fine, points, search.sheet, rough);
     const auto shown = [&](const ScanMap& here) {
         return where_borders_show(edges.fine, points, search.sheet, here);
     };
     CloseFit fit;
+    fit.significance = significance_of(edges.fine, those_within(points, farthest_of(points), 20000),
+                                       search, about, map);
     fit.map = fit.pulled = fit_borders(edges.fine, shown(map), search.sheet, map);
     for (int round = 0; round < 2; ++round)
         fit.map = fit_borders(edges.ridges, shown(fit.map), search.sheet, fit.map);
@@ -325,6 +263,7 @@ FoundLattice found_lattice(const BlurredEdges& edges, const std::vector<Vec2>& p
     result.contrast = edges.fine.mean > 0
                           ? edge_on_borders(edges.fine, shown, fit.map) / edges.fine.mean
                           : 0;
+    result.significance = fit.significance;
     result.borders = errors.borders;
     return result;
 }
@@ -360,46 +299,36 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     if (!follow(2))
         return std::nullopt;
     const Spectrum spectrum(edges, spectrum_side);
-    const std::vector<Candidate> found = by_spectrum(spectrum, search, about);
+    const std::vector<LatticeCandidate> found = candidates_of(spectrum, search, about);
     if (!follow(4))
         return std::nullopt;
     std::vector<Vec2> points = borders_in_scan(search, found, edges, 4 * pixels, threads);
-    double farthest = 0;
-    for (const Vec2 point : points)
-        farthest = std::max(farthest, length(point));
+    const double farthest = farthest_of(points);
     if (!follow(5))
         return std::nullopt;
 
     const BlurredEdges planes = blurred_edges(edges, pixels, search.frame.has_value(), threads);
     const double first_radius = std::max(6 * pitch, 0.3 * spectrum.extent() /
                                                         std::max(about.scale.x, about.scale.y));
-    std::optional<ScanMap> best;
-    double most = 0;
-    for (const Candidate& candidate : found) {
-        const ScanMap map = fit_outwards(planes, points, search.sheet, candidate.map, first_radius,
-                                         farthest);
-        const double edge = edge_on_borders(planes.fine, points, map);
-        if ((!best || edge > most) && is_in_range(search, about, map)) {
-            most = edge;
-            best = map;
-        }
+    std::vector<ScanMap> fitted;
+    for (const LatticeCandidate& candidate : found) {
+        fitted.push_back(
+            fit_outwards(planes, points, search.sheet, candidate.map, first_radius, farthest));
         if (!follow(7))
             return std::nullopt;
     }
+    const std::optional<ScanMap> best = strongest_in_range(planes.fine, points, fitted, search,
+                                                           about);
     if (!best)
         return FoundLattice();
 
     points = those_within(points, farthest, most_borders);
-    best = fit_borders(planes.fine, points, search.sheet, *best);
-    const double significance = significance_of(planes.fine, those_within(points, farthest, 20000),
-                                                search, about, *best);
     const CloseFit fit = fit_closely(planes, points, search, about, *best);
     if (!follow(9))
         return std::nullopt;
     if (!is_in_range(search, about, fit.map))
         return FoundLattice();
-    FoundLattice result = found_lattice(planes, points, search, fit, reduction);
-    result.significance = significance;
+    const FoundLattice result = found_lattice(planes, points, search, fit, reduction);
     follow(10);
     return result;
 }

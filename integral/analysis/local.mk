@@ -6,6 +6,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/analysis/border_fit.h \
   integral/analysis/edge_response.cpp \
   integral/analysis/edge_response.h \
+  integral/analysis/lattice_candidates.cpp \
+  integral/analysis/lattice_candidates.h \
   integral/analysis/lattice_search.cpp \
   integral/analysis/lattice_search.h \
   integral/analysis/lens_borders.cpp \

@@ -18,6 +18,22 @@ Progress piece_of(const Progress& whole, int index, int count)
     return [=](int done, int total) { return whole(index * total + done, count * total); };
 }
 
+/// Runs `work` here and in up to `threads` - 1 other threads, and waits for all of them.
+static void run_on_threads(int threads, const std::function<void()>& work)
+{
+    std::vector<std::thread> team;
+    for (int i = 1; i < threads; ++i) {
+        try {
+            team.emplace_back(work);
+        } catch (const std::system_error&) {
+            break; // no more threads available: continue with those that were started
+        }
+    }
+    work();
+    for (auto& thread : team)
+        thread.join();
+}
+
 bool for_each_row(int rows, int threads, const std::function<void(int row)>& work,
                   const Progress& progress)
 {
@@ -47,17 +63,7 @@ bool for_each_row(int rows, int threads, const std::function<void(int row)>& wor
 
     if (threads <= 0)
         threads = int(std::max(1u, std::thread::hardware_concurrency()));
-    std::vector<std::thread> team;
-    for (int i = 1; i < std::min(threads, rows); ++i) {
-        try {
-            team.emplace_back(run);
-        } catch (const std::system_error&) {
-            break; // no more threads available: continue with those that were started
-        }
-    }
-    run();
-    for (auto& thread : team)
-        thread.join();
+    run_on_threads(std::min(threads, rows), run);
     if (failure)
         std::rethrow_exception(failure);
     return !stop;

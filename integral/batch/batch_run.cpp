@@ -28,38 +28,32 @@ class Run {
 public:
     Run(PlannedBatch& batch, const BatchPlan& plan, const RunOptions& options,
         const BatchReporter& reporter)
-        : plan_(plan),
-          jobs_(batch.manifest.jobs),
+        : jobs_(batch.manifest.jobs),
           reporter_(reporter),
           inputs_(batch.inputs),
           options_(options),
           folder_(batch.folder),
-          results_(plan.steps.size()),
+          states_(plan, options.jobs, reporter),
           tries_(plan.steps.size()),
-          said_(plan.steps.size()),
           memory_(batch.manifest, options.memory, options.output_pixels)
     {
-        for (std::size_t i = 0; i < plan.steps.size(); ++i)
-            if (options.jobs.empty() || options.jobs.count(plan.steps[i].job))
-                pending_.push_back(int(i));
     }
 
     /// Finishes those pending steps that are done already.
     void keep_done()
     {
-        for (const int i : pending_) {
+        for (const int i : states_.pending()) {
             stop_if_interrupted();
-            const BatchStep& step = step_at(i);
-            if (step.frame >= 0 && result(step.frame).fate != StepFate::kept)
+            const BatchStep& step = states_.step(i);
+            if (step.frame >= 0 && states_.fate(step.frame) != StepFate::kept)
                 continue;
             try {
                 const StepRecord record = read_record(folder_.record(step));
-                if (is_done(folder_, step, record, inputs_.hash(step, frame_hash(step))))
-                    set_finished(i, StepFate::kept, record);
+                if (is_done(folder_, step, record, inputs_.hash(step, states_.frame_hash(step))))
+                    states_.set_finished(i, StepFate::kept, record);
             } catch (const InputError&) { // is said when the step is started
             }
         }
-        pending_.remove_if([&](int i) { return result(i).fate == StepFate::kept; });
     }
 
     void run()
@@ -69,12 +63,11 @@ public:
         sigaction(SIGCHLD, &wake, nullptr);
         keep_done();
         tidy_up();
-        sort_longest_first(pending_, plan_, folder_);
-        meter_.emplace(plan_, jobs_, pending_);
+        states_.begin(jobs_, folder_);
         begun_ = Clock::now();
-        BatchState state = meter_->state({}, 0);
+        BatchState state = states_.work({}, 0);
         auto next_look = Clock::now(), next_refresh = Clock::now() + refresh_after;
-        while (!pending_.empty() || !running_.none()) {
+        while (!states_.none_pending() || !running_.none()) {
             if (!reporter_.state(state))
                 stop_all();
             std::list<RunningStep> ended = running_.take_ended();
@@ -94,59 +87,26 @@ public:
             if (!any_ended)
                 poll(nullptr, 0, poll_milliseconds); // SIGCHLD interrupts it
         }
-        reporter_.state(meter_->state({}, 0));
+        reporter_.state(states_.work({}, 0));
     }
 
-    std::vector<StepResult> results() const { return results_; }
+    std::vector<StepResult> results() const { return states_.results(); }
 
     LockFile batch_lock; ///< of the whole folder, when all jobs are run
 
 private:
-    const BatchStep& step_at(int i) const { return plan_.steps[std::size_t(i)]; }
-    StepResult& result(int i) { return results_[std::size_t(i)]; }
-
-    /// The hash and the path of the frame that a step reads; "" if it reads none.
-    std::string frame_hash(const BatchStep& step) const
-    {
-        return step.frame < 0 ? "" : outputs_.at(step.frame);
-    }
+    /// The path of the frame that a step reads; "" if it reads none.
     std::string frame_path(const BatchStep& step) const
     {
-        return step.frame < 0 ? "" : folder_.output(step_at(step.frame));
-    }
-
-    bool has_its_frame(const BatchStep& step) const
-    {
-        return step.frame < 0 || outputs_.count(step.frame);
-    }
-
-    void set_finished(int i, StepFate fate, const StepRecord& record)
-    {
-        by_inputs_.emplace(record.inputs, i);
-        result(i).fate = fate;
-        outputs_[i] = record.output;
-    }
-
-    void finish(int i, StepFate fate, const StepRecord& record)
-    {
-        set_finished(i, fate, record);
-        pending_.remove(i);
-        count_end(i, false, fate == StepFate::made ? record.seconds : 0);
-    }
-
-    /// Notes that a step has ended, and tells of its job if that has.
-    void count_end(int i, bool failed, double seconds)
-    {
-        if (const auto job = meter_->end(i, failed, seconds))
-            reporter_.job_ended(*job);
+        return step.frame < 0 ? "" : folder_.output(states_.step(step.frame));
     }
 
     BatchState state_now() const
     {
         std::map<int, double> parts;
         for (const int i : running_.steps())
-            parts[i] = step_at(i).frame < 0 ? rendered_part(said_file(step_at(i))) : 0;
-        return meter_->state(parts, std::chrono::duration<double>(Clock::now() - begun_).count());
+            parts[i] = states_.step(i).frame < 0 ? rendered_part(said_file(states_.step(i))) : 0;
+        return states_.work(parts, std::chrono::duration<double>(Clock::now() - begun_).count());
     }
 
     /// Deletes what batches that were killed have left: working folders of steps that are done, and
@@ -156,11 +116,11 @@ private:
         for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps",
                                       "/.integral-batch/strips", "/.integral-batch/slurm"})
             sweep_unfinished(folder_.path + own);
-        for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
-            const BatchStep& step = plan_.steps[i];
+        for (int i = 0; i < states_.count(); ++i) {
+            const BatchStep& step = states_.step(i);
             LockFile lock;
             std::string holder;
-            if (results_[i].fate == StepFate::kept &&
+            if (states_.fate(i) == StepFate::kept &&
                 (exists(folder_.work(step)) || exists(folder_.lock(step.name))) &&
                 lock.take(folder_.lock(step.name), holder))
                 clean(step);
@@ -169,49 +129,25 @@ private:
 
     void fail(int i, const std::string& reason)
     {
-        const BatchStep& step = step_at(i);
-        result(i) = {StepFate::failed, reason};
-        pending_.remove(i);
-        const bool log = exists(folder_.log(step));
-        say(i, reason + (log ? "; see " + folder_.log(step) : ""));
-        count_end(i, true, 0);
-        pending_.remove_if([&](int other) {
-            if (step_at(other).frame != i)
-                return false;
-            result(other) = {StepFate::blocked, "its frame failed"};
-            count_end(other, true, 0);
-            return true;
-        });
-    }
-
-    void say_once(int i, const std::string& what)
-    {
-        if (said_[std::size_t(i)] == what)
-            return;
-        said_[std::size_t(i)] = what;
-        say(i, what);
-    }
-
-    void say(int i, const std::string& what) const
-    {
-        reporter_.before_line();
-        integral::say("batch", step_at(i).name + ": " + what);
+        const std::string log = folder_.log(states_.step(i));
+        states_.say(i, reason + (exists(log) ? "; see " + log : ""));
+        states_.set_failed(i, reason);
     }
 
     void say_remark(int i, const StepRecord& record) const
     {
         if (!record.remark.empty())
-            say(i, record.remark);
+            states_.say(i, record.remark);
     }
 
     /// Starts steps while there are cores and memory for them. If interrupted, publishes `ended`,
     /// stops and throws.
     void start_some(std::list<RunningStep>& ended)
     {
-        for (const int i : std::vector<int>(pending_.begin(), pending_.end())) {
+        for (const int i : states_.pending()) {
             if (running_.count() >= options_.at_once)
                 return;
-            if (result(i).fate != StepFate::waiting || !has_its_frame(step_at(i)))
+            if (states_.fate(i) != StepFate::waiting || !states_.has_its_frame(states_.step(i)))
                 continue;
             if (interrupted()) {
                 conclude(ended);
@@ -231,28 +167,27 @@ private:
     /// same; leaves it pending if it has to wait.
     void start(int i)
     {
-        const BatchStep& step = step_at(i);
+        const BatchStep& step = states_.step(i);
         const std::string frame = frame_path(step);
-        const std::string hash = inputs_.hash(step, frame_hash(step));
+        const std::string hash = inputs_.hash(step, states_.frame_hash(step));
         StepRecord record = read_record(folder_.record(step));
         if (is_done(folder_, step, record, hash))
-            return finish(i, StepFate::kept, record);
-        const auto twin = by_inputs_.find(hash);
-        if (twin != by_inputs_.end() && twin->second != i &&
-            result(twin->second).fate == StepFate::waiting)
+            return states_.set_finished(i, StepFate::kept, record);
+        const std::optional<int> twin = states_.maker(hash);
+        if (twin && *twin != i && states_.fate(*twin) == StepFate::waiting)
             return; // the other one is running
         const double pixels = pixels_of(step, frame),
                      memory = memory_.expected(step, frame, pixels, record);
-        const bool copies = twin != by_inputs_.end() && outputs_.count(twin->second);
+        const bool copies = twin && states_.has_output(*twin);
         if (!copies && !has_memory(i, memory))
             return;
         LockFile lock;
         std::string holder;
         if (!lock.take(folder_.lock(step.name), holder))
-            return say_once(i, "waits for " + holder + ", which makes it");
+            return states_.say_once(i, "waits for " + holder + ", which makes it");
         record = read_record(folder_.record(step));
         if (is_done(folder_, step, record, hash))
-            return finish(i, StepFate::kept, record);
+            return states_.set_finished(i, StepFate::kept, record);
         record.inputs = hash;
         record.pixels = pixels;
         record.error.reset();
@@ -261,42 +196,32 @@ private:
         std::error_code ignored;
         std::filesystem::create_directories(folder_.work(step), ignored);
         if (copies)
-            copy(i, twin->second, record);
+            copy(i, *twin, record);
         else
             start_program(i, std::move(lock), record, memory);
     }
 
     void start_program(int i, LockFile lock, StepRecord record, double memory)
     {
-        const BatchStep& step = step_at(i);
-        by_inputs_[record.inputs] = i;
+        const BatchStep& step = states_.step(i);
+        states_.set_running(i, record.inputs);
         record.state = StepState::running;
         ++record.starts;
         record.output.clear();
         write_record(folder_.record(step), record);
-        const int threads = threads_beside(others_beside(i), options_.at_once);
+        const int threads = threads_beside(states_.ready_beside(i), options_.at_once);
         ChildProcess child(command_line(folder_, step, frame_path(step), threads), step.folder,
                            said_file(step));
-        pending_.remove(i);
         running_.add({i, std::move(child), std::move(lock), record, memory});
     }
 
     void copy(int i, int twin, StepRecord record)
     {
-        const BatchStep& step = step_at(i);
-        publish_copy(folder_, step, step_at(twin), record);
+        const BatchStep& step = states_.step(i);
+        publish_copy(folder_, step, states_.step(twin), record);
         clean(step);
         say_remark(i, record);
-        finish(i, StepFate::copied, read_record(folder_.record(step)));
-    }
-
-    /// How many other steps could start as well.
-    int others_beside(int i) const
-    {
-        int others = 0;
-        for (const int other : pending_)
-            others += other != i && has_its_frame(step_at(other));
-        return others;
+        states_.set_finished(i, StepFate::copied, read_record(folder_.record(step)));
     }
 
     /// Whether a step can have that much memory now. Says why not; it fails if nothing else runs.
@@ -308,7 +233,7 @@ private:
         if (running_.none())
             fail(i, lack + "; --memory MB gives it more");
         else
-            say_once(i, lack + ": it waits");
+            states_.say_once(i, lack + ": it waits");
         return false;
     }
 
@@ -321,7 +246,7 @@ private:
 
     void conclude(RunningStep& one)
     {
-        const BatchStep& step = step_at(one.step);
+        const BatchStep& step = states_.step(one.step);
         StepRecord& record = one.record;
         record.seconds = std::chrono::duration<double>(one.ended - one.begun).count();
         const std::string reason = publish_made(folder_, step, frame_path(step), said_file(step),
@@ -333,12 +258,12 @@ private:
         std::filesystem::remove(folder_.log(step), ignored);
         clean(step);
         say_remark(one.step, record);
-        finish(one.step, StepFate::made, read_record(folder_.record(step)));
+        states_.set_finished(one.step, StepFate::made, read_record(folder_.record(step)));
     }
 
     void conclude_failed(int i, StepRecord record, const std::string& reason)
     {
-        const BatchStep& step = step_at(i);
+        const BatchStep& step = states_.step(i);
         if (interrupted()) // that is why it failed: there is nothing to keep
             return clean(step);
         std::error_code ignored;
@@ -354,8 +279,8 @@ private:
         }
         if (++tries_[std::size_t(i)] > options_.retries || interrupted())
             return fail(i, reason);
-        say(i, reason + "; it is tried again");
-        pending_.push_front(i);
+        states_.say(i, reason + "; it is tried again");
+        states_.set_pending_again(i);
     }
 
     /// What a running step's program says.
@@ -369,43 +294,23 @@ private:
 
     [[noreturn]] void stop_all()
     {
-        running_.stop([&](int i) { clean(step_at(i)); });
+        running_.stop([&](int i) { clean(states_.step(i)); });
         throw Interrupted();
     }
 
-    const BatchPlan& plan_;
     const std::vector<BatchJob>& jobs_;
     const BatchReporter& reporter_;
     StepInputs& inputs_;
     const RunOptions& options_;
     const BatchFolder& folder_;
-    std::vector<StepResult> results_;
+    StepStates states_;
     std::vector<int> tries_;
-    std::vector<std::string> said_; ///< what was last said of each step that waits
-    std::list<int> pending_;
     RunningSteps running_;
-    std::map<int, std::string> outputs_;   ///< hashes of finished steps' outputs
-    std::map<std::string, int> by_inputs_; ///< by hash of inputs, the step that makes or has made
-                                           ///< the output of them
     MemoryForecast memory_;
-    std::optional<WorkMeter> meter_; ///< of what this run has to do
     Clock::time_point begun_;
 };
 
 } // namespace
-
-const char* name_of(StepFate fate)
-{
-    switch (fate) {
-    case StepFate::kept: return "kept";
-    case StepFate::made: return "made";
-    case StepFate::copied: return "copied";
-    case StepFate::failed: return "failed";
-    case StepFate::blocked: return "blocked";
-    case StepFate::waiting: break;
-    }
-    return "waiting";
-}
 
 std::vector<StepResult> survey(PlannedBatch& batch, const RunOptions& options)
 {

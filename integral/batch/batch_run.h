@@ -4,8 +4,8 @@
 #define INTEGRAL_BATCH_BATCH_RUN_H
 
 #include "integral/batch/batch_memory.h"
-#include "integral/batch/batch_progress.h"
 #include "integral/batch/planned_batch.h"
+#include "integral/batch/step_states.h"
 
 #include <set>
 
@@ -17,21 +17,6 @@ struct RunOptions {
     double memory = 0;          ///< bytes that all together may take; 0: what the machine has free
     OutputPixels output_pixels; ///< for the forecast of memory
     std::set<int> jobs;         ///< that are run, in the manifest's list; empty: all
-};
-
-enum class StepFate {
-    waiting, ///< not yet looked at, or to be done
-    kept,    ///< its output was there already, made of the same inputs
-    made,
-    copied, ///< another step of the same inputs made it
-    failed,
-    blocked, ///< its frame failed
-};
-const char* name_of(StepFate fate);
-
-struct StepResult {
-    StepFate fate = StepFate::waiting;
-    std::string reason; ///< of a failure
 };
 
 /// The fate of every step of the plan, without running any: kept, or waiting to be done. Throws

@@ -52,6 +52,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/slurm.h \
   integral/batch/step_record.cpp \
   integral/batch/step_record.h \
+  integral/batch/step_states.cpp \
+  integral/batch/step_states.h \
   integral/batch/strips.cpp \
   integral/batch/strips.h \
   integral/batch/terminal_progress.cpp \

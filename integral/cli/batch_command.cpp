@@ -125,13 +125,11 @@ void check_cluster_options(const BatchOptions& o)
         return;
     if (o.cpus)
         throw UsageError("--cpus is for --slurm; --jobs says how many programs run here");
-    const std::pair<const char*, bool> for_slurm[] = {{"strips", o.strips.has_value()},
-                                                      {"partition", o.partition.has_value()},
-                                                      {"time", o.time.has_value()},
-                                                      {"sbatch", !o.sbatch.empty()}};
-    for (const auto& [option, is_given] : for_slurm)
-        if (is_given)
-            throw UsageError(std::string("--") + option + " is for --slurm");
+    refuse_given({{"strips", o.strips},
+                  {"partition", o.partition},
+                  {"time", o.time},
+                  {"sbatch", !o.sbatch.empty()}},
+                 "is for --slurm");
 }
 
 ClusterOptions cluster_options(const BatchOptions& o)

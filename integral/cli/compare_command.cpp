@@ -178,12 +178,12 @@ int run(const CompareOptions& o)
 {
     if (o.suite)
         return run_suite(o);
-    if (const char* option = first_given({{"references", o.references},
-                                          {"tolerances", o.tolerances},
-                                          {"junit", o.junit},
-                                          {"accept", o.accept},
-                                          {"threads", o.threads.given}}))
-        throw UsageError(std::string("--") + option + " goes with --suite FOLDER");
+    refuse_given({{"references", o.references},
+                  {"tolerances", o.tolerances},
+                  {"junit", o.junit},
+                  {"accept", o.accept},
+                  {"threads", o.threads.given}},
+                 "goes with --suite FOLDER");
     const Limits limits = limits_of(o);
     if (o.inputs.size() != 2)
         throw UsageError("an input is missing: A and B are compared, or folders with --suite; see "
@@ -191,10 +191,8 @@ int run(const CompareOptions& o)
     double gain = 1;
     read_number("gain", o.gain, gain);
     const std::string output = o.output.value_or(""), sheet = o.sheet.value_or("");
-    if (!output.empty()) {
-        format_for(output);
-        check_writable(output);
-    }
+    if (!output.empty())
+        check_picture(output);
     FrameReader a(o.inputs[0], sheet), b(o.inputs[1], sheet);
     const Comparison comparison = compare_files(a, b, o.inputs[1], output, gain);
 

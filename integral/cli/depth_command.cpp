@@ -2,6 +2,7 @@
 // integral depth: how far off everything is that a frame, or a set of views, shows.
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
+#include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
@@ -70,8 +71,7 @@ void declare(options::options_description& all, DepthOptions& o)
     add(all, "border", o.border, "PIXELS (=0)",
         "leave so many out at each side of the map when scoring (the HCI toolkit: 15)");
     add(all, "json", o.json, "print the figures as JSON");
-    add(all, "sheet", o.sheet, "FILE.json",
-        "geometry for a frame that carries none, or instead of its own");
+    declare_frame_geometry(all, o.sheet);
     declare(all, o.threads);
 }
 
@@ -147,8 +147,7 @@ void check_options(const DepthOptions& o)
         throw UsageError("-o " + *o.output + ": a depth map is .png, .exr, .pfm or .ply");
     if (o.width)
         in_range("width", *o.width, 1, largest_map_side);
-    if (o.output)
-        check_writable(*o.output);
+    check_outputs({o.output});
 }
 
 std::optional<DepthMap> measured(const DepthOptions& o, const ViewSet& views,
@@ -191,9 +190,7 @@ void refocus(const DepthOptions& o, const DepthInput& input, int threads, const 
     const RefocusedPicture picture = refocused(relief, lens, input.form, threads,
                                                piece_of(bar, 1, 2));
     write_frame(*o.output, Frame{picture.image, std::nullopt});
-    say("depth", with_decimals(100 * picture.figures.holes / picture.figures.lines, 2) +
-                     "% of the lines of sight end where no view has seen anything: filled with "
-                     "what is beside, farther off");
+    say("depth", holes_text(picture.figures));
 }
 
 int run(const DepthOptions& o)

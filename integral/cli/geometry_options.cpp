@@ -20,9 +20,8 @@ void set_lpi(const SheetOptions& given, LensSheet& sheet)
 {
     if (given.pitch)
         throw UsageError("--lpi and --pitch say the same; give one of them");
-    const double lpi = parse_number("lpi", *given.lpi, "a number of lenses per inch");
-    if (!(lpi > 0))
-        throw UsageError("--lpi " + *given.lpi + ": it must be greater than 0");
+    double lpi = 0;
+    read_positive("lpi", given.lpi, lpi, "a number of lenses per inch");
     const auto known = sheet_of_lpi(lpi);
     if (!known && !given.thickness)
         throw UsageError("--lpi " + *given.lpi +
@@ -70,6 +69,17 @@ void declare(options::options_description& all, ApertureOptions& aperture)
         "extent of the capture aperture, mm (default: what fills a lens)");
 }
 
+void declare_frame_geometry(options::options_description& all, std::optional<std::string>& file)
+{
+    add(all, "sheet", file, "FILE.json",
+        "geometry for a frame that carries none, or instead of its own");
+}
+
+void declare_start_geometry(options::options_description& all, std::optional<std::string>& file)
+{
+    add(all, "sheet", file, "FILE.json", "start from this geometry: a JSON document, or a frame");
+}
+
 const char* first_given(const SheetOptions& sheet)
 {
     return first_given({{"arrangement", sheet.arrangement},
@@ -108,10 +118,7 @@ void change_sheet(const SheetOptions& given, LensSheet& sheet)
     read_number("thickness", given.thickness, sheet.thickness);
     read_number("ior", given.ior, sheet.ior);
     read_number("slant", given.slant, sheet.slant);
-    if (given.offset) {
-        const auto v = parse_numbers("offset", *given.offset, "X,Y", 2, 2);
-        sheet.offset = {v[0], v[1]};
-    }
+    read_vector("offset", given.offset, sheet.offset);
 }
 
 void change_film(const FilmOptions& given, Film& film)
@@ -119,18 +126,12 @@ void change_film(const FilmOptions& given, Film& film)
     if (given.dpi && given.pixel_pitch)
         throw UsageError("--dpi and --pixel-pitch say the same; give one of them");
     if (given.dpi) {
-        const Vec2 dpi = parse_one_or_two("dpi", *given.dpi, "D or D,D");
-        if (!(dpi.x > 0 && dpi.y > 0))
-            throw UsageError("--dpi " + *given.dpi + ": it must be greater than 0");
+        const Vec2 dpi = parse_dpi("dpi", *given.dpi);
         film.pixel_pitch = {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
     }
     if (given.pixel_pitch)
         film.pixel_pitch = parse_one_or_two("pixel-pitch", *given.pixel_pitch, "MM or MM,MM");
-    if (given.size) {
-        const PixelSize size = parse_size("size", *given.size, largest_film_side);
-        film.width = size.width;
-        film.height = size.height;
-    }
+    read_size("size", given.size, largest_film_side, film.width, film.height);
 }
 
 Vec2 parse_paper_size(const char* option, const std::string& text)

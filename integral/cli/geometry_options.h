@@ -27,6 +27,12 @@ void declare(options::options_description& all, SheetOptions& sheet);
 void declare(options::options_description& all, FilmOptions& film);
 void declare(options::options_description& all, ApertureOptions& aperture);
 
+/// --sheet of commands that read frames: the file whose geometry a frame has that carries none.
+void declare_frame_geometry(options::options_description& all, std::optional<std::string>& file);
+
+/// --sheet of commands that make geometry: the file that they start from.
+void declare_start_geometry(options::options_description& all, std::optional<std::string>& file);
+
 /// Reads the name of a kind of things (lightfield/names.h), if it was given. Throws UsageError.
 template <class Kind>
 void read_kind(const char* option, const std::optional<std::string>& text, Kind& kind)

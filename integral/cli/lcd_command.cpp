@@ -2,6 +2,7 @@
 // integral lcd: frames, quilts and views as a light-field panel's image; and pictures shown on a
 // display.
 #include "integral/cli/lcd_options.h"
+#include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/output/panel_files.h"
 #include "integral/output/panel_text.h"
@@ -59,8 +60,7 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
     if (o.play || o.list_displays)
         throw UsageError("--panel does not go with --play or --list-displays: make the images "
                          "with -o, then play them");
-    if (o.fps || o.loop)
-        throw UsageError(std::string(o.fps ? "--fps" : "--loop") + " is for --play");
+    refuse_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
     if (o.seconds && !o.show)
         throw UsageError("--seconds is for --show and --play");
     check_panel_options(o, lcd);
@@ -80,8 +80,8 @@ void check_show_options(const LcdOptions& o)
 {
     if (o.list_displays && (o.play || o.show || !o.inputs.empty()))
         throw UsageError("--list-displays stands alone");
-    if (!o.play && (o.fps || o.loop))
-        throw UsageError(std::string(o.fps ? "--fps" : "--loop") + " is for --play");
+    if (!o.play)
+        refuse_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
     if (!o.play && !o.show && o.seconds)
         throw UsageError("--seconds is for --show and --play");
     if ((o.play || o.show) && o.inputs.empty())

@@ -26,8 +26,8 @@ PanelCard card_named(const std::string& word)
 }
 
 /// Reads a number above 0 and up to `most` into `value`, if the option was given.
-void read_positive(const char* option, const std::optional<std::string>& text, double most,
-                   double& value)
+void read_up_to(const char* option, const std::optional<std::string>& text, double most,
+                double& value)
 {
     if (!text)
         return;
@@ -44,11 +44,7 @@ PanelImageOptions image_options(const LcdOptions& o)
         image.views = parse_view_grid(*o.views);
     image.blend = {neighbours("blend", o.blend), neighbours("sampling", o.sampling)};
     image.encoded = o.encoded;
-    if (o.size) {
-        const PixelSize size = parse_size("size", *o.size, largest_view_side);
-        image.width = size.width;
-        image.height = size.height;
-    }
+    read_size("size", o.size, largest_view_side, image.width, image.height);
     image.lit_view = o.view;
     image.threads = o.threads.count();
     image.panel_name = "--panel " + o.panel.value_or("");
@@ -120,8 +116,8 @@ LcdRequest lcd_request(const LcdOptions& o)
     if (o.card)
         request.card = card_named(*o.card);
     request.showing.display = o.show.value_or(request.showing.display);
-    read_positive("seconds", o.seconds, 1e7, request.showing.seconds);
-    read_positive("fps", o.fps, 1000, request.playing.rate);
+    read_up_to("seconds", o.seconds, 1e7, request.showing.seconds);
+    read_up_to("fps", o.fps, 1000, request.playing.rate);
     request.playing.loop = o.loop;
     request.image = image_options(o);
     request.playing.threads = request.image.threads;
@@ -135,11 +131,9 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
 {
     if (int(o.describe) + int(o.camera) + int(lcd.card.has_value()) > 1)
         throw UsageError("--describe, --camera and --card do not go together");
-    if ((o.describe || o.camera || lcd.card) && !o.inputs.empty())
-        throw UsageError(std::string(o.describe ? "--describe"
-                                     : o.camera ? "--camera"
-                                                : "--card") +
-                         " takes no INPUT");
+    if (!o.inputs.empty())
+        refuse_given({{"describe", o.describe}, {"camera", o.camera}, {"card", o.card}},
+                     "takes no INPUT");
     if (lcd.panel.empty())
         throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
     if (!o.describe && !o.camera && lcd.output.empty() && !o.show)

@@ -55,8 +55,7 @@ void declare(options::options_description& all, MaskOptions& o)
     declare(all, o.sheet);
     declare(all, o.film);
     add(all, "print", o.print, "WxH", "size in mm, instead of --size");
-    add(all, "sheet", o.start, "FILE.json",
-        "start from this geometry: a JSON document, or a frame");
+    declare_start_geometry(all, o.start);
     add(all, "bits", o.bits, "N", "8 or 16 (default 16)");
     declare(all, o.threads);
 }
@@ -144,9 +143,7 @@ std::optional<ReliefChart> chart_of(const MaskOptions& o, const MaskRequest& req
 
 int run(const MaskOptions& o)
 {
-    const int bits = o.bits.value_or(16);
-    if (bits != 8 && bits != 16)
-        refuse("bits", std::to_string(bits), "8 or 16");
+    const int bits = bits_given(o.bits, 16);
     if (o.calibrate)
         return run_calibration(o, bits);
     if (!o.output)

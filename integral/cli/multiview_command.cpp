@@ -57,11 +57,7 @@ MultiviewRequest request_of(const MultiviewOptions& o)
     request.folder = *o.output;
     request.views = whole("views", o.views, most_views);
     request.eyes = whole("eyes", o.eyes, most_eyes);
-    if (o.size) {
-        const PixelSize size = parse_size("size", *o.size, 4096);
-        request.width = size.width;
-        request.height = size.height;
-    }
+    read_size("size", o.size, 4096, request.width, request.height);
     request.threads = o.threads.count();
     if (request.threads > 0)
         request.words.push_back("+WT" + std::to_string(request.threads));

@@ -161,9 +161,7 @@ int make_chart(const PrintOptions& o)
         throw UsageError("--chart makes a chart and --even reads one; give one of them");
     if (o.even)
         return read_chart(o);
-    const std::string output = o.output.value_or("");
-    if (output.empty())
-        throw UsageError("-o FILE is missing");
+    const std::string output = needed_output(o.output, "FILE");
     if (extension_of(output) != "pdf")
         format_for(output);
     check_writable(output);

@@ -42,11 +42,11 @@ PrintSettings settings_of(const PrintOptions& o, FrameReader& frame)
 {
     PrintSettings settings;
     settings.intent = intent_of(o);
-    settings.bits = bits_of(o);
+    settings.bits = bits_given(o.bits, 0);
     frame.require_metadata();
     const FrameMetadata& metadata = *frame.frame().metadata;
     settings.title = print_title(o.inputs[0], metadata);
-    settings.pixel_pitch = printer_pitch(o, metadata.film);
+    settings.pixel_pitch = pitch_of_printer(o, metadata.film);
     settings.page = page_request(o, metadata.film);
     if (o.strip)
         settings.page.strip = settings.title;
@@ -82,20 +82,20 @@ int print_frame(const PrintOptions& o)
 
 int print_chart(const PrintOptions& o)
 {
-    if (const char* option = first_given({{"paper", o.paper},
-                                          {"orientation", o.orientation},
-                                          {"feed", o.feed},
-                                          {"centre", o.centre},
-                                          {"bleed", o.bleed},
-                                          {"marks", o.marks},
-                                          {"strip", o.strip},
-                                          {"mirror", o.mirror},
-                                          {"tile", o.tile},
-                                          {"overlap", o.overlap},
-                                          {"bits", o.bits},
-                                          {"icc", o.icc},
-                                          {"intent", o.intent}}))
-        throw UsageError(std::string("--") + option + " is for frames, not for charts");
+    refuse_given({{"paper", o.paper},
+                  {"orientation", o.orientation},
+                  {"feed", o.feed},
+                  {"centre", o.centre},
+                  {"bleed", o.bleed},
+                  {"marks", o.marks},
+                  {"strip", o.strip},
+                  {"mirror", o.mirror},
+                  {"tile", o.tile},
+                  {"overlap", o.overlap},
+                  {"bits", o.bits},
+                  {"icc", o.icc},
+                  {"intent", o.intent}},
+                 "is for frames, not for charts");
     if (o.even && o.printer)
         throw UsageError("--printer does not go with --even");
     if (!o.inputs.empty())
@@ -116,24 +116,24 @@ int run(const PrintOptions& o)
             std::cout << printer << '\n';
         return exit_done;
     }
-    if (const char* option = first_given(
-            {{"copies", o.copies}, {"medium", o.medium}, {"printer-option", o.printer_options}});
-        option && !o.printer)
-        throw UsageError(std::string("--") + option + " is for --printer");
+    if (!o.printer)
+        refuse_given(
+            {{"copies", o.copies}, {"medium", o.medium}, {"printer-option", o.printer_options}},
+            "is for --printer");
     if (o.chart || o.even)
         return print_chart(o);
-    const char* option = first_given(o.sheet);
-    if (!option)
-        option = first_given({{"pixel-pitch", o.film.pixel_pitch},
-                              {"size", o.film.size},
-                              {"pitch-range", o.pitch_range},
-                              {"pitch-step", o.pitch_step},
-                              {"bars", o.bars},
-                              {"page", o.page},
-                              {"keep-index", o.keep_index},
-                              {"json", o.json}});
-    if (option)
-        throw UsageError(std::string("--") + option + " is for --chart and --even");
+    constexpr char for_charts[] = "is for --chart and --even";
+    if (const char* option = first_given(o.sheet))
+        refuse_given({{option, true}}, for_charts);
+    refuse_given({{"pixel-pitch", o.film.pixel_pitch},
+                  {"size", o.film.size},
+                  {"pitch-range", o.pitch_range},
+                  {"pitch-step", o.pitch_step},
+                  {"bars", o.bars},
+                  {"page", o.page},
+                  {"keep-index", o.keep_index},
+                  {"json", o.json}},
+                 for_charts);
     return print_frame(o);
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/print_options.h"
 
-#include "integral/base/number_text.h"
 #include "integral/cli/values.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace integral {
@@ -106,8 +104,7 @@ void declare(options::options_description& all, PrintOptions& o)
         "the printer's name of the paper (default: by the page's size)");
     add(all, "printer-option", o.printer_options, "NAME=VALUE",
         "of the printer's driver, as StpLaminate=Matte; may be given again");
-    add(all, "sheet", o.start, "FILE.json",
-        "geometry for a frame that carries none, or instead of its own");
+    declare_frame_geometry(all, o.start);
     add(all, "json", o.json, "with --even: print figures as JSON");
     options::options_description chart;
     declare_chart(chart, o);
@@ -129,30 +126,19 @@ Paper parse_paper_size(const std::string& text)
     return {width, height};
 }
 
-Vec2 printer_pitch(const PrintOptions& o, const Film& film)
+Vec2 pitch_of_printer(const PrintOptions& o, const Film& film)
 {
     Vec2 feed{1, 1};
     if (o.feed)
         feed = parse_one_or_two("feed", *o.feed, "X or X,Y");
     if (!(feed.x > 0.5 && feed.y > 0.5 && feed.x < 2 && feed.y < 2))
         refuse("feed", *o.feed, "0.5 to 2");
-    const Vec2 made{film.pixel_pitch.x / feed.x, film.pixel_pitch.y / feed.y};
     if (!o.film.dpi)
-        return made;
+        return printer_pitch(film, feed, std::nullopt);
     const Vec2 dpi = parse_one_or_two("dpi", *o.film.dpi, "D or D,D");
     if (!(dpi.x >= 1 && dpi.y >= 1 && dpi.x <= 100000 && dpi.y <= 100000))
         refuse("dpi", *o.film.dpi, "1 to 100000");
-    const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
-    if (differs(mm_per_inch / made.x, dpi.x) || differs(mm_per_inch / made.y, dpi.y)) {
-        const Vec2 pitch{mm_per_inch / dpi.x * feed.x, mm_per_inch / dpi.y * feed.y};
-        throw UsageError("the frame has " + with_digits(mm_per_inch / film.pixel_pitch.x, 6) +
-                         " x " + with_digits(mm_per_inch / film.pixel_pitch.y, 6) +
-                         " pixels an inch, and is never resampled; for this printer render it with "
-                         "film { pixel_pitch <" +
-                         with_digits(pitch.x, 6) + ", " + with_digits(pitch.y, 6) +
-                         "> }, or let it print at the frame's own resolution");
-    }
-    return {mm_per_inch / dpi.x, mm_per_inch / dpi.y};
+    return printer_pitch(film, feed, dpi);
 }
 
 PageRequest page_request(const PrintOptions& o, const Film& film)
@@ -180,14 +166,6 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
         request.axis_marks |= kind == "axis" || kind == "all";
     }
     return request;
-}
-
-int bits_of(const PrintOptions& o)
-{
-    const int bits = o.bits.value_or(0);
-    if (o.bits && bits != 8 && bits != 16)
-        refuse("bits", std::to_string(bits), "8 or 16");
-    return bits;
 }
 
 Intent intent_of(const PrintOptions& o)

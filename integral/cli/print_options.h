@@ -34,13 +34,12 @@ void declare(options::options_description& all, PrintOptions& o);
 /// A paper by its name, or WIDTHxHEIGHT in mm. Throws UsageError.
 Paper parse_paper_size(const std::string& text);
 
-/// --intent and --bits (0: not given), which need no frame to be known. Throw UsageError.
+/// The value of --intent. Throws UsageError.
 Intent intent_of(const PrintOptions& o);
-int bits_of(const PrintOptions& o);
 
-/// The printer's own pixel pitch, mm, by --dpi and --feed. Throws UsageError where the printer's
-/// pixels are not the film's.
-Vec2 printer_pitch(const PrintOptions& o, const Film& film);
+/// The printer's own pixel pitch, mm, by --dpi and --feed. Throws UsageError, and as printer_pitch
+/// (output/frame_print.h) does.
+Vec2 pitch_of_printer(const PrintOptions& o, const Film& film);
 
 /// The page, without the text of its strip. Throws UsageError.
 PageRequest page_request(const PrintOptions& o, const Film& film);

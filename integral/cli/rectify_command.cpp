@@ -77,12 +77,8 @@ FrameMetadata read_geometry(const RectifyOptions& o)
 /// Scan pixels a mm.
 Vec2 scan_scale(const RectifyOptions& o, const Scan& scan)
 {
-    if (o.scan_dpi) {
-        const Vec2 dpi = parse_one_or_two("scan-dpi", *o.scan_dpi, "D or D,D");
-        if (!(dpi.x > 0 && dpi.y > 0))
-            throw UsageError("--scan-dpi " + *o.scan_dpi + ": it must be greater than 0");
-        return (1 / mm_per_inch) * dpi;
-    }
+    if (o.scan_dpi)
+        return (1 / mm_per_inch) * parse_dpi("scan-dpi", *o.scan_dpi);
     if (!scan.pixel_pitch)
         throw InputError(o.inputs[0] + ": it does not say its resolution; give --scan-dpi");
     return {1 / scan.pixel_pitch->x, 1 / scan.pixel_pitch->y};
@@ -97,12 +93,9 @@ LatticeSearch search_of(const RectifyOptions& o, const FrameMetadata& geometry, 
         search.mapping = geometry.render->mapping;
     search.about.scale = scan_scale(o, scan);
     search.about.middle = {0.5 * scan.image.width, 0.5 * scan.image.height};
-    if (o.middle) {
-        const auto v = parse_numbers("middle", *o.middle, "X,Y", 2, 2);
-        search.about.middle = {v[0], v[1]};
-        if (geometry.film.width > 0)
-            search.frame = geometry.film;
-    }
+    read_vector("middle", o.middle, search.about.middle);
+    if (o.middle && geometry.film.width > 0)
+        search.frame = geometry.film;
     double turn = 0;
     read_number("turn", o.turn, turn);
     if (!(std::fabs(turn) <= 360))
@@ -157,11 +150,8 @@ ScanLight light_of(const RectifyOptions& o, const Image& scan, LightReport& repo
 /// What the options refuse before anything is read. Throws UsageError, OutputError.
 void check_options(const RectifyOptions& o)
 {
-    const std::string output = o.output.value_or(""), balance = o.balance.value_or("");
-    if (output.empty())
-        throw UsageError("-o FRAME is missing");
-    format_for(output);
-    check_writable(output);
+    const std::string balance = o.balance.value_or("");
+    check_picture(needed_output(o.output, "FRAME"));
     if (!balance.empty() && balance != "grey")
         refuse("balance", balance, "grey");
     if (!balance.empty() && o.white)

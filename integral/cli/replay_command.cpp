@@ -6,6 +6,7 @@
 #include "integral/io/image_file.h"
 #include "integral/io/mpo_file.h"
 #include "integral/lightfield/names.h"
+#include "integral/replay/replay_files.h"
 #include "integral/replay/replay_page.h"
 
 #include <limits>
@@ -70,56 +71,27 @@ std::optional<PictureSeries> begin_output(const ReplayOptions& o,
     if (is_animation(output))
         throw UsageError("-o " + output +
                          ": an animation needs --path, how the eye moves, or several frames");
-    format_for(output);
-    check_writable(output);
+    check_picture(output);
     return std::nullopt;
 }
 
-/// Writes a pair that stands side by side as an MPO.
-void write_mpo(const std::string& output, const Image& pair, const ReplayOptions& o)
-{
-    constexpr int usual_quality = 95;
-    const int width = pair.width / 2,
-              quality = in_range("quality", o.series.quality.value_or(usual_quality), 0, 100);
-    const std::vector<Image> views = {part_of(pair, 0, 0, width, pair.height),
-                                      part_of(pair, width, 0, width, pair.height)};
-    try {
-        write_file(output, mpo_of_views(views, quality, *arrangement_of(o).separation));
-    } catch (const OutputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw OutputError(output + ": " + reason_of(error));
-    }
-}
-
 /// Writes what the eye sees: of one frame all that is asked for, of several a picture each.
-void write_views(const ReplayOptions& o, Frame first, ReplayRequest request,
+void write_views(const ReplayOptions& o, Frame first, const ReplayRequest& request,
                  std::optional<PictureSeries>& series)
 {
+    constexpr int usual_quality = 95; // of a pair
+    const int quality = in_range("quality", o.series.quality.value_or(usual_quality), 0, 100);
     const auto take = [&](Image picture) {
         if (series)
             series->add(std::move(picture));
         else if (is_mpo(*o.output))
-            write_mpo(*o.output, picture, o);
+            write_mpo(*o.output, picture, quality, *request.arrangement.separation);
         else
             write_frame(*o.output, Frame{std::move(picture), std::nullopt});
     };
-    const Progress bar = progress_bar("replay");
-    const int count = int(o.inputs.size());
-    const std::vector<Eye> eyes = eyes_of(request, *first.metadata);
-    if (count > 1)
-        request.movement.reset(); // it goes on from frame to frame
-    for (int k = 0; k < count; ++k) {
-        const Frame frame = k == 0 ? std::move(first)
-                                   : read_frame_with_metadata(o.inputs[std::size_t(k)],
-                                                              o.sheet.value_or(""));
-        if (count > 1) {
-            request.view.eye = eyes[eyes.size() > 1 ? std::size_t(k) : 0];
-            check_view(request.view, *frame.metadata);
-        }
-        if (!replay_pictures(frame, request, take, count > 1 ? piece_of(bar, k, count) : bar))
-            throw Interrupted();
-    }
+    if (!replay_files(o.inputs, o.sheet.value_or(""), std::move(first), request, take,
+                      progress_bar("replay")))
+        throw Interrupted();
     if (series)
         series->finish();
 }
@@ -130,8 +102,8 @@ int run(const ReplayOptions& o)
     if (o.html)
         check_html_options(o);
     check_frames(o);
-    if (output.empty() && !o.html)
-        throw UsageError("-o VIEW is missing");
+    if (!o.html)
+        needed_output(o.output, "VIEW");
     if (o.focus && !o.pupil && !o.html)
         throw UsageError("--focus needs --pupil MM: an eye without one sees every depth sharply");
     check_series_options(o.series, output);
@@ -139,8 +111,7 @@ int run(const ReplayOptions& o)
     request.view = view_of(o);
     request.threads = o.threads.count();
     request.arrangement = arrangement_of(o);
-    if (o.html)
-        check_writable(*o.html);
+    check_outputs({o.html});
     request.movement = movement_of(o);
     std::optional<PictureSeries> series = begin_output(o, request.movement);
 

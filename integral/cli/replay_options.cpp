@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/replay_options.h"
 
+#include "integral/cli/geometry_options.h"
 #include "integral/cli/values.h"
-#include "integral/lightfield/names.h"
 
 #include <cmath>
 
@@ -32,10 +32,10 @@ void read_mm(const char* option, const std::optional<std::string>& text, double 
 
 LensModel parse_model(const std::string& text)
 {
-    for (const LensModel model : {LensModel::extended_pinhole, LensModel::pinhole, LensModel::full})
-        if (text == name_of(model))
-            return model;
-    refuse("lens-model", text, "extended_pinhole, pinhole or full");
+    return meaning_of<LensModel>("lens-model", text,
+                                 {{"extended_pinhole", LensModel::extended_pinhole},
+                                  {"pinhole", LensModel::pinhole},
+                                  {"full", LensModel::full}});
 }
 
 SheetPart parse_part(const std::string& text)
@@ -110,8 +110,7 @@ void declare(options::options_description& all, ReplayOptions& o)
         "nearer");
     add(all, "steps", o.steps, "N (=48)",
         "views along the path, 2 to 10000; of several frames one each");
-    add(all, "sheet", o.sheet, "FILE.json",
-        "geometry for a frame that carries none, or instead of its own");
+    declare_frame_geometry(all, o.sheet);
     declare(all, o.threads);
     declare(all, o.series);
 }
@@ -131,11 +130,7 @@ View view_of(const ReplayOptions& o)
                                                      : plain_samples;
     if (o.eye)
         view.eye = parse_eye(*o.eye);
-    if (o.size) {
-        const PixelSize size = parse_size("size", *o.size, largest_replay_side);
-        view.width = size.width;
-        view.height = size.height;
-    }
+    read_size("size", o.size, largest_replay_side, view.width, view.height);
     if (o.part)
         view.part = parse_part(*o.part);
     return view;
@@ -150,14 +145,12 @@ ViewArrangement arrangement_of(const ReplayOptions& o)
     if (o.stereo)
         read_mm("stereo", o.stereo, 0, "a distance from 0 to 1e6 mm",
                 arrangement.separation.emplace());
-    if ((o.cross_eyed || o.anaglyph || o.half) && !o.stereo)
-        throw UsageError(std::string(o.cross_eyed ? "--cross-eyed"
-                                     : o.anaglyph ? "--anaglyph"
-                                                  : "--half") +
-                         " needs --stereo MM, the eyes' distance");
-    if (o.anaglyph && (o.cross_eyed || o.half))
-        throw UsageError(std::string(o.half ? "--half" : "--cross-eyed") +
-                         " and --anaglyph do not go together");
+    if (!o.stereo)
+        refuse_given({{"cross-eyed", o.cross_eyed}, {"anaglyph", o.anaglyph}, {"half", o.half}},
+                     "needs --stereo MM, the eyes' distance");
+    if (o.anaglyph)
+        refuse_given({{"half", o.half}, {"cross-eyed", o.cross_eyed}},
+                     "and --anaglyph do not go together");
     if (!o.grid)
         return arrangement;
     if (o.stereo)

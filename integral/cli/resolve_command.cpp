@@ -64,8 +64,7 @@ ResolutionRequest request_of(const ResolveOptions& o)
 
 int run(const ResolveOptions& o)
 {
-    if (o.output)
-        check_writable(*o.output);
+    check_outputs({o.output});
     const ResolutionRequest request = request_of(o);
     const bool beside_thesis = !first_given(o.sheet);
     const ResolutionReport report = resolution_report(request, beside_thesis, o.threads.count(),

@@ -59,20 +59,10 @@ void declare(options::options_description& all, SheetCommandOptions& o)
     add(all, "plot", o.plot, "KIND",
         "draw instead: spread, lens, sheets, resolution, pixels-seen, pixel-spread or film; needs "
         "-o FILE.svg or FILE.png");
-    add(all, "sheet", o.start, "FILE.json",
-        "start from this geometry: a JSON document, or a frame");
+    declare_start_geometry(all, o.start);
     add(all, "json", o.json,
         "print the geometry and the figures as JSON, which --sheet of every command reads");
     add(all, "output,o", o.output, "FILE", "print to FILE instead of standard output");
-}
-
-/// Reads a number that has to be greater than 0, if it was given.
-void read_positive(const char* option, const std::optional<std::string>& text, double& value)
-{
-    read_number(option, text, value);
-    if (!(value > 0))
-        throw UsageError(std::string("--") + option + " " + text.value_or("") +
-                         ": it must be greater than 0");
 }
 
 Viewer viewer_of(const SheetCommandOptions& o)
@@ -129,9 +119,7 @@ int report_scene(const SheetCommandOptions& o)
 {
     refuse_geometry(o);
     const Viewer viewer = viewer_of(o);
-    for (const auto& file : {o.output, o.picture}) // before a long look through the scene
-        if (file)
-            check_writable(*file);
+    check_outputs({o.output, o.picture});
     if (o.picture)
         format_for(*o.picture);
     const bool page = o.output && extension_of(*o.output) == "html";

@@ -41,11 +41,8 @@ TuneGoal goal_of(const TuneOptions& o)
             throw UsageError("--target-error " + *o.target_error +
                              ": a number between 0 and 1 (full scale) is expected, as 0.01");
     }
-    if (o.seconds) {
-        goal.seconds = parse_number("seconds", *o.seconds, "a number");
-        if (!(*goal.seconds > 0))
-            throw UsageError("--seconds " + *o.seconds + ": it must be greater than 0");
-    }
+    if (o.seconds)
+        read_positive("seconds", o.seconds, goal.seconds.emplace());
     return goal;
 }
 
@@ -58,9 +55,7 @@ int run(const TuneOptions& o)
     const Words words(o.inputs.begin() + 1, o.inputs.end());
     if (o.plot)
         plot_format(*o.plot);
-    for (const auto& file : {o.plot, o.output}) // before a long work
-        if (file)
-            check_writable(*file);
+    check_outputs({o.plot, o.output});
     const TuneResult result = tune(scene, words, goal, progress_bar("tune"));
     if (o.plot)
         write_plot(tune_plot(scene, result), *o.plot);

@@ -3,6 +3,7 @@
 
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
+#include "integral/io/image_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -75,6 +76,40 @@ void read_number(const char* option, const std::optional<std::string>& text, dou
         value = parse_number(option, *text, "a number");
 }
 
+void read_positive(const char* option, const std::optional<std::string>& text, double& value,
+                   const char* form)
+{
+    if (!text)
+        return;
+    value = parse_number(option, *text, form);
+    if (!(value > 0))
+        throw UsageError(std::string("--") + option + " " + *text + ": it must be greater than 0");
+}
+
+void read_vector(const char* option, const std::optional<std::string>& text, Vec2& value)
+{
+    if (!text)
+        return;
+    const auto v = parse_numbers(option, *text, "X,Y", 2, 2);
+    value = {v[0], v[1]};
+}
+
+void read_vector(const char* option, const std::optional<std::string>& text, Vec3& value)
+{
+    if (!text)
+        return;
+    const auto v = parse_numbers(option, *text, "X,Y,Z", 3, 3);
+    value = {v[0], v[1], v[2]};
+}
+
+Vec2 parse_dpi(const char* option, const std::string& text)
+{
+    const Vec2 dpi = parse_one_or_two(option, text, "D or D,D");
+    if (!(dpi.x > 0 && dpi.y > 0))
+        throw UsageError(std::string("--") + option + " " + text + ": it must be greater than 0");
+    return dpi;
+}
+
 Vec2 parse_one_or_two(const char* option, const std::string& text, const char* form)
 {
     const auto numbers = parse_numbers(option, text, form, 1, 2);
@@ -94,6 +129,16 @@ PixelSize parse_size(const char* option, const std::string& text, int most, cons
     if (!good || size.width < 1 || size.height < 1 || size.width > most || size.height > most)
         refuse(option, text, std::string(form) + ", each from 1 to " + std::to_string(most) + ",");
     return size;
+}
+
+void read_size(const char* option, const std::optional<std::string>& text, int most, int& width,
+               int& height)
+{
+    if (!text)
+        return;
+    const PixelSize size = parse_size(option, *text, most);
+    width = size.width;
+    height = size.height;
 }
 
 Vec2 parse_size_mm(const char* option, const std::string& text, double most)
@@ -117,6 +162,39 @@ const char* first_given(std::initializer_list<GivenOption> all)
         if (option.given)
             return option.name;
     return nullptr;
+}
+
+void refuse_given(std::initializer_list<GivenOption> all, const std::string& reason)
+{
+    if (const char* option = first_given(all))
+        throw UsageError(std::string("--") + option + " " + reason);
+}
+
+int bits_given(const std::optional<int>& bits, int otherwise)
+{
+    if (bits && *bits != 8 && *bits != 16)
+        refuse("bits", std::to_string(*bits), "8 or 16");
+    return bits.value_or(otherwise);
+}
+
+std::string needed_output(const std::optional<std::string>& output, const std::string& what)
+{
+    if (output.value_or("").empty())
+        throw UsageError("-o " + what + " is missing");
+    return *output;
+}
+
+void check_picture(const std::string& path)
+{
+    format_for(path);
+    check_writable(path);
+}
+
+void check_outputs(std::initializer_list<std::optional<std::string>> paths)
+{
+    for (const auto& path : paths)
+        if (path)
+            check_writable(*path);
 }
 
 int in_range(const char* option, int value, int least, int most)

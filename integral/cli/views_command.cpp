@@ -112,9 +112,7 @@ void check_options(const ViewsOptions& o, bool animated)
 
 int run(const ViewsOptions& o)
 {
-    const std::string output = o.output.value_or("");
-    if (output.empty())
-        throw UsageError("-o FILE is missing");
+    const std::string output = needed_output(o.output, "FILE");
     if (is_mpo(output))
         throw UsageError("-o " + output + ": integral replay --stereo MM makes pairs");
     const bool animated = is_animation(output);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral views --to-frame: frames made of views, or of pictures and their depth.
-#include "integral/base/number_text.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/cli/views_options.h"
@@ -24,6 +23,13 @@ GivenViews given_views(const ViewsOptions& o)
     return read_given_views(o.inputs, request);
 }
 
+/// Throws UsageError where the geometry of `file` has no size of a frame.
+void check_film(const std::string& file, const Film& film)
+{
+    if (film.width < 1)
+        throw UsageError(file + ": says no film.width and film.height, the frame's pixels");
+}
+
 } // namespace
 
 int make_frame(const ViewsOptions& o, const std::string& output, int threads)
@@ -37,8 +43,7 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
                          "(integral sheet FRAME --json writes it): " +
                          input + " carries none");
     const FrameMetadata geometry = sheet.empty() ? *given.metadata : read_metadata(sheet);
-    if (geometry.film.width < 1)
-        throw UsageError(sheet + ": says no film.width and film.height, the frame's pixels");
+    check_film(sheet, geometry.film);
     stop_if_interrupted();
     std::optional<EyeGrid> eyes;
     if (given.metadata)
@@ -68,8 +73,7 @@ FrameMetadata geometry_of(const ViewsOptions& o)
         throw UsageError(o.inputs[0] + ": --sheet FILE.json is missing, the geometry of the frame "
                                        "to make (integral sheet --json writes it)");
     }
-    if (geometry.film.width < 1)
-        throw UsageError(*o.sheet + ": says no film.width and film.height, the frame's pixels");
+    check_film(o.sheet.value_or(""), geometry.film);
     return geometry;
 }
 
@@ -104,9 +108,7 @@ int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int 
         ReliefInput input = read_relief(o.inputs, request, threads, piece_of(bar, 0, 2));
         const ReliefFigures figures = write_relief_frame(output, std::move(input.relief), geometry,
                                                          input.form, threads, piece_of(bar, 1, 2));
-        say("views", with_decimals(100 * figures.holes / std::max(1.0, figures.lines), 2) +
-                         "% of the lines of sight end where no view has seen anything: filled with "
-                         "what is beside, farther off");
+        say("views", holes_text(figures));
     });
     return exit_done;
 }

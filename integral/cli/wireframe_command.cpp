@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral wireframe: a mesh as a micro-image frame, by geometric projection.
-#include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
@@ -76,19 +75,10 @@ void declare(options::options_description& all, WireframeOptions& o)
     add(all, "print", o.print, "WxH",
         "size of the frame in mm, instead of --size (default 152.4x101.6)");
     declare(all, o.aperture);
-    add(all, "sheet", o.start, "FILE.json",
-        "start from this geometry: a JSON document, or a frame");
+    declare_start_geometry(all, o.start);
     add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default 8)");
     add(all, "json", o.json, "print what was drawn and at what cost");
     declare(all, o.threads);
-}
-
-void read_vector(const char* option, const std::optional<std::string>& text, Vec3& value)
-{
-    if (!text)
-        return;
-    const auto v = parse_numbers(option, *text, "X,Y,Z", 3, 3);
-    value = {v[0], v[1], v[2]};
 }
 
 void read_colour(const char* option, const std::optional<std::string>& text, Colour& colour)
@@ -120,11 +110,7 @@ MeshPlace place_of(const WireframeOptions& o)
             throw UsageError("--scale " + *o.scale + ": K or K,K,K is expected, none of them 0");
         place.scale = {v[0], v.size() == 3 ? v[1] : v[0], v.back()};
     }
-    if (o.fit) {
-        place.fit = parse_number("fit", *o.fit, "a length in mm");
-        if (!(place.fit > 0))
-            throw UsageError("--fit " + *o.fit + ": it must be greater than 0");
-    }
+    read_positive("fit", o.fit, place.fit, "a length in mm");
     read_vector("turn", o.turn, place.turn);
     read_vector("move", o.move, place.move);
     return place;
@@ -195,9 +181,9 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
 int bits_of(const WireframeOptions& o, const std::string& output)
 {
     const bool floats = format_for(output) == ImageFormat::exr;
-    const int bits = o.bits.value_or(floats ? 32 : 8);
-    if (bits != 8 && bits != 16 && !(floats && bits == 32))
-        refuse("bits", std::to_string(bits), "8 or 16");
+    if (floats && o.bits == 32)
+        return 32;
+    const int bits = bits_given(o.bits, 8);
     return floats ? 32 : bits;
 }
 
@@ -223,9 +209,7 @@ WireframeRequest request_of(const WireframeOptions& o, const FrameMetadata& geom
 
 int run(const WireframeOptions& o)
 {
-    const std::string output = o.output.value_or("");
-    if (output.empty())
-        throw UsageError("-o FRAME is missing");
+    const std::string output = needed_output(o.output, "FRAME");
     const int bits = bits_of(o, output);
     check_writable(output);
     FrameMetadata geometry = geometry_of(o);

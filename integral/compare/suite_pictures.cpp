@@ -115,6 +115,23 @@ std::string magnified(const Image& picture, const Rectangle& r, const std::strin
            "\">";
 }
 
+/// Where the pictures differ most, magnified, and that place in words. `times` is the caption of
+/// the difference.
+std::string magnified_detail(const Comparison& figures, const Frame& reference, const Frame& result,
+                             const Image& difference, const std::string& times)
+{
+    const auto& metadata = reference.metadata ? reference.metadata : result.metadata;
+    const Detail detail = find_detail(
+        difference_picture(reference.image, result.image, 1 / figures.largest_difference), figures,
+        metadata ? &*metadata : nullptr);
+    return "<p class=\"detail\">" + markup_text(detail.words) +
+           ".</p>\n<div class=\"pictures magnified\">\n" +
+           figure("reference", magnified(reference.image, detail.where, "part of the reference")) +
+           figure("result", magnified(result.image, detail.where, "part of the result")) +
+           figure(times, magnified(difference, detail.where, "part of their difference")) +
+           "</div>\n";
+}
+
 } // namespace
 
 std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference,
@@ -148,19 +165,9 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
     html += figure(times,
                    picture_element(difference, longest, "their difference", Scaling::greatest)) +
             "</div>\n";
-    if (pair.passed())
-        return html;
-
-    const auto& metadata = reference->metadata ? reference->metadata : result->metadata;
-    const Detail detail = find_detail(
-        difference_picture(reference->image, result->image, 1 / largest), *pair.figures,
-        metadata ? &*metadata : nullptr);
-    return html + "<p class=\"detail\">" + markup_text(detail.words) +
-           ".</p>\n<div class=\"pictures magnified\">\n" +
-           figure("reference", magnified(reference->image, detail.where, "part of the reference")) +
-           figure("result", magnified(result->image, detail.where, "part of the result")) +
-           figure(times, magnified(difference, detail.where, "part of their difference")) +
-           "</div>\n";
+    return pair.passed()
+               ? html
+               : html + magnified_detail(*pair.figures, *reference, *result, difference, times);
 }
 
 } // namespace integral

@@ -2,6 +2,7 @@
 #include "integral/depth/relief_frame.h"
 
 #include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/sample_points.h"
 #include "integral/optics/beam.h"
@@ -104,6 +105,13 @@ Vec2 disc_point(double radius, int x, int y, int sample, int samples)
 }
 
 } // namespace
+
+std::string holes_text(const ReliefFigures& figures)
+{
+    return with_decimals(100 * figures.holes / std::max(1.0, figures.lines), 2) +
+           "% of the lines of sight end where no view has seen anything: filled with what is "
+           "beside, farther off";
+}
 
 ReliefFigures write_relief_frame(const std::string& path, Relief relief,
                                  const FrameMetadata& geometry, const Image& form, int threads,

@@ -15,6 +15,9 @@ struct ReliefFigures {
     double holes = 0; ///< of what no view has seen: filled from farther off
 };
 
+/// What part of the lines of sight had to be filled, in a sentence.
+std::string holes_text(const ReliefFigures& figures);
+
 /// Writes the frame of that geometry which shows the relief, in the form of `form`, a band of rows
 /// at a time. The relief is made as large as fills the film. A lens gathers the light of its whole
 /// cell, at up to 4 x 4 points where the relief's pictures are finer than the lenses. Pixels that

@@ -46,10 +46,7 @@ PixelRange range_after(const Shift& shift, int size)
 
 } // namespace
 
-bool is_in_cross(Vec2 shift)
-{
-    return std::min(std::fabs(shift.x), std::fabs(shift.y)) < 0.51;
-}
+bool is_in_cross(Vec2 shift) { return std::min(std::fabs(shift.x), std::fabs(shift.y)) < 0.51; }
 
 /// One row's sums, of all views and of four halves of them. Votes and their number.
 struct Votes::Sums {
@@ -73,6 +70,31 @@ struct Votes::Sums {
     std::vector<float> between; ///< a row of each channel, between the view's rows
 };
 
+/// How much each pixel of the middle view changes when it is shifted by a pixel, squared. `share`:
+/// of the shifts that are across, and down.
+static std::vector<float> squared_changes(const ViewSet& views, Vec2 share)
+{
+    const int width = views.width, height = views.height;
+    const float all = float(share.x + share.y), across = float(share.x) / all,
+                down = float(share.y) / all;
+    std::vector<float> change(views.pixels());
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto at = [&](int i, int j) {
+                return std::size_t(std::clamp(j, 0, height - 1)) * width +
+                       std::clamp(i, 0, width - 1);
+            };
+            float sum = 0;
+            for (const auto& c : views.middle.channels) {
+                const float dx = c[at(x + 1, y)] - c[at(x - 1, y)],
+                            dy = c[at(x, y + 1)] - c[at(x, y - 1)];
+                sum += 0.25f * (across * dx * dx + down * dy * dy);
+            }
+            change[at(x, y)] = sum;
+        }
+    return change;
+}
+
 Votes::Votes(const ViewSet& views, const VoteSettings& settings)
     : views_(views),
       settings_(settings),
@@ -90,23 +112,7 @@ Votes::Votes(const ViewSet& views, const VoteSettings& settings)
         share.x += view.shift.x * view.shift.x;
         share.y += view.shift.y * view.shift.y;
     }
-    const float all = float(share.x + share.y), across = float(share.x) / all,
-                down = float(share.y) / all;
-    std::vector<float> change(views.pixels()); // squared, for a pixel's shift
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const auto at = [&](int i, int j) {
-                return std::size_t(std::clamp(j, 0, height - 1)) * width +
-                       std::clamp(i, 0, width - 1);
-            };
-            float sum = 0;
-            for (const auto& c : views.middle.channels) {
-                const float dx = c[at(x + 1, y)] - c[at(x - 1, y)],
-                            dy = c[at(x, y + 1)] - c[at(x, y - 1)];
-                sum += 0.25f * (across * dx * dx + down * dy * dy);
-            }
-            change[at(x, y)] = sum;
-        }
+    const std::vector<float> change = squared_changes(views, share);
     const float part = float(settings.tolerance * settings.tolerance),
                 noise = float(settings.noise * settings.noise);
     for (int y = 0; y < height; ++y)

@@ -18,6 +18,20 @@ namespace integral {
 
 bool can_animate() { return true; }
 
+/// Sets how a picture is compressed. Quality 100 loses nothing.
+static void set_quality(int quality, WebPConfig& config, WebPPicture& picture)
+{
+    const bool lossless = quality >= 100;
+    if (lossless)
+        WebPConfigLosslessPreset(&config, 3); // 0 to 9; higher costs seconds per picture and saves
+                                              // a few per cent
+    else
+        config.quality = float(quality);
+    config.exact = lossless; // keep the colours of transparent pixels
+    config.thread_level = 1;
+    picture.use_argb = lossless;
+}
+
 void Animation::add(const Image& picture)
 {
     if (!pictures_.empty() && (picture.width != width_ || picture.height != height_))
@@ -39,15 +53,7 @@ void Animation::add(const Image& picture)
     const std::unique_ptr<WebPMemoryWriter, Release<WebPMemoryWriter, WebPMemoryWriterClear>>
         written_owned(&written);
 
-    const bool lossless = quality_ >= 100;
-    if (lossless)
-        WebPConfigLosslessPreset(&config, 3); // 0 to 9; higher costs seconds per picture and saves
-                                              // a few per cent
-    else
-        config.quality = float(quality_);
-    config.exact = lossless; // keep the colours of transparent pixels
-    config.thread_level = 1;
-    source.use_argb = lossless;
+    set_quality(quality_, config, source);
     source.width = width_;
     source.height = height_;
     source.writer = WebPMemoryWrite;

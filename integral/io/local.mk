@@ -37,7 +37,11 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/plot_canvas.h \
   integral/io/plot_names.cpp \
   integral/io/plot_names.h \
+  integral/io/plot_series.cpp \
+  integral/io/plot_series.h \
   integral/io/png_codec.cpp \
+  integral/io/png_spans.cpp \
+  integral/io/png_spans.h \
   integral/io/release.h \
   integral/io/sheet_plots.cpp \
   integral/io/sheet_plots.h \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/mpo_file.h"
 
+#include "integral/base/file_bytes.h"
+#include "integral/base/message_text.h"
 #include "integral/io/codecs.h"
 
 #include <cmath>
@@ -183,6 +185,20 @@ std::string mpo_of_views(const std::vector<Image>& views, int quality, double ba
                 (k == 0 ? first_index(sizes, header_at, baseline) : other_index(k, baseline)) +
                 bodies[k];
     return file;
+}
+
+void write_mpo(const std::string& path, const Image& pair, int quality, double baseline)
+{
+    const int width = pair.width / 2;
+    const std::vector<Image> views = {part_of(pair, 0, 0, width, pair.height),
+                                      part_of(pair, width, 0, width, pair.height)};
+    try {
+        write_file(path, mpo_of_views(views, quality, baseline));
+    } catch (const OutputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw OutputError(path + ": " + reason_of(error));
+    }
 }
 
 std::vector<std::size_t> pictures_in_mpo(const std::string& bytes)

@@ -16,6 +16,9 @@ namespace integral {
 /// std::runtime_error.
 std::string mpo_of_views(const std::vector<Image>& views, int quality, double baseline);
 
+/// Writes a file of the two views that stand side by side in `pair`. Throws OutputError.
+void write_mpo(const std::string& path, const Image& pair, int quality, double baseline);
+
 /// Where the pictures of such a file begin: offsets from the beginning of its bytes, in the index's
 /// order, the first one 0. Empty for other files, plain JPEGs among them. Throws
 /// std::runtime_error where there is an index that makes no sense.

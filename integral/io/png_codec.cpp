@@ -2,6 +2,7 @@
 // PNG: the document in an iTXt chunk `integral`, the resolution in pHYs, the encoding in sRGB or
 // gAMA.
 #include "integral/io/codecs.h"
+#include "integral/io/png_spans.h"
 
 #include <png.h>
 
@@ -20,18 +21,13 @@ constexpr char keyword[] = "integral";
 constexpr double mm_per_metre = 1000;
 constexpr double greatest_deflate_ratio = 1100; // deflate reaches 1032
 
-/// A contiguous range of a file's bytes.
-struct Span {
-    std::uint64_t at = 0, count = 0;
-};
-
 /// The state that libpng's callbacks need. libpng reports errors by longjmp, so the functions below
-/// that call setjmp have no local objects with destructors.
+/// that call setjmp, and what they call, have no local objects with destructors.
 struct Session {
     png_structp png = nullptr;
     png_infop info = nullptr;
     const InputFile* input = nullptr;
-    std::vector<Span> spans; ///< parts of the input, in the order in which libpng gets them
+    std::vector<ByteSpan> spans; ///< parts of the input, in the order in which libpng gets them
     std::vector<unsigned char> ahead; ///< bytes read from the input for libpng
     std::size_t taken = 0;            ///< number of bytes of `ahead` that libpng has got
     ByteSink* output = nullptr;
@@ -57,7 +53,7 @@ const char* read_ahead(Session& s)
         s.spans.erase(s.spans.begin());
     if (s.spans.empty())
         return "the file ends too early";
-    Span& span = s.spans.front();
+    ByteSpan& span = s.spans.front();
     const std::uint64_t count = std::min(span.count, most);
     try { // no exception may pass through libpng
         s.ahead.resize(std::size_t(count));
@@ -107,63 +103,6 @@ bool little_endian()
     return first == 1;
 }
 
-bool is_text(const char* type)
-{
-    return std::memcmp(type, "iTXt", 4) == 0 || std::memcmp(type, "tEXt", 4) == 0 ||
-           std::memcmp(type, "zTXt", 4) == 0;
-}
-
-/// A file's chunks in the order in which libpng gets them: text chunks from after the pixels are
-/// moved before them, so that the document is known before any pixel is read. Throws if a chunk is
-/// longer than the file, because libpng allocates up to 2 GB for some chunks before it checks that.
-/// If not `whole`, the file may be truncated anywhere, and chunks after the first pixels are
-/// ignored.
-std::vector<Span> spans_of(const InputFile& file, bool whole)
-{
-    constexpr std::uint64_t signature = 8;
-    constexpr std::uint64_t around = 12; // a chunk's length and type before its data, checksum
-                                         // after
-    std::uint64_t first_pixels = 0;
-    std::vector<Span> behind; // text chunks after the pixels
-    for (std::uint64_t at = signature; at + around <= file.size();) {
-        unsigned char head[8];
-        file.read(at, head, sizeof head);
-        const char* type = reinterpret_cast<const char*>(head + 4);
-        const std::uint64_t length = std::uint64_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 |
-                                     head[3];
-        if (length > file.size() - at - around) {
-            if (!whole)
-                break;
-            throw std::runtime_error(
-                "it ends too early, or a chunk of it is not as long as it says");
-        }
-        if (std::memcmp(type, "IEND", 4) == 0)
-            break;
-        if (std::memcmp(type, "IDAT", 4) == 0) {
-            if (!whole)
-                break;
-            behind.clear(); // chunks between pixel chunks stay there, and libpng refuses them
-            first_pixels = first_pixels ? first_pixels : at;
-        } else if (first_pixels && is_text(type)) {
-            behind.push_back({at, around + length});
-        }
-        at += around + length;
-    }
-    std::vector<Span> spans;
-    std::uint64_t at = 0;
-    if (!behind.empty()) {
-        spans.push_back({0, first_pixels});
-        spans.insert(spans.end(), behind.begin(), behind.end());
-        at = first_pixels;
-        for (const Span& text : behind) {
-            spans.push_back({at, text.at - at});
-            at = text.at + text.count;
-        }
-    }
-    spans.push_back({at, file.size() - at});
-    return spans;
-}
-
 bool read_header(Session& s)
 {
     if (setjmp(png_jmpbuf(s.png)))
@@ -203,6 +142,34 @@ bool read_interlaced(Session& s, png_bytepp rows)
     return true;
 }
 
+/// How the samples' values are to be understood: a printer's profile, sRGB or a power.
+void set_colours(Session& s, const DecodedImage& picture)
+{
+    const Encoding& encoding = picture.image.encoding;
+    if (!picture.profile.empty())
+        png_set_iCCP(s.png, s.info, "printer", PNG_COMPRESSION_TYPE_BASE,
+                     reinterpret_cast<png_const_bytep>(picture.profile.data()),
+                     png_uint_32(picture.profile.size()));
+    else if (encoding.kind == Encoding::Kind::srgb)
+        png_set_sRGB_gAMA_and_cHRM(s.png, s.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    else
+        png_set_gAMA(s.png, s.info,
+                     encoding.kind == Encoding::Kind::linear ? 1 : 1 / encoding.gamma);
+}
+
+void set_document(Session& s, const std::string& document)
+{
+    png_text text;
+    std::memset(&text, 0, sizeof text);
+    text.compression = PNG_ITXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(keyword);
+    text.text = const_cast<char*>(document.c_str());
+    text.itxt_length = document.size();
+    text.lang = const_cast<char*>("");
+    text.lang_key = const_cast<char*>("");
+    png_set_text(s.png, s.info, &text, 1);
+}
+
 bool write_header(Session& s, const DecodedImage& picture)
 {
     if (setjmp(png_jmpbuf(s.png)))
@@ -215,30 +182,13 @@ bool write_header(Session& s, const DecodedImage& picture)
                  : image.channels == 4 ? PNG_COLOR_TYPE_RGBA
                                        : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (!picture.profile.empty())
-        png_set_iCCP(s.png, s.info, "printer", PNG_COMPRESSION_TYPE_BASE,
-                     reinterpret_cast<png_const_bytep>(picture.profile.data()),
-                     png_uint_32(picture.profile.size()));
-    else if (image.encoding.kind == Encoding::Kind::srgb)
-        png_set_sRGB_gAMA_and_cHRM(s.png, s.info, PNG_sRGB_INTENT_PERCEPTUAL);
-    else
-        png_set_gAMA(s.png, s.info,
-                     image.encoding.kind == Encoding::Kind::linear ? 1 : 1 / image.encoding.gamma);
+    set_colours(s, picture);
     if (picture.pixel_pitch)
         png_set_pHYs(s.png, s.info, png_uint_32(std::lround(mm_per_metre / picture.pixel_pitch->x)),
                      png_uint_32(std::lround(mm_per_metre / picture.pixel_pitch->y)),
                      PNG_RESOLUTION_METER);
-    if (!picture.document.empty()) {
-        png_text text;
-        std::memset(&text, 0, sizeof text);
-        text.compression = PNG_ITXT_COMPRESSION_NONE;
-        text.key = const_cast<char*>(keyword);
-        text.text = const_cast<char*>(picture.document.c_str());
-        text.itxt_length = picture.document.size();
-        text.lang = const_cast<char*>("");
-        text.lang_key = const_cast<char*>("");
-        png_set_text(s.png, s.info, &text, 1);
-    }
+    if (!picture.document.empty())
+        set_document(s, picture.document);
     png_write_info(s.png, s.info);
     if (sample_bits(image) == 16 && little_endian())
         png_set_swap(s.png);
@@ -328,7 +278,7 @@ public:
     PngReader(const InputFile& file, bool whole)
     {
         s_.input = &file;
-        s_.spans = spans_of(file, whole);
+        s_.spans = png_spans(file, whole);
         if (!read_header(s_))
             throw std::runtime_error(s_.message);
         const int channels = png_get_channels(s_.png, s_.info);

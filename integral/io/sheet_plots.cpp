@@ -243,8 +243,8 @@ Plot pixel_spread_plot(const FrameMetadata& g)
     Plot plot;
     plot.title = "What one pixel covers, against distance (figure 4-11)";
     plot.subtitle = description(sheet) + "; " + written(mm_per_inch / pixel) + " dpi; " +
-                    written(*angle) + " degrees, " +
-                    written(pixel_spread(*angle, far)) + " mm at " + written(far) + " mm";
+                    written(*angle) + " degrees, " + written(pixel_spread(*angle, far)) +
+                    " mm at " + written(far) + " mm";
     plot.x.label = "distance from the sheet (mm)";
     plot.y.label = "width (mm)";
     plot.x.low = 0;
@@ -260,12 +260,35 @@ Plot pixel_spread_plot(const FrameMetadata& g)
     return plot;
 }
 
+/// The place on the film that an eye at the distance d before the lens on the axis sees at each
+/// place on the lens, with the film so much farther than at the lens's focus.
+PlotSeries film_seen(const LensSheet& sheet, double d, double film_gap)
+{
+    const double margin = 0.5 * sheet.pitch;
+    PlotSeries seen = series(film_gap == 0 ? "film at the focus"
+                                           : "film " + written(std::fabs(film_gap)) + " mm " +
+                                                 (film_gap < 0 ? "nearer" : "farther"),
+                             Style::line);
+    const Medium medium(sheet.thickness + film_gap, sheet.ior);
+    constexpr int steps = 100;
+    for (int i = 0; i <= steps; ++i) {
+        const double v = margin * (2.0 * i / steps - 1);
+        const auto plane = tangent_plane(surface_radius(sheet), v);
+        if (!plane)
+            continue;
+        const Vec3 to_eye{-v, 0, -(d + plane->height)};
+        if (const auto way = way_refracted_into(medium, *plane, (1 / length(to_eye)) * to_eye))
+            add(seen, v, v - way->x);
+    }
+    return seen;
+}
+
 Plot film_plot(const FrameMetadata& g)
 {
     const LensSheet& sheet = g.sheet;
     demand_surface(sheet, "film");
     const Counted c = counted(g);
-    const double d = g.aperture.distance, t = sheet.thickness, margin = 0.5 * sheet.pitch;
+    const double d = g.aperture.distance, margin = 0.5 * sheet.pitch;
     Plot plot;
     plot.title = "What of the film a lens shows, near its focus and beside it (figures 4-3 to 4-6)";
     plot.subtitle = description(sheet) + "; the lens on the axis, an eye " + written(d) +
@@ -275,25 +298,8 @@ Plot film_plot(const FrameMetadata& g)
     plot.x.low = -margin;
     plot.x.high = margin;
     const double image = micro_image_width(sheet, d, c.aperture);
-    for (const double part : {-0.3, -0.15, 0.0, 0.15, 0.3}) { // parts of the thickness
-        const double film_gap = part * t;
-        PlotSeries seen = series(part == 0 ? "film at the focus"
-                                           : "film " + written(std::fabs(film_gap)) + " mm " +
-                                                 (part < 0 ? "nearer" : "farther"),
-                                 Style::line);
-        const Medium medium(t + film_gap, sheet.ior);
-        constexpr int steps = 100;
-        for (int i = 0; i <= steps; ++i) {
-            const double v = margin * (2.0 * i / steps - 1);
-            const auto plane = tangent_plane(surface_radius(sheet), v);
-            if (!plane)
-                continue;
-            const Vec3 to_eye{-v, 0, -(d + plane->height)};
-            if (const auto way = way_refracted_into(medium, *plane, (1 / length(to_eye)) * to_eye))
-                add(seen, v, v - way->x);
-        }
-        plot.series.push_back(seen);
-    }
+    for (const double part : {-0.3, -0.15, 0.0, 0.15, 0.3}) // parts of the thickness
+        plot.series.push_back(film_seen(sheet, d, part * sheet.thickness));
     if (std::isfinite(image)) {
         plot.series.push_back(
             level("the capture aperture's micro-image", -margin, margin, 0.5 * image, true));

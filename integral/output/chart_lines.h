@@ -31,6 +31,14 @@ struct ChartLines {
     int left, top, width, height;
 };
 
+/// Sets the bar's rectangle from its edges, mm from the page's left and top edges, to whole pixels.
+void set_rectangle(const Film& film, double left, double top, double right, double bottom,
+                   ChartLines& bar);
+
+/// The greater of a pixel's width and height (mm), each projected onto the wave: lines whose period
+/// is only a few of these cannot be drawn.
+double pixel_along(Vec2 wave, const Film& film);
+
 /// The part of a pixel's area that light lines cover. `phase`: from the middle of a light line to
 /// the pixel's middle, periods. Projected along the lines, the pixel's area is the convolution of
 /// two boxes; `a` and `b` are their half widths in periods, >= 0, one of them > 0.

@@ -68,6 +68,25 @@ double text_width(const std::string& text, DeviceFont font)
     return extents.x_advance / scale;
 }
 
+/// Covers the image with black ink; the mask's left upper pixel lies on the image's pixel (x0, y0).
+static void cover_with(const InkMask& ink, int x0, int y0, Image& image)
+{
+    const unsigned char* rows = cairo_image_surface_get_data(ink.surface);
+    const int stride = cairo_image_surface_get_stride(ink.surface);
+    const LinearReader light(image);
+    for (int y = 0; y < cairo_image_surface_get_height(ink.surface); ++y)
+        for (int x = 0; x < cairo_image_surface_get_width(ink.surface); ++x) {
+            const float covered = rows[std::ptrdiff_t(y) * stride + x] / 255.0f;
+            if (covered == 0)
+                continue;
+            const Colour under = light(x0 + x, y0 + y);
+            const float rest = 1 - covered;
+            store_linear(
+                image, x0 + x, y0 + y,
+                {rest * under.r, rest * under.g, rest * under.b, covered + rest * under.a});
+        }
+}
+
 void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at, DeviceFont font,
                 bool upwards)
 {
@@ -97,20 +116,7 @@ void write_text(Image& image, Vec2 pixel_pitch, const std::string& text, Vec2 at
     demand_success(cairo_status(c));
     cairo_surface_flush(ink.surface);
 
-    const unsigned char* rows = cairo_image_surface_get_data(ink.surface);
-    const int stride = cairo_image_surface_get_stride(ink.surface);
-    const LinearReader light(image);
-    for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-            const float covered = rows[std::ptrdiff_t(y - y0) * stride + (x - x0)] / 255.0f;
-            if (covered == 0)
-                continue;
-            const Colour under = light(x, y);
-            const float rest = 1 - covered;
-            store_linear(
-                image, x, y,
-                {rest * under.r, rest * under.g, rest * under.b, covered + rest * under.a});
-        }
+    cover_with(ink, x0, y0, image);
 }
 
 std::vector<std::string> wrapped(const std::string& text, double width, DeviceFont font)

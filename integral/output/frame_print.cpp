@@ -89,6 +89,25 @@ std::string print_title(const std::string& path, const FrameMetadata& m)
     return text;
 }
 
+Vec2 printer_pitch(const Film& film, Vec2 feed, const std::optional<Vec2>& dpi)
+{
+    const Vec2 made{film.pixel_pitch.x / feed.x, film.pixel_pitch.y / feed.y};
+    if (!dpi)
+        return made;
+    const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
+    if (differs(mm_per_inch / made.x, dpi->x) || differs(mm_per_inch / made.y, dpi->y)) {
+        const Vec2 pitch{mm_per_inch / dpi->x * feed.x, mm_per_inch / dpi->y * feed.y};
+        throw std::invalid_argument(
+            "the frame has " + with_digits(mm_per_inch / film.pixel_pitch.x, 6) + " x " +
+            with_digits(mm_per_inch / film.pixel_pitch.y, 6) +
+            " pixels an inch, and is never resampled; for this printer render it with film { "
+            "pixel_pitch <" +
+            with_digits(pitch.x, 6) + ", " + with_digits(pitch.y, 6) +
+            "> }, or let it print at the frame's own resolution");
+    }
+    return {mm_per_inch / dpi->x, mm_per_inch / dpi->y};
+}
+
 Image over_white(Image picture, int bits)
 {
     const Encoding srgb;

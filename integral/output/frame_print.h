@@ -24,6 +24,11 @@ PageFormat page_format(const std::string& path);
 /// which builds are made repeatable. Throws std::invalid_argument where that has no date.
 std::string print_title(const std::string& path, const FrameMetadata& metadata);
 
+/// The pixel pitch of a printer by its own count, mm. `feed`: how many times as long as it says it
+/// prints, across and down. `dpi`: its resolution, if it is known. Throws std::invalid_argument
+/// where the printer's pixels are not the film's.
+Vec2 printer_pitch(const Film& film, Vec2 feed, const std::optional<Vec2>& dpi);
+
 /// A picture over white paper: three channels, 8 or 16 bits, sRGB. One of that form comes back as
 /// it is.
 Image over_white(Image picture, int bits);

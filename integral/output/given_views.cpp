@@ -24,28 +24,31 @@ GivenViews read_pair(const std::string& input, const ViewsRequest& request)
     return all;
 }
 
+/// The views of a quilt across and up: those asked for, or as its metadata or its name say. Throws
+/// RequestError if nothing says it, or if the metadata say otherwise.
+ViewGrid grid_of_quilt(const std::string& input, const Views& quilt,
+                       const std::optional<ViewGrid>& asked)
+{
+    if (!quilt.metadata) {
+        const auto grid = asked ? asked : grid_in_name(input);
+        if (!grid)
+            throw RequestError(input +
+                               ": its name does not end in _qsCxRaASPECT; --views CxR would tell");
+        return *grid;
+    }
+    const ViewGrid held = quilt.metadata->quilt->grid;
+    if (asked && (held.columns != asked->columns || held.rows != asked->rows))
+        throw RequestError(input + ": it says that it holds " + std::to_string(held.columns) + "x" +
+                           std::to_string(held.rows) + " views; leave --views out");
+    return held;
+}
+
 GivenViews read_quilt(const std::string& input, const ViewsRequest& request)
 {
     ViewsReader file(input, request.needs_geometry);
     const Views& quilt = file.head();
-    const auto named = grid_in_name(input);
-    GivenViews all{{}, {}, quilt.metadata};
-    if (request.grid)
-        all.grid = *request.grid;
-    else if (quilt.metadata)
-        all.grid = quilt.metadata->quilt->grid;
-    else if (named)
-        all.grid = *named;
-    else
-        throw RequestError(input +
-                           ": its name does not end in _qsCxRaASPECT; --views CxR would tell");
-    const ViewGrid grid = all.grid;
-    if (quilt.metadata) {
-        const ViewGrid held = quilt.metadata->quilt->grid;
-        if (held.columns != grid.columns || held.rows != grid.rows)
-            throw RequestError(input + ": it says that it holds " + std::to_string(held.columns) +
-                               "x" + std::to_string(held.rows) + " views; leave --views out");
-    }
+    const ViewGrid grid = grid_of_quilt(input, quilt, request.grid);
+    GivenViews all{{}, grid, quilt.metadata};
     if (quilt.metadata && quilt.metadata->quilt->view && grid.count() > 1)
         throw RequestError(input + ": it is view " + std::to_string(*quilt.metadata->quilt->view) +
                            " of " + std::to_string(grid.count()) +

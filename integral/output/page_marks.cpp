@@ -57,6 +57,15 @@ void add_registration_mark(std::vector<PageLine>& lines, Vec2 centre)
 
 constexpr int most_marks = 10000; // on either side of the middle
 
+/// The first (side 0) or second one of the picture's horizontal edges if `upright`, else of the
+/// others: mm from the page's top, or left.
+double edge_of(const Box& picture, bool upright, int side)
+{
+    if (upright)
+        return side ? picture.bottom : picture.top;
+    return side ? picture.right : picture.left;
+}
+
 /// Adds marks along two opposite edges of the picture: the upper and the lower one if `upright`,
 /// else the left and the right one. `axis` is a point on the middle lens's axis, `step` leads from
 /// each marked axis to the next, `along` is the direction in which the axes run: all in mm of the
@@ -66,11 +75,8 @@ void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis,
                     Vec2 along, bool upright, OnPage on_page)
 {
     for (const int side : {0, 1}) {
-        const double edge = upright ? (side ? picture.bottom + clear_of_picture
-                                            : picture.top - clear_of_picture)
-                                    : (side ? picture.right + clear_of_picture
-                                            : picture.left - clear_of_picture);
-        const double outwards = side ? 1 : -1;
+        const double outwards = side ? 1 : -1,
+                     edge = edge_of(picture, upright, side) + outwards * clear_of_picture;
         for (const int direction : {-1, 1})
             for (int k = direction < 0 ? -1 : 0;; k += direction) {
                 if (std::abs(k) > most_marks)
@@ -106,6 +112,34 @@ void add_axis_marks(std::vector<PageLine>& lines, const Box& picture, Vec2 axis,
     }
 }
 
+/// Adds the marks of the lenses' axes along all edges that need them: of lenticular sheets two, of
+/// the others four.
+void add_marks_of_axes(std::vector<PageLine>& lines, const Page& page, const FrameMetadata& m,
+                       const Box& picture)
+{
+    const Lattice lattice(m.sheet);
+    const Film& film = m.film;
+    // From film mm to the frame's pixels, the page's pixels, and mm by the printer's count.
+    const auto on_page = [&](Vec2 point) {
+        const Vec2 pixel = pixel_from_film(film, point);
+        return Vec2{(pixel.x - page.part.x + page.x) * page.pixel_pitch.x,
+                    (pixel.y - page.part.y + page.y) * page.pixel_pitch.y};
+    };
+    const Vec2 pole = lattice.pole(lattice.nearest({0, 0}));
+    const double p = m.sheet.pitch;
+    const bool upright = std::fabs(lattice.along().y) >= std::fabs(lattice.along().x);
+    add_axis_marks(lines, picture, pole, (marked_lens * p) * lattice.across(), lattice.along(),
+                   upright, on_page);
+    if (m.sheet.arrangement == Arrangement::lenticular)
+        return;
+    // Neighbouring rows of hexagonal lenses are shifted. Rows whose poles stand in columns are two
+    // rows apart.
+    const double rows = m.sheet.arrangement == Arrangement::hexagonal ? 2 * marked_lens
+                                                                      : marked_lens;
+    add_axis_marks(lines, picture, pole, (rows * lattice.row_spacing()) * lattice.along(),
+                   lattice.across(), !upright, on_page);
+}
+
 } // namespace
 
 double marks_margin(const PageRequest& request)
@@ -132,29 +166,8 @@ std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m,
                                   Vec2{picture.left - away, y}, Vec2{picture.right + away, y}})
             add_registration_mark(lines, centre);
     }
-    if (request.axis_marks) {
-        const Lattice lattice(m.sheet);
-        const Film& film = m.film;
-        // From film mm to the frame's pixels, the page's pixels, and mm by the printer's count.
-        const auto on_page = [&](Vec2 point) {
-            const Vec2 pixel = pixel_from_film(film, point);
-            return Vec2{(pixel.x - page.part.x + page.x) * pitch.x,
-                        (pixel.y - page.part.y + page.y) * pitch.y};
-        };
-        const Vec2 pole = lattice.pole(lattice.nearest({0, 0}));
-        const double p = m.sheet.pitch;
-        const bool upright = std::fabs(lattice.along().y) >= std::fabs(lattice.along().x);
-        add_axis_marks(lines, picture, pole, (marked_lens * p) * lattice.across(), lattice.along(),
-                       upright, on_page);
-        if (m.sheet.arrangement != Arrangement::lenticular) {
-            // Neighbouring rows of hexagonal lenses are shifted. Rows whose poles stand in columns
-            // are two rows apart.
-            const double rows = m.sheet.arrangement == Arrangement::hexagonal ? 2 * marked_lens
-                                                                              : marked_lens;
-            add_axis_marks(lines, picture, pole, (rows * lattice.row_spacing()) * lattice.along(),
-                           lattice.across(), !upright, on_page);
-        }
-    }
+    if (request.axis_marks)
+        add_marks_of_axes(lines, page, m, picture);
     return lines;
 }
 

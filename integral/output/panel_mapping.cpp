@@ -81,12 +81,9 @@ PanelMapping mapping_of(const LookingGlassCalibration& calibration)
     return mapping;
 }
 
-std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid eyes, int threads,
-                                       const Progress& progress)
+/// A mapping with room for every subpixel of the film, before any is mapped.
+static PanelMapping empty_mapping(const Film& film, bool round_lenses)
 {
-    const Film& film = geometry.film;
-    const SheetOptics optics(geometry.sheet, geometry.aperture);
-    const bool round_lenses = geometry.sheet.arrangement != Arrangement::lenticular;
     PanelMapping mapping;
     mapping.width = film.width;
     mapping.height = film.height;
@@ -96,6 +93,16 @@ std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid ey
     mapping.y_range.resize(std::size_t(film.height));
     if (round_lenses)
         mapping.up = table_for(film);
+    return mapping;
+}
+
+std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid eyes, int threads,
+                                       const Progress& progress)
+{
+    const Film& film = geometry.film;
+    const SheetOptics optics(geometry.sheet, geometry.aperture);
+    const bool round_lenses = geometry.sheet.arrangement != Arrangement::lenticular;
+    PanelMapping mapping = empty_mapping(film, round_lenses);
     const auto row = [&](int y) {
         const std::size_t begin = std::size_t(y) * film.width * channels,
                           end = begin + std::size_t(film.width) * channels;

@@ -158,7 +158,6 @@ void add_bars(const PitchChart& chart, const Block& block, int number, std::vect
     const Vec2 middle{block.left + block.width / 2, block.top + block.height / 2};
     const Vec2 origin = film_from_pixel(
         film, {middle.x / film.pixel_pitch.x, middle.y / film.pixel_pitch.y});
-    const auto pixels = [](double mm, double pitch) { return int(std::lround(mm / pitch)); };
     for (int k = 0; k < count; ++k) {
         ChartBar bar;
         bar.number = number + k;
@@ -172,14 +171,8 @@ void add_bars(const PitchChart& chart, const Block& block, int number, std::vect
                      right = block.upright ? block.left + end : left + along;
         const double top = block.top + (block.upright ? label : begin),
                      bottom = block.upright ? top + along : block.top + end;
-        bar.left = pixels(left, film.pixel_pitch.x);
-        bar.top = pixels(top, film.pixel_pitch.y);
-        bar.width = pixels(right, film.pixel_pitch.x) - bar.left;
-        bar.height = pixels(bottom, film.pixel_pitch.y) - bar.top;
-        if (std::max(std::fabs(bar.wave.x) * film.pixel_pitch.x,
-                     std::fabs(bar.wave.y) * film.pixel_pitch.y) *
-                least_pixels >
-            bar.period)
+        set_rectangle(film, left, top, right, bottom, bar);
+        if (pixel_along(bar.wave, film) * least_pixels > bar.period)
             throw std::invalid_argument(
                 "lines " + with_decimals(bar.period, 4) +
                 " mm apart are less than 2 pixels a line pair; a finer device is needed");

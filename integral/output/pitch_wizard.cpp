@@ -92,6 +92,21 @@ MeasuredSheet with_known_index(const LensSheet& sheet, const PitchScale& scale,
     return result;
 }
 
+/// Throws std::invalid_argument: no sheet has the index that was measured. `least`: the least that
+/// the readings allow.
+[[noreturn]] void refuse_index(const LensSheet& sheet, const MeasuredSheet& result, double least)
+{
+    const std::string reach = " (" + text_of(least) +
+                              (result.greatest_index > 0 ? " to " + text_of(result.greatest_index)
+                                                         : std::string(" or more")) +
+                              ")";
+    throw std::invalid_argument("the readings give an index of " + text_of(result.index.value) +
+                                reach + " for a thickness of " + text_of(sheet.thickness) +
+                                " mm, and it must be within " + text_of(least_ior) + " and " +
+                                text_of(greatest_ior) +
+                                "; read again from distances farther apart, or keep the index");
+}
+
 MeasuredSheet with_measured_index(const LensSheet& sheet, const PitchScale& scale,
                                   const std::vector<Point>& points)
 {
@@ -122,18 +137,8 @@ MeasuredSheet with_measured_index(const LensSheet& sheet, const PitchScale& scal
     result.index.error = result.index.value * depth_error / depth;
     result.least_index = std::max(least_ior, sheet.thickness / (depth + depth_error));
     result.greatest_index = depth > depth_error ? sheet.thickness / (depth - depth_error) : 0;
-    if (!(result.index.value >= least_ior && result.index.value <= greatest_ior)) {
-        const std::string reach = " (" + text_of(sheet.thickness / (depth + depth_error)) +
-                                  (result.greatest_index > 0
-                                       ? " to " + text_of(result.greatest_index)
-                                       : std::string(" or more")) +
-                                  ")";
-        throw std::invalid_argument("the readings give an index of " + text_of(result.index.value) +
-                                    reach + " for a thickness of " + text_of(sheet.thickness) +
-                                    " mm, and it must be within " + text_of(least_ior) + " and " +
-                                    text_of(greatest_ior) +
-                                    "; read again from distances farther apart, or keep the index");
-    }
+    if (!(result.index.value >= least_ior && result.index.value <= greatest_ior))
+        refuse_index(sheet, result, sheet.thickness / (depth + depth_error));
     return result;
 }
 

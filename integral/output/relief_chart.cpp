@@ -52,6 +52,33 @@ struct Block {
     double left, top, width, height;
 };
 
+/// The k-th pitch bar, from 0 on, `length` mm long: the lines of the middle one are `period` mm
+/// apart. Wave and place are not set yet.
+ReliefBar pitch_bar(int k, double period, double length, Vec2 pole)
+{
+    ReliefBar bar;
+    bar.halves = true;
+    bar.stretch = (k - pitches / 2) * fringes_a_step * period / length;
+    bar.period = period * (1 + bar.stretch);
+    bar.origin = pole;
+    bar.label = with_sign(100 * bar.stretch, 2) + " %";
+    return bar;
+}
+
+/// The k-th phase bar, from 1 on, for lenses `spacing` mm apart along the wave. Its wave and place
+/// are not set yet.
+ReliefBar phase_bar(int k, double spacing, double period, Vec2 wave, Vec2 pole)
+{
+    const double part = double(k - phases / 2) / phases;
+    ReliefBar bar;
+    bar.halves = false;
+    bar.offset = part * spacing * wave;
+    bar.period = period;
+    bar.origin = pole + part * period * wave;
+    bar.label = "<" + with_sign(bar.offset.x, 3) + ", " + with_sign(bar.offset.y, 3) + ">";
+    return bar;
+}
+
 void add_bars(const ReliefChart& chart, const ChartDirection& direction, const Block& block,
               std::vector<ReliefBar>& bars)
 {
@@ -66,10 +93,7 @@ void add_bars(const ReliefChart& chart, const ChartDirection& direction, const B
         least_place, sheet.arrangement == Arrangement::lenticular ? 0 : 4 * sheet.pitch);
     demand(upright ? "narrow" : "low", across, places * place);
     demand(upright ? "low" : "narrow", along, least_periods * period);
-    if (std::max(std::fabs(direction.wave.x) * film.pixel_pitch.x,
-                 std::fabs(direction.wave.y) * film.pixel_pitch.y) *
-            least_pixels >
-        period)
+    if (pixel_along(direction.wave, film) * least_pixels > period)
         throw std::invalid_argument("lines " + with_decimals(period, 4) +
                                     " mm apart have less than 4 pixels; a finer printer is needed");
     // A pitch bar's lines and lenses agree in the bars' middle.
@@ -79,34 +103,18 @@ void add_bars(const ReliefChart& chart, const ChartDirection& direction, const B
     const Vec2 pole = magnified *
                       lattice.pole(lattice.nearest(film_from_pixel(
                           film, {middle.x / film.pixel_pitch.x, middle.y / film.pixel_pitch.y})));
-    const auto pixels = [](double mm, double pitch) { return int(std::lround(mm / pitch)); };
     for (int k = 0; k < places; ++k) {
         if (k == pitches)
             continue;
-        ReliefBar bar;
+        ReliefBar bar = k < pitches ? pitch_bar(k, period, along, pole)
+                                    : phase_bar(k - pitches, spacing, period, direction.wave, pole);
         bar.wave = direction.wave;
         bar.upright = upright;
-        bar.halves = k < pitches;
-        if (k < pitches) {
-            bar.stretch = (k - pitches / 2) * fringes_a_step * period / along;
-            bar.period = period * (1 + bar.stretch);
-            bar.origin = pole;
-            bar.label = with_sign(100 * bar.stretch, 2) + " %";
-        } else {
-            const double part = double(k - pitches - phases / 2) / phases;
-            bar.offset = part * spacing * direction.wave;
-            bar.period = period;
-            bar.origin = pole + part * period * direction.wave;
-            bar.label = "<" + with_sign(bar.offset.x, 3) + ", " + with_sign(bar.offset.y, 3) + ">";
-        }
         const double begin = (k + (1 - bar_share) / 2) * across / places,
                      end = begin + bar_share * across / places;
         const Block at = upright ? Block{block.left + begin, block.top, end - begin, along}
                                  : Block{block.left + label, block.top + begin, along, end - begin};
-        bar.left = pixels(at.left, film.pixel_pitch.x);
-        bar.top = pixels(at.top, film.pixel_pitch.y);
-        bar.width = pixels(at.left + at.width, film.pixel_pitch.x) - bar.left;
-        bar.height = pixels(at.top + at.height, film.pixel_pitch.y) - bar.top;
+        set_rectangle(film, at.left, at.top, at.left + at.width, at.top + at.height, bar);
         bars.push_back(bar);
     }
 }

@@ -24,6 +24,128 @@ Clock::duration duration_of(double seconds)
 
 constexpr double longest_wait = 0.05; // seconds between calls of go_on
 
+/// When pictures come due, in seconds from the first one.
+struct Schedule {
+    double period, end;
+    long long total; ///< pictures that come due before the end
+
+    long long due_at(double now) const
+    {
+        return std::min(static_cast<long long>(now / period + 1e-9), total - 1);
+    }
+};
+
+Schedule schedule_of(const Playing& playing)
+{
+    const double period = 1 / playing.rate;
+    long long total = playing.source.loop ? std::numeric_limits<long long>::max()
+                                          : playing.source.count;
+    double end = playing.source.loop ? INFINITY : double(total) * period;
+    if (playing.seconds > 0 && playing.seconds < end) {
+        end = playing.seconds;
+        total = static_cast<long long>(std::ceil(end / period - 1e-9));
+    }
+    return {period, end, total};
+}
+
+/// Plays pictures once; its functions share the clock and the report.
+class Player {
+public:
+    Player(ScreenWindow& window, const Playing& playing, const std::function<bool()>& go_on)
+        : window_(window), go_on_(go_on), pictures_(playing.source), schedule_(schedule_of(playing))
+    {
+    }
+
+    PlayReport play();
+
+private:
+    bool fill();
+    double show_due();
+    Wish wait_out_pause();
+
+    ScreenWindow& window_;
+    const std::function<bool()>& go_on_;
+    PicturesAhead pictures_;
+    Schedule schedule_;
+    PlayReport report_;
+    long long newest_ = 0;            ///< the last picture that was shown
+    Clock::time_point start_{};       ///< each pause makes it later
+    double now_ = 0, last_shown_ = 0; ///< seconds from the start
+};
+
+/// Waits until the first pictures are decoded. Returns whether they are to be played.
+bool Player::fill()
+{
+    while (!pictures_.is_full()) {
+        report_.interrupted = !go_on_();
+        if (report_.interrupted || window_.wait(duration_of(longest_wait)) == Wish::end)
+            return false;
+    }
+    return true;
+}
+
+/// Shows the newest picture that is due, if it is not shown yet. Returns the seconds until
+/// something is to be shown.
+double Player::show_due()
+{
+    const double period = schedule_.period;
+    const long long due = schedule_.due_at(now_);
+    if (due > newest_) {
+        const auto ready = pictures_.take(due);
+        if (!ready)
+            return 0.001; // it is due, but not decoded yet
+        window_.show(*ready->picture);
+        now_ = last_shown_ = since(start_);
+        ++report_.shown;
+        report_.dropped += ready->number - newest_ - 1;
+        newest_ = ready->number;
+        report_.worst_lateness = std::max(report_.worst_lateness, now_ - double(newest_) * period);
+    }
+    return double(newest_ + 1) * period - now_;
+}
+
+/// Waits until the viewer goes on or ends the playing, or it is interrupted. Returns the wish.
+Wish Player::wait_out_pause()
+{
+    const Clock::time_point paused = Clock::now();
+    Wish wish;
+    do {
+        wish = window_.wait(duration_of(longest_wait));
+        report_.interrupted = !go_on_();
+    } while (wish == Wish::none && !report_.interrupted);
+    start_ += Clock::now() - paused;
+    return wish;
+}
+
+PlayReport Player::play()
+{
+    if (!fill())
+        return report_;
+    window_.show(*pictures_.take(0)->picture);
+    report_.shown = 1;
+    start_ = Clock::now();
+    for (;;) {
+        now_ = since(start_);
+        report_.interrupted = !go_on_();
+        if (report_.interrupted || now_ >= schedule_.end)
+            break;
+        const double wait = show_due();
+        Wish wish = window_.wait(
+            duration_of(std::clamp(std::min(wait, schedule_.end - now_), 0.0, longest_wait)));
+        if (wish == Wish::pause)
+            wish = wait_out_pause();
+        if (wish == Wish::end || report_.interrupted) {
+            now_ = since(start_);
+            break;
+        }
+    }
+    report_.dropped += std::max(0LL, schedule_.due_at(now_) - newest_);
+    report_.seconds = last_shown_;
+    if (report_.shown > 1 && report_.seconds > 0)
+        report_.rate = double(report_.shown - 1) / report_.seconds;
+    return report_;
+}
+
 } // namespace
 
 bool show_still(ScreenWindow& window, const ScreenPicture& picture, double seconds,
@@ -41,73 +163,7 @@ bool show_still(ScreenWindow& window, const ScreenPicture& picture, double secon
 
 PlayReport play(ScreenWindow& window, const Playing& playing, const std::function<bool()>& go_on)
 {
-    PicturesAhead pictures(playing.source);
-    PlayReport report;
-    while (!pictures.is_full()) {
-        report.interrupted = !go_on();
-        if (report.interrupted || window.wait(duration_of(longest_wait)) == Wish::end)
-            return report;
-    }
-
-    const double period = 1 / playing.rate;
-    long long total = playing.source.loop ? std::numeric_limits<long long>::max()
-                                          : playing.source.count; // that come due
-    double end = playing.source.loop ? INFINITY : double(total) * period;
-    if (playing.seconds > 0 && playing.seconds < end) {
-        end = playing.seconds;
-        total = static_cast<long long>(std::ceil(end / period - 1e-9));
-    }
-    const auto due_at = [&](double now) {
-        return std::min(static_cast<long long>(now / period + 1e-9), total - 1);
-    };
-
-    window.show(*pictures.take(0)->picture);
-    report.shown = 1;
-    long long newest = 0;
-    Clock::time_point start = Clock::now(); // each pause makes it later
-    double last_shown = 0;
-    double now = 0;
-    for (;;) {
-        now = since(start);
-        report.interrupted = !go_on();
-        if (report.interrupted || now >= end)
-            break;
-        const long long due = due_at(now);
-        double wait = double(newest + 1) * period - now;
-        if (due > newest) {
-            if (const auto ready = pictures.take(due)) {
-                window.show(*ready->picture);
-                now = last_shown = since(start);
-                ++report.shown;
-                report.dropped += ready->number - newest - 1;
-                newest = ready->number;
-                report.worst_lateness = std::max(report.worst_lateness,
-                                                 now - double(newest) * period);
-                wait = double(newest + 1) * period - now;
-            } else {
-                wait = 0.001; // it is due, but not decoded yet
-            }
-        }
-        Wish wish = window.wait(
-            duration_of(std::clamp(std::min(wait, end - now), 0.0, longest_wait)));
-        if (wish == Wish::pause) {
-            const Clock::time_point paused = Clock::now();
-            do {
-                wish = window.wait(duration_of(longest_wait));
-                report.interrupted = !go_on();
-            } while (wish == Wish::none && !report.interrupted);
-            start += Clock::now() - paused;
-        }
-        if (wish == Wish::end || report.interrupted) {
-            now = since(start);
-            break;
-        }
-    }
-    report.dropped += std::max(0LL, due_at(now) - newest);
-    report.seconds = last_shown;
-    if (report.shown > 1 && report.seconds > 0)
-        report.rate = double(report.shown - 1) / report.seconds;
-    return report;
+    return Player(window, playing, go_on).play();
 }
 
 } // namespace integral

@@ -43,6 +43,43 @@ bool is_identity(const XTransform& t)
     return true;
 }
 
+/// Reads the size of the output's preferred mode, or of its current one if that is preferred too.
+void read_preferred(const XRRScreenResources& resources, const XRROutputInfo& output,
+                    const XRRModeInfo& current, XOutput& o)
+{
+    for (int m = 0; m < output.npreferred && m < output.nmode; ++m)
+        if (const XRRModeInfo* preferred = mode_of(resources, output.modes[m])) {
+            const bool is_current = preferred->width == current.width &&
+                                    preferred->height == current.height;
+            if (o.preferred_width == 0 || is_current) {
+                o.preferred_width = int(preferred->width);
+                o.preferred_height = int(preferred->height);
+            }
+        }
+}
+
+/// What X says of an output that shows a mode.
+XOutput output_of(const XRRScreenResources& resources, const XRROutputInfo& output,
+                  const XRRCrtcInfo& crtc, const XRRModeInfo& mode)
+{
+    XOutput o;
+    o.name = std::string(output.name, std::size_t(output.nameLen));
+    o.x = crtc.x;
+    o.y = crtc.y;
+    o.width = int(crtc.width);
+    o.height = int(crtc.height);
+    o.mode_width = int(mode.width);
+    o.mode_height = int(mode.height);
+    if (mode.hTotal && mode.vTotal)
+        o.rate = double(mode.dotClock) / (double(mode.hTotal) * mode.vTotal);
+    read_preferred(resources, output, mode, o);
+    if (crtc.rotation & (RR_Rotate_90 | RR_Rotate_270)) {
+        std::swap(o.mode_width, o.mode_height);
+        std::swap(o.preferred_width, o.preferred_height);
+    }
+    return o;
+}
+
 } // namespace
 
 std::vector<XOutput> x_outputs(bool& in_wayland)
@@ -69,31 +106,9 @@ std::vector<XOutput> x_outputs(bool& in_wayland)
         const XRRModeInfo* mode = crtc ? mode_of(*resources, crtc->mode) : nullptr;
         if (!mode)
             continue;
-        XOutput o;
-        o.name = std::string(output->name, std::size_t(output->nameLen));
+        XOutput o = output_of(*resources, *output, *crtc, *mode);
         in_wayland = in_wayland ||
                      o.name.rfind("XWAYLAND", 0) == 0; // older XWayland has no such extension
-        o.x = crtc->x;
-        o.y = crtc->y;
-        o.width = int(crtc->width);
-        o.height = int(crtc->height);
-        o.mode_width = int(mode->width);
-        o.mode_height = int(mode->height);
-        if (mode->hTotal && mode->vTotal)
-            o.rate = double(mode->dotClock) / (double(mode->hTotal) * mode->vTotal);
-        for (int m = 0; m < output->npreferred && m < output->nmode; ++m)
-            if (const XRRModeInfo* preferred = mode_of(*resources, output->modes[m])) {
-                const bool is_current = preferred->width == mode->width &&
-                                        preferred->height == mode->height;
-                if (o.preferred_width == 0 || is_current) {
-                    o.preferred_width = int(preferred->width);
-                    o.preferred_height = int(preferred->height);
-                }
-            }
-        if (crtc->rotation & (RR_Rotate_90 | RR_Rotate_270)) {
-            std::swap(o.mode_width, o.mode_height);
-            std::swap(o.preferred_width, o.preferred_height);
-        }
         XRRCrtcTransformAttributes* attributes = nullptr;
         if (XRRGetCrtcTransform(display.get(), output->crtc, &attributes) && attributes)
             o.transformed = !is_identity(Transform(attributes)->currentTransform);

@@ -15,6 +15,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/perspective_views.h \
   integral/replay/replay.cpp \
   integral/replay/replay.h \
+  integral/replay/replay_files.cpp \
+  integral/replay/replay_files.h \
   integral/replay/replay_page.cpp \
   integral/replay/replay_page.h \
   integral/replay/replay_series.cpp \

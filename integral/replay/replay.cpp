@@ -154,6 +154,25 @@ constexpr Vec2 roberts_steps{0.75487766624669276, 0.56984029099805327}; // Rober
 constexpr Vec2 richtmyer_steps{
     0.41421356237309505, 0.73205080756887729}; // of sqrt(2) and sqrt(3): another plane than those
 
+struct SamplePlaces {
+    std::vector<double> across, down; ///< mm on the sheet
+};
+
+/// The places of the samples of a view's pixels: evenly spread, the same in each row and each
+/// column.
+SamplePlaces sample_places(const View& view, const SheetPart& part)
+{
+    // The view's pixels, as a film of their own over its part of the sheet.
+    const Film grid{view.width, view.height, {part.width / view.width, part.height / view.height}};
+    const int n = view.samples;
+    SamplePlaces places;
+    for (int k = 0; k < view.width * n; ++k)
+        places.across.push_back(part.middle.x + film_from_pixel(grid, {(k + 0.5) / n, 0}).x);
+    for (int k = 0; k < view.height * n; ++k)
+        places.down.push_back(part.middle.y + film_from_pixel(grid, {0, (k + 0.5) / n}).y);
+    return places;
+}
+
 } // namespace
 
 std::optional<Image> replay(const Frame& frame, const View& view, int threads,
@@ -168,23 +187,15 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
     const double sideways = view.focus / (view.eye.distance + view.focus);
     Image image = blank_like(frame.image, view.width, view.height);
 
-    // The view's pixels, as a film of their own over its part of the sheet.
-    const SheetPart part = part_seen(view, *frame.metadata);
-    const Film grid{view.width, view.height, {part.width / view.width, part.height / view.height}};
-    // The samples' places: evenly spread, the same in each row and each column.
     const int n = view.samples;
-    std::vector<double> across, down;
-    for (int k = 0; k < view.width * n; ++k)
-        across.push_back(part.middle.x + film_from_pixel(grid, {(k + 0.5) / n, 0}).x);
-    for (int k = 0; k < view.height * n; ++k)
-        down.push_back(part.middle.y + film_from_pixel(grid, {0, (k + 0.5) / n}).y);
+    const SamplePlaces places = sample_places(view, part_seen(view, *frame.metadata));
     const double weight = 1.0 / (double(n) * n);
     const auto row = [&](int y) {
         for (int x = 0; x < view.width; ++x) {
             double r = 0, g = 0, b = 0, a = 0;
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i) {
-                    const Vec2 point{across[x * n + i], down[y * n + j]};
+                    const Vec2 point{places.across[x * n + i], places.down[y * n + j]};
                     const Vec2 from = pupil.point(x, y, j * n + i);
                     const Colour c = seen.at(point + sideways * (from - eye), from,
                                              spot.point(x, y, j * n + i));

@@ -28,6 +28,21 @@ Frame as_frame(const DepthFrame& depths)
     return {std::move(image), metadata};
 }
 
+/// The least and the greatest depth among pixels of three values: a depth, whether there is a
+/// surface, and one without meaning here. Throws std::invalid_argument if there is no surface.
+std::pair<double, double> range_of_depths(const std::vector<float>& values)
+{
+    double nearest = HUGE_VAL, farthest = -HUGE_VAL;
+    for (std::size_t i = 0; i < values.size(); i += 3)
+        if (values[i + 1] > 0) {
+            nearest = std::min(nearest, double(values[i]));
+            farthest = std::max(farthest, double(values[i]));
+        }
+    if (!(nearest <= farthest))
+        throw std::invalid_argument("no surface is seen in it");
+    return {nearest, farthest};
+}
+
 } // namespace
 
 std::optional<RgbdPicture> rgbd_picture(const Frame& frame, const DepthFrame& depths, int width,
@@ -48,17 +63,10 @@ std::optional<RgbdPicture> rgbd_picture(const Frame& frame, const DepthFrame& de
     if (!colours || !seen)
         return std::nullopt;
 
-    double nearest = HUGE_VAL, farthest = -HUGE_VAL;
     const auto& values = std::get<std::vector<float>>(seen->samples);
-    for (std::size_t i = 0; i < values.size(); i += 3)
-        if (values[i + 1] > 0) {
-            nearest = std::min(nearest, double(values[i]));
-            farthest = std::max(farthest, double(values[i]));
-        }
-    if (!(nearest <= farthest))
-        throw std::invalid_argument("no surface is seen in it");
+    const auto [nearest, farthest] = range_of_depths(values);
     const double eye = view.eye.distance, range = 1 / (eye + nearest) - 1 / (eye + farthest);
-    const auto part = [&](double depth) { // of the way from black to white
+    const auto part = [&, farthest = farthest](double depth) { // of the way from black to white
         return range > 0 ? (1 / (eye + depth) - 1 / (eye + farthest)) / range : 1;
     };
     Image both = form_of(std::min(16, sample_bits(frame.image)), 2 * width, height, 3, Encoding());

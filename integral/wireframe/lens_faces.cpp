@@ -119,11 +119,10 @@ PixelBox LensDrawing::box_by_slopes(const MeshTriangle& triangle) const
         spread = std::max(spread, 2 * length(*seen - *pole));
     }
     if (sides == 3) {
-        if (request_.pseudoscopic)
-            return raster_.box();
         const Vec2 half{0.5 * optics.aperture().width + aperture_margin_,
                         0.5 * optics.aperture().height + aperture_margin_};
-        if (refracts_at_surface(optics.model()) || !std::isfinite(half.x + half.y))
+        if (request_.pseudoscopic || refracts_at_surface(optics.model()) ||
+            !std::isfinite(half.x + half.y))
             return raster_.box();
         ax = {-half.x, half.x};
         ay = {-half.y, half.y};

@@ -28,6 +28,28 @@ void VertexFilm::begin(LensIndex lens, int number, const std::vector<LensPoint>&
         project_together(number, raster);
 }
 
+std::size_t VertexFilm::list_vertices(int number)
+{
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < block_.lenses.size(); ++k) {
+        list_[count] = std::uint32_t(k);
+        count += block_.lenses[k] >> number & 1;
+    }
+    return count;
+}
+
+/// Sets a chunk's first `count` points to the vertices that the list names.
+static void set_points(const std::vector<Vec3>& vertices, const std::uint32_t* list,
+                       std::size_t count, FilmChunk& chunk)
+{
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec3 v = vertices[list[k]];
+        chunk.x[k] = v.x;
+        chunk.y[k] = v.y;
+        chunk.z[k] = v.z;
+    }
+}
+
 void VertexFilm::project_together(int number, const LensRaster& raster)
 {
     const PixelBox& box = raster.box();
@@ -42,11 +64,7 @@ void VertexFilm::project_together(int number, const LensRaster& raster)
                         raster.rows(),
                         raster.stride()};
     const auto& vertices = block_.mesh.vertices;
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < block_.lenses.size(); ++k) {
-        list_[count] = std::uint32_t(k);
-        count += block_.lenses[k] >> number & 1;
-    }
+    const std::size_t count = list_vertices(number);
     places_.assign(vertices.size(), raster.nowhere());
     const bool faces = !block_.far_triangles.empty();
     if (faces)
@@ -59,12 +77,7 @@ void VertexFilm::project_together(int number, const LensRaster& raster)
     for (std::size_t first = 0; first < count; first += FilmChunk::most) {
         const std::size_t n = std::min(count - first, std::size_t(FilmChunk::most));
         const std::uint32_t* list = &list_[first];
-        for (std::size_t k = 0; k < n; ++k) {
-            const Vec3 v = vertices[list[k]];
-            chunk.x[k] = v.x;
-            chunk.y[k] = v.y;
-            chunk.z[k] = v.z;
-        }
+        set_points(vertices, list, n, chunk);
         integral::project(view, chunk);
         for (std::size_t k = 0; k < n; ++k) {
             pixel_[list[k]] = {chunk.across[k], chunk.down[k]};

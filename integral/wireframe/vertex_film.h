@@ -41,6 +41,8 @@ public:
 
 private:
     bool project(Vec3 point, Vec2* pixel) const;
+    /// Lists the block's vertices that the lens may image, in list_; returns how many there are.
+    std::size_t list_vertices(int number);
     void project_together(int number, const LensRaster& raster);
 
     const WireframeRequest& request_;

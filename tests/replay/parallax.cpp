@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// parallax FRAME Z: how far what 25 eyes see of a thing at depth Z (mm behind the sheet, on its
-// axis) moves, against theory: by eye * Z / (distance + Z). Prints the pairs of eyes at least 60 mm
-// apart, and the greatest deviation of any in per cent of its theory. The eyes stand all over the
-// viewing zone: 5 x 5, behind cylinders 25 in a row. Each is the mean of 8 eyes spread over the
-// beam from which a pixel is seen, n distance/thickness pixels wide (parallax.test).
+// parallax FRAME Z: measures how far a thing at depth Z (mm behind the sheet, on its axis) moves
+// between the views of 25 eyes, and compares with theory: it is seen through the sheet at eye * Z /
+// (distance + Z). Prints the number of pairs of eyes that are at least 60 mm apart, and their
+// greatest deviation in per cent of what theory says. The eyes stand all over the viewing zone:
+// 5 x 5, or 25 in a row for cylinder lenses. Each view is the mean of those of 8 eyes, which are
+// spread over the beam from which a pixel is seen, n distance/thickness pixels wide
+// (parallax.test).
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
 
@@ -26,8 +28,9 @@ bool is_row(const Frame& frame)
     return frame.metadata->sheet.arrangement == Arrangement::lenticular;
 }
 
-/// Of the aperture, what all lenses show to an eye without the next lens's light. Hexagons do not
-/// fill the aperture's corners, and those at the sheet's edge look there at an angle.
+/// The part of the aperture from which an eye sees all lenses without light of the next lens. The
+/// images of hexagonal lenses do not fill the aperture's corners, and less so those of lenses at
+/// the sheet's edge, which look there at an angle.
 double zone(const Frame& frame)
 {
     return frame.metadata->sheet.arrangement == Arrangement::hexagonal ? 0.5 : 0.8;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Depth of light fields whose every ray is a formula: planes painted with waves.
+// Tests the depth that is measured in light fields of known depth: planes painted with waves, whose
+// rays are computed by a formula.
 #include "integral/depth/depth_files.h"
 #include "integral/depth/depth_scores.h"
 #include "integral/depth/multibaseline.h"
@@ -205,7 +206,8 @@ BOOST_AUTO_TEST_CASE(scale_and_its_inverse)
 
 BOOST_AUTO_TEST_CASE(scores_are_the_toolkits)
 {
-    // Ten pixels with known errors; a quarter of them is below the third least.
+    // Ten pixels with known errors, one of which is not finite. The lower quartile of the other
+    // nine is the third least.
     ViewSet views;
     views.width = 10;
     views.height = 1;
@@ -226,7 +228,8 @@ BOOST_AUTO_TEST_CASE(scores_are_the_toolkits)
 
 BOOST_AUTO_TEST_CASE(planes_are_told_by_the_truth_and_scored_by_their_bumps)
 {
-    // A plane beside a bowl: errors without a bend are smooth, a bump is not.
+    // A plane beside a bowl. An error that grows evenly over the plane leaves it smooth; one that
+    // is curved counts as bumpiness.
     ViewSet views;
     views.width = 40;
     views.height = 12;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Depth where there is hardly any texture: plain walls behind objects, and polished floors.
+// Tests the measured depth where there is hardly any texture: plain walls behind objects, and
+// polished floors.
 #include "integral/depth/depth_scores.h"
 #include "integral/depth/multibaseline.h"
 #include "integral/depth/plane_filter.h"
@@ -59,7 +60,8 @@ BOOST_AUTO_TEST_SUITE(depth_spread)
 BOOST_AUTO_TEST_CASE(a_plain_wall_is_as_far_as_its_farthest_edges)
 {
     // A square of another colour before a wall, on which a shadow's edge shows. Only pixels near
-    // edges know their depth, and those of the wall beside the square take it for the square's.
+    // edges have a measured depth, and for those of the wall beside the square it is wrong: it is
+    // that of the square.
     constexpr int size = 160;
     ViewSet views = grey_set(size, size);
     std::vector<float> disparity(views.pixels(), 0), confidence(views.pixels(), 0);
@@ -108,7 +110,8 @@ BOOST_AUTO_TEST_CASE(planes_go_on_and_level_out)
     const auto fit = PlaneFilter(views, {8, 0.05, 0}, 1).planes(value, weight);
     for (const auto& [x, y] : {std::pair{45, 30}, {20, 20}, {70, 40}})
         BOOST_TEST(std::fabs(fit.value[std::size_t(y) * 90 + x] - plane(x, y)) < 0.02);
-    // In a corner all that counts is on one side: the mean is off by several pixels' slope.
+    // At a corner of the picture, all pixels that count lie on one side, so that the mean is off by
+    // the slope over several pixels.
     const float mean = PlaneFilter(views, {8, 0.05, 0}, 1).means(value, weight).value[0];
     BOOST_TEST(mean > 0.07);
     BOOST_TEST(std::fabs(fit.value[0]) < 0.5 * mean);

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(frames_read_back)
 
 BOOST_AUTO_TEST_CASE(formats_carry_resolution_and_encoding_without_the_document)
 {
-    // PNG has whole pixels a metre, EXR and TIFF 32 bit floats a unit.
+    // PNG stores the resolution as whole pixels per metre, EXR and TIFF as 32-bit floats.
     DecodedImage picture;
     picture.image = noise<std::uint8_t>(5, 4, 3, {Encoding::Kind::power, 2.2});
     picture.pixel_pitch = Vec2{25.4 / 300, 25.4 / 150};
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(lengths_in_a_file_cannot_make_us_allocate)
         return "";
     };
     // Found by tests/sanitized/fuzz.test: libpng allocated the 2 GB that a chunk's length claims,
-    // OpenEXR those of an attribute.
+    // and OpenEXR the 2 GB that an attribute's length claims.
     using namespace std::string_literals;
     std::string png = encode_png({noise<std::uint8_t>(5, 4, 3, srgb), "", {}});
     constexpr std::size_t behind_header = 33;

@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_finished_leaves_nothing)
     BOOST_CHECK(bytes_of(path) == wanted);
     BOOST_TEST(folder.names().size() == 1);
 
-    // No file is left of a picture that does not get all its rows.
+    // A picture of which not all rows are written leaves no file.
     const Image image = noise<std::uint8_t>(3);
     for (const char* name : {"a.png", "a.tif", "a.exr"}) {
         PictureWriter writer = PictureWriter::of_frame(folder / name, image, std::nullopt);

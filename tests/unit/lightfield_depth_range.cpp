@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(a_hundred_and_one_depths)
 {
     constexpr float open = std::numeric_limits<float>::infinity();
     DepthFrame frame;
-    for (int k = 100; k >= 0; --k) { // -30 to 70, in no order that helps
+    for (int k = 100; k >= 0; --k) { // 70 down to -30
         frame.depth.push_back(float(k - 30));
         frame.imaged.push_back(1);
         frame.depth.push_back(k % 2 ? open : 1e6f);
@@ -76,25 +76,27 @@ BOOST_AUTO_TEST_CASE(advice_by_hand)
     BOOST_TEST(advice.now.soft == 0.20, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(advice.now.beyond == 0.60, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(advice.sheet_distance == 100);
-    // The window grows with the distance D, so that things are sharp within 1 +- 20/200 of D. They
-    // are 100.5 to 150 units from the eye; most of them, 1.1/0.9 times as far as the nearest of
-    // them, are the last: from 150 x 0.9/1.1 = 122.7 on, which is 45.5 mm: 46 to 100 mm, as many as
-    // 43 to 97 mm, from 121.5 to 148.5 units, the first that are so many: D = 135.
+    // The depth budget grows with the sheet's distance D from the eye, so that what is 0.9 D to
+    // 1.1 D from the eye is sharp. The surfaces are 100.5 to 150 units from the eye. A range of 0.9
+    // D to 1.1 D holds most of them where it ends at the farthest: it then begins at 150 x 0.9/1.1
+    // = 122.7 units, which is 45.5 mm, and holds the 55 surfaces of 46 to 100 mm. The nearest range
+    // that holds as many is that of 43 to 97 mm, which is 121.5 to 148.5 units: D = 135.
     BOOST_REQUIRE(advice.sheet.has_value());
     BOOST_TEST(advice.sheet->sharp == 0.55);
     BOOST_TEST(advice.sheet->value == 135, boost::test_tools::tolerance(0.001));
-    // 95 of them within 20 mm: 20/95 = 0.21 would be flatter than 0.25, which leaves 80.
+    // To bring 95 of them within 20 mm, depths would have to be compressed to 20/95 = 0.21. The
+    // most that is advised is 0.25, which brings 80 within 20 mm.
     BOOST_REQUIRE(advice.compress.has_value());
     BOOST_TEST(advice.compress->value == 0.25);
     BOOST_TEST(advice.compress->sharp == 0.80);
-    // 300 dpi: 20 mm; 1200 dpi: 80 mm; 1440 dpi: 96 mm.
+    // The budget is 20 mm at 300 dpi, 80 mm at 1200 dpi and 96 mm at 1440 dpi.
     BOOST_REQUIRE(advice.dpi.has_value());
     BOOST_TEST(advice.dpi->value == 1440);
     BOOST_TEST(advice.dpi->sharp == 0.96);
-    // A fixed scale: 2 x 20 mm hold 41 of them.
+    // With a fixed scale the budget does not grow: 20 mm to either side of a surface hold 41.
     frame.metadata.placement->scale_is_given = true;
     BOOST_TEST(depth_advice(frame, 20).sheet->sharp == 0.41);
-    // A panel has the pixels that it has.
+    // The resolution of a panel cannot be changed.
     frame.metadata.film.subpixels = Subpixels::rgb;
     BOOST_TEST(!depth_advice(frame, 20).dpi.has_value());
 }

@@ -127,9 +127,9 @@ BOOST_AUTO_TEST_CASE(each_channel_counts_a_third)
 BOOST_AUTO_TEST_CASE(halves_error_is_the_error_of_their_mean)
 {
     engine.seed(2);
-    // Exactly, where the encoding is straight, however unequal the halves; by sRGB to 20% over
-    // edges anywhere in the pixel. (the_interval_holds_the_error_of_whole_frames has PixelSampler's
-    // own samples.)
+    // With a linear encoding, the estimate's mean is the true squared error, however unequal the
+    // halves are. With sRGB it is so to 25%, for edges anywhere in the pixel. (The case
+    // the_interval_holds_the_error_of_whole_frames has PixelSampler's own samples.)
     const int trials = random_sheets::count(40000, 3000000);
     const struct {
         const OutputCurve& curve;

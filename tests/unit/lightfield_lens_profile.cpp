@@ -43,8 +43,8 @@ double angle_through(const LensSheet& s, double film, double v)
 
 BOOST_AUTO_TEST_CASE(figure_3_26_half_intensity_is_equation_3_9)
 {
-    // Half of a cylinder lens's points image an edge farther out than the pole does, half farther
-    // in.
+    // Half of a cylinder lens's points image an edge farther out than the lens's pole does, and the
+    // other half farther in.
     for (const double distance : {150.0, 300.0, 600.0, 1200.0}) {
         const double extended = micro_image_width(sheet(), distance, 195);
         const auto full = full_image_width(sheet(), distance, 195, 2001);
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(figure_3_26_half_intensity_is_equation_3_9)
         BOOST_TEST(pinhole_spread(sheet(), distance, 195) >
                    full->at_most + (full->at_most - full->at_least));
     }
-    // Round lenses: within 2%.
+    // For round lenses, this holds within 2%.
     const double extended = micro_image_width(sheet(), 300, 195);
     for (const Arrangement kind : {Arrangement::square, Arrangement::hexagonal})
         BOOST_TEST(std::fabs(full_image_width(sheet(kind), 300, 195, 64)->at_half / extended - 1) <
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(figure_3_26_the_pinhole_is_n_1)
 
 BOOST_AUTO_TEST_CASE(narrow_lenses_have_no_aberration)
 {
-    // The blur falls with the lens's width: at once (curvature of the field), and faster (coma,
+    // The blur falls in proportion to the lens's width (curvature of the field), or faster (coma,
     // spherical aberration).
     double before = 0;
     for (const double pitch : {0.4, 0.2, 0.1, 0.05}) {

@@ -48,7 +48,8 @@ public:
                 ++done_[pass][index(x, y)];
     }
 
-    /// Pixels of rows that a pass works on which it has not worked on once.
+    /// Counts, over all passes, the pixels in the pass's rows that it has worked on never, or more
+    /// than once.
     int not_once() const
     {
         int number = 0;

@@ -146,8 +146,8 @@ BOOST_AUTO_TEST_CASE(a_pixel_on_a_border_is_its_own_lens_s_and_never_lost)
         for (const int samples : {2, 3, 64}) {
             CameraParameters p = parameters_of(arrangement, samples);
             p.sheet.slant = 8;
-            // Two of three samples lie on opposite sides of the centre; seldom do all belong to
-            // another lens.
+            // Two of three samples lie on opposite sides of the centre, so all three seldom belong
+            // to another lens. A larger film then has enough such pixels.
             const IntegralCamera camera = samples == 3 ? camera_of(p, 500, 400)
                                                        : camera_of(p, 90, 70);
             const PixelSampler sampler(camera, 2);

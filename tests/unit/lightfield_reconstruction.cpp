@@ -165,7 +165,7 @@ CameraParameters sheet(Arrangement arrangement, double slant = 0)
     return p;
 }
 
-/// Errors after, in terms of those before.
+/// The error after the reconstruction, divided by the error before.
 double ratio(const CameraParameters& parameters, const Scene& scene, int number)
 {
     const auto errors = Sampled(parameters, scene, number).errors(scene);
@@ -251,8 +251,8 @@ BOOST_AUTO_TEST_CASE(slanted_surfaces_become_clear)
 
 BOOST_AUTO_TEST_CASE(slopes_are_kept)
 {
-    // Brightness that rises evenly: what the samples of a pixel differ by is where they lie alone.
-    // At a lens's border they lie on one side.
+    // The brightness rises evenly, so that samples of a pixel differ only because of their places.
+    // At a lens's border all of them lie on one side of the pixel.
     const Scene scene = [&](const BeamRay& ray) {
         const Vec2 place = place_at(ray, 6);
         return Look{0.5 + 0.02 * place.x + 0.01 * place.y, 6};
@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(outlines_become_clear)
 
 BOOST_AUTO_TEST_CASE(near_depths_are_told_apart)
 {
-    // Planes little apart, one before the other: what the front one hides must not count.
+    // Two planes, one shortly before the other: what the front one hides must not count.
     const struct {
         double front, back, most;
     } planes[] = {{4, 7, 0.45}, {-20, -14, 0.65}};
@@ -372,7 +372,8 @@ BOOST_AUTO_TEST_CASE(one_sample_a_pixel_will_do)
 
 BOOST_AUTO_TEST_CASE(far_places_are_seen_by_more_lenses)
 {
-    // How many lenses away pixels are whose beams meet that of a pixel at a depth.
+    // The greatest number of lenses between a pixel and another whose beam meets its own at a
+    // depth.
     const auto furthest = [](Arrangement arrangement, float depth) {
         const IntegralCamera camera = camera_of(sheet(arrangement), width, height);
         const LendingPixels lending(camera.optics.lattice(), camera.film);

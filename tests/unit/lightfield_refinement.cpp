@@ -188,8 +188,8 @@ BOOST_AUTO_TEST_CASE(first_samples_may_be_kept_in_memory_from_outside)
 
 BOOST_AUTO_TEST_CASE(samples_show_a_contrast)
 {
-    // Half of the samples black, half white: edges of a contrast of 3 scatter by 0.4 of it on
-    // average, halves by 0.5.
+    // Half of the samples are black, half are white: their standard deviation is 0.5. That of
+    // samples at an edge is 0.4 of the edge's contrast on average.
     const RefinementRule rule{2, 0.1, 4};
     Refinement halves(rule, 0), even(rule, 0);
     for (int k = 0; k < 8; ++k) {

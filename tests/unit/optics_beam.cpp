@@ -137,8 +137,9 @@ std::optional<BeamRay> check_forward(const Case& c)
         BOOST_TEST(got->direction.z < 0);
     }
     if (got.has_value() != want.has_value()) {
-        // Only where rounding decides: sixteen units of the input, or where the ray leaves the lens
-        // or the sheet so flat that its error, by the same bound, is no longer small.
+        // The two may differ only where rounding decides: where a change of the input by sixteen
+        // units in the last place matters, or where the ray leaves the lens or the sheet at such a
+        // flat angle that the bound of its error is no longer small.
         bool decided = want ? allowed_forward(c, *want) < 1e-3
                             : 16 * epsilon *
                                       (1 + (length(c.film) + size(got->point)) /

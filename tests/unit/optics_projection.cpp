@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(the_inverse_gives_both_points_back)
     for (int k = 0; k < 1000; ++k) {
         const double focal = between(10, 300);
         ProjectionLens lens{focal, focal * between(1.1, 4), 500};
-        if (k % 2) { // of several: whichever of them the light meets
+        if (k % 2) { // several lenses; the light goes through the one that it meets
             lens.columns = 1 + k % 5;
             lens.rows = 1 + k % 3;
             lens.extent = {between(20, 110), between(20, 110)};
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(each_macro_lens_images_about_its_own_middle)
     BOOST_TEST(is_at(lens.middle_at({-11, 1}), {-20, 10}));
     BOOST_TEST(is_at(lens.middle_at({9, -19}), {0, -10}));
     BOOST_TEST(is_at(lens.middle_at({1000, -1000}), {20, -10})); // beyond: the outermost
-    // What stands before a lens's middle is imaged there; all else upside down about it.
+    // A point before a lens's middle is imaged there; other points are imaged upside down about it.
     for (const Vec2 lens_point : {Vec2{12, 3}, Vec2{28, 17}}) {
         BOOST_TEST(is_at({projected(lens, {20, 10}, lens_point).origin.x,
                           projected(lens, {20, 10}, lens_point).origin.y},

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
             }
         }
     }
-    // The points tried were of every kind.
+    // There were enough points of every kind.
     BOOST_TEST(compared > 4 * systems);
     BOOST_TEST(imaged > 2 * systems);
     BOOST_TEST(rule > systems);

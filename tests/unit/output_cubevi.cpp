@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(every_subpixel_is_where_the_published_formula_has_it)
                 worst = std::max(worst, std::fabs(off - std::round(off)));
             }
         }
-        // Of upright lenses the slope is 1e9 in place of infinite.
+        // For upright lenses the slope is 1e9, where it should be infinite.
         BOOST_TEST(worst < (display.obliquity == 0 ? 1e-7 : 4e-9), "off by " << worst);
     }
 }

@@ -41,7 +41,7 @@ Seen seen(const ReliefChart& chart, const Image& picture, const ReliefBar& bar,
     std::array<double, 8> sums{}, numbers{};
     for (int y = bar.top; y < bar.top + bar.height; y += 3)
         for (int x = bar.left; x < bar.left + bar.width; x += 4) {
-            // A sample of the film of the lens nearest to the place, as the eye sees it.
+            // The point of the film that the eye sees through the lens nearest to this place.
             const Vec2 place = film_from_pixel(film, {x + 0.5, y + 0.5});
             const LensIndex lens = lattice.nearest(place);
             Vec2 pole = lattice.pole(lens);
@@ -52,7 +52,7 @@ Seen seen(const ReliefChart& chart, const Image& picture, const ReliefBar& bar,
             const Vec2 point = r > 0 ? (1 + way / r) * pole : pole;
             const Vec2 pixel = pixel_from_film(film, point);
             const int i = int(pixel.x), j = int(pixel.y);
-            // In bars of two halves the second tells small differences best.
+            // In bars of two halves, the second one shows small differences best.
             const bool upright_half = bar.halves && bar.upright,
                        lying_half = bar.halves && !bar.upright;
             if (i < bar.left + (upright_half ? bar.width / 2 : 0) || i >= bar.left + bar.width ||

@@ -117,7 +117,8 @@ BOOST_AUTO_TEST_CASE(a_pupil_blurs_what_is_out_of_focus, *boost::unit_test::labe
         double z, focus;
     } trials[] = {{20, 0}, {-20, 0}, {20, -15}, {20, 20}};
     for (const auto& trial : trials) {
-        // Only across: the eye's disc along y sees the same, as the bar is endless there.
+        // Only the spread across is measured: along y the bar is endless, so that all points of the
+        // pupil at one x see the same.
         const Frame frame = frame_of_bar(m, trial.z, 12);
         View view{{0, 0, d}, 1500, 60, 8};
         view.pupil = 20;

@@ -68,8 +68,8 @@ Vec2 centroid(const Frame& frame, const Eye& eye)
 Vec2 parallax_error(const Frame& frame, double z, double baseline)
 {
     const double d = frame.metadata->aperture.distance, b = baseline / 2;
-    // Across a slanted lenticular sheet's slit an eye sees other than the recorded heights: stay on
-    // it.
+    // Above and below the slit of a slanted lenticular sheet, an eye sees other heights than those
+    // recorded. So the eyes stay at the slit's height.
     const double v = frame.metadata->sheet.arrangement == Arrangement::lenticular ? 0 : b;
     const Vec2 moved = centroid(frame, {b, v, d}) - centroid(frame, {-b, -v, d});
     const double theory = baseline * z / (d + z);
@@ -78,10 +78,10 @@ Vec2 parallax_error(const Frame& frame, double z, double baseline)
 
 } // namespace
 
-// At 300 dpi 1.27 mm hold 15 pixels: nearly all lenses then show an eye the same one
-// (thesis 5.3.1), the views of an unslanted sheet jump by whole pixels, and parallax is only right
-// on average over eyes. Slant, or pixels of which the visual pitch is no whole number, spread the
-// jumps over the sheet: these are measured.
+// At 300 dpi a pitch of 1.27 mm is 15 pixels. Nearly all lenses then show an eye the same one of
+// their pixels (thesis 5.3.1), the views of an unslanted sheet jump by whole pixels, and parallax
+// is right only on average over eyes. Where the sheet is slanted, or the visual pitch is no whole
+// number of pixels, the jumps are spread over the sheet: such sheets are measured here.
 BOOST_AUTO_TEST_CASE(disc_before_and_behind_the_sheet, *boost::unit_test::label("many_pixels"))
 {
     const struct {

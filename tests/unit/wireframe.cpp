@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Wireframes: what lights which pixels, against the renderer's own mapping of every pixel.
+// Tests which pixels points, lines and faces light, in comparison with the renderer's own mapping
+// of every pixel.
 #include "integral/wireframe/lens_pixels.h"
 #include "integral/wireframe/lens_rays.h"
 #include "integral/wireframe/wireframe.h"
@@ -67,7 +68,8 @@ WireframeRequest with_point(WireframeRequest request, Vec3 point)
     return request;
 }
 
-/// The pixels that a point lights: of every lens of the film, without the program's search.
+/// The pixels that a point lights, found by trying every lens of the film; does not use the
+/// program's search for lenses.
 Pixels pixels_of(const WireframeRequest& request, Vec3 point)
 {
     const SheetOptics& optics = request.optics;
@@ -151,7 +153,8 @@ BOOST_AUTO_TEST_CASE(lines_light_what_their_points_light)
             request.mesh.vertices = {end[0], end[1]};
             request.mesh.lines = {{{0, 1}, {Colour{1, 1, 1, 1}, Colour{1, 1, 1, 1}}}};
             const Pixels line = lit(drawn(request));
-            // Its points' pixels are its own or touch them; and its own touch those of its points.
+            // The pixels that points of the line light are the line's pixels or touch them, and
+            // each pixel of the line touches one of theirs.
             WireframeRequest points = request;
             points.mesh.lines.clear();
             points.mesh.vertices.clear();
@@ -173,7 +176,7 @@ BOOST_AUTO_TEST_CASE(lines_light_what_their_points_light)
                 return far;
             };
             BOOST_TEST(line.size() > 100u);
-            // A lens's border may cut off the pixel that one of them has beside the other's.
+            // A few may not: a lens's border may cut off the pixel that would touch another.
             BOOST_TEST(far_from(line, dots) <= int(line.size() / 50));
             BOOST_TEST(far_from(dots, line) <= int(dots.size() / 50));
         }
@@ -262,7 +265,8 @@ BOOST_AUTO_TEST_CASE(models_spread_a_point_and_keep_its_light)
         request.samples = 64;
         const Image spread = drawn(request);
         BOOST_TEST(lit(spread).size() > 3 * lit(sharp).size());
-        // Margins may miss their lens's pixels: only the outermost lenses lose light.
+        // Light at the margin of a spot may miss the lens's pixels, so that the outermost lenses
+        // lose light; the others do not.
         BOOST_TEST(std::fabs(sum(spread) / sum(sharp) - 1) < 0.1);
         double weights = 0;
         for (const RayBundle& bundle : bundles_of(request.optics, request.samples))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Wireframes of much that is smaller than a pixel, which is drawn another way than what is large:
-// against every pixel's own ray and every point's own projection.
+// Tests wireframes of many things that are smaller than a pixel, which are drawn in another way
+// than large ones: compares with the ray of every pixel and with the projection of every point.
 #include "integral/wireframe/film_loops.h"
 #include "integral/wireframe/wireframe.h"
 
@@ -58,7 +58,8 @@ Image drawn(const WireframeRequest& request, WireframeCost& cost)
     return *image;
 }
 
-/// The number that a thing's colour says; 0 is the background's.
+/// The colour of the thing with that number, and the number that a pixel's colour stands for; 0 is
+/// the background.
 Colour colour_of(int number) { return {float(number), 0, 0, 1}; }
 int number_at(const Image& image, int x, int y) { return int(stored_pixel(image, x, y).r + 0.5f); }
 
@@ -189,7 +190,7 @@ BOOST_AUTO_TEST_CASE(of_tiny_lines_each_pixel_shows_the_nearest)
         }
         WireframeCost cost;
         const Image image = drawn(request, cost);
-        // Every lens, and every line, without the program's search.
+        // What is expected is found by trying every line through every lens.
         std::map<std::pair<int, int>, std::pair<double, int>> want; // pixel -> depth, number
         std::map<std::pair<std::int64_t, std::int64_t>, LensIndex> lenses;
         const auto lens_of = [&](int x, int y) {
@@ -226,7 +227,7 @@ BOOST_AUTO_TEST_CASE(of_tiny_lines_each_pixel_shows_the_nearest)
             }
         BOOST_TEST(want.size() > 500u);
         BOOST_TEST(wrong == 0);
-        // No vertex goes through many more lenses than its own.
+        // No vertex is projected through many more lenses than image it.
         BOOST_TEST(cost.projections < double(cost.lenses) * double(places.size()) * 2);
     }
 }
@@ -252,7 +253,8 @@ BOOST_AUTO_TEST_CASE(a_line_in_pieces_is_the_line)
                 lit += number_at(whole, x, y);
                 apart += number_at(whole, x, y) && !number_at(parts, x, y);
             }
-        // A piece lights every pixel that it enters, a line one in every column or row.
+        // A short piece lights every pixel that it enters; a line lights one in every column or
+        // row.
         BOOST_TEST(lit > 300);
         BOOST_TEST(apart <= lit / 50);
     }

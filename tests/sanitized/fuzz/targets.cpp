@@ -118,7 +118,7 @@ void read_float_map(const Bytes& bytes)
         std::abort();
 }
 
-/// Whatever names a vertex names one that there is.
+/// Checks that every point, line and triangle refers to vertices that exist.
 void read_mesh(const Bytes& bytes)
 {
     const Mesh mesh = read_obj(file_of(bytes), {});
