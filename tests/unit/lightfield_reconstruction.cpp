@@ -334,7 +334,8 @@ BOOST_AUTO_TEST_CASE(each_side_of_a_floor_counts_for_itself)
     };
     const double told = ratio(sheet(Arrangement::square), floor_of(true), 4),
                  untold = ratio(sheet(Arrangement::square), floor_of(false), 4);
-    BOOST_TEST(told < 0.35 && untold > 0.8, told << ", " << untold);
+    BOOST_TEST(told < 0.35, told);
+    BOOST_TEST(untold > 0.8, untold); // so that the floor is one that needs it
 }
 
 BOOST_AUTO_TEST_CASE(uneven_samples_show_the_mean_of_a_curve)
