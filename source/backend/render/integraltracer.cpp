@@ -41,8 +41,8 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     if (view->shading_cache && view->shading_cache->Of_Use() &&
         (!view->caches_dear_shading_only || IntegralCachedShading::Pays(scene)))
         shading.reset(new IntegralCachedShading(*view->shading_cache, *tally, thread));
-    area_lights.reset(view->sampling && view->sampling->Reconstruction() ? new IntegralAreaLights
-                                                                         : nullptr);
+    const bool samples_lights = view->sampling && view->sampling->Reconstruction() && !shading;
+    area_lights.reset(samples_lights ? new IntegralAreaLights : nullptr);
 }
 
 void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const
@@ -59,8 +59,8 @@ void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t tr
 /// Begins the choice of area lights' parts for the next sample of a pixel.
 void IntegralTracer::Choose_Area_Lights(DBL x, DBL y)
 {
-    if (mode == camera_rays)
-        return area_lights->See_All(); // of radiosity
+    if (mode == camera_rays) // radiosity's first pass, which is not a part of the frame
+        return area_lights->See_All();
     std::uint64_t key = view->seed;
     if (mode == audit || !alike_samples)
         key = integral::random_bits(integral::random_bits(key, std::uint64_t(x)), std::uint64_t(y));
