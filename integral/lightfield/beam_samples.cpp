@@ -51,7 +51,7 @@ BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> mem
     point_unit_ = float(4 * std::max(sheet.pitch, pixel) / 32767);
     const double pixel_slope = sheet.ior * pixel / sheet.thickness;
     slope_unit_ = float(16 * pixel_slope / 32767);
-    // A surface that is seen edge-on an eighth of a pixel away has a tilt of 8 a pixel.
+    // Room for surfaces that are seen edge-on from a hundredth of a pixel beside the sample.
     tilt_unit_ = float(100 / pixel_slope / 32767);
 }
 

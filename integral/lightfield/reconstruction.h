@@ -5,7 +5,8 @@
 // A beam is as wide as a lens, so that many pixels behind the same lens and behind the neighbouring
 // ones look at the same place of a surface. A matte place looks alike from all of them. So a sample
 // of any of these pixels counts as one of the pixel's own, weighted by the density of the pixel's
-// beam at the place that the sample met (light field reconstruction: Lehtinen and others 2011).
+// beam at the place that the sample met (light field reconstruction: Lehtinen and others 2011), and
+// by less where the pixel sees the surface nearly edge-on.
 //
 // Where surfaces lie at clearly different depths, they are layers (layered reconstruction:
 // Vaidyanathan and others 2015). What part of the beam a layer covers is counted among all samples

@@ -100,8 +100,9 @@ inline SampleLayers::Density SampleLayers::density(const Group& group, FourFloat
     return {places[0], places[1], value};
 }
 
-/// The mean area in which a surface is seen from slopes on both sides of one from which it is
-/// `middle`, and that make a difference of up to `off`, above 0. From behind it is not seen.
+/// The mean area in which a surface is seen from evenly spread slopes, if that area is between
+/// middle - off and middle + off. Where it is below 0 the other side is seen, which counts as 0.
+/// `off` must be above 0.
 inline FourFloats mean_area(FourFloats middle, FourFloats off)
 {
     const FourFloats front = most(middle + off, FourFloats{});
