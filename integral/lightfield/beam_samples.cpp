@@ -8,9 +8,23 @@ namespace integral {
 
 namespace {
 
+// Comparisons in place of fmin and fmax, which are calls; every sample is stored by these
+// functions.
+
+/// 0 for NaN.
 std::int16_t rounded(float x)
 {
-    return std::int16_t(std::lround(std::fmin(std::fmax(x, -32767.0f), 32767.0f)));
+    constexpr float most = 32767;
+    const float within = x > most ? most : x > -most ? x : x <= -most ? -most : 0;
+    return std::int16_t(std::lrint(within));
+}
+
+/// 0 for NaN and for x below 0.
+std::uint16_t rounded_root(float x)
+{
+    constexpr float most = 65535;
+    const float root = (x > 0 ? std::sqrt(x) : 0) * StoredLight::levels + 0.5f;
+    return std::uint16_t(root < most ? root : most);
 }
 
 } // namespace
@@ -29,9 +43,7 @@ SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray)
 StoredLight::StoredLight(const LinearColour& light)
 {
     for (std::size_t k = 0; k < light.size(); ++k)
-        // fmax makes 0 of NaN.
-        roots_[k] = std::uint16_t(
-            std::fmin(std::sqrt(std::fmax(light[k], 0.0f)) * levels + 0.5f, 65535.0f));
+        roots_[k] = rounded_root(light[k]);
 }
 
 bool StoredLight::is_clamped() const

@@ -7,13 +7,25 @@
 #include "backend/render/ray.h"
 #include "backend/render/trace.h"
 #include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
 #include "integral/lightfield/sample_points.h"
+
+#include <algorithm>
 
 // this must be the last file included
 #include "base/povdebug.h"
 
 namespace pov
 {
+
+bool IntegralAreaLights::Of_Use(const SceneData& scene)
+{
+    const auto is_divided = [](const LightSource *light)
+    { return light->Area_Light && light->Adaptive_Level > 0; };
+    const auto any = [&](const vector<LightSource *>& lights)
+    { return std::any_of(lights.begin(), lights.end(), is_divided); };
+    return any(scene.lightSources) || any(scene.lightGroupLightSources);
+}
 
 void IntegralAreaLights::Begin_Shadow()
 {

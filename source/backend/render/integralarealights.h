@@ -13,11 +13,16 @@
 namespace pov
 {
 
+class SceneData;
+
 /// One thread's random choices. Those of the samples of one pixel are well distributed over a
 /// light.
 class IntegralAreaLights
 {
 public:
+    /// Whether a scene has area lights that POV-Ray divides without looking.
+    static bool Of_Use(const SceneData& scene);
+
     /// Begins a sample: number `index` of the set of samples (those of a pixel) that `key` names.
     void Begin(std::uint64_t key, std::uint32_t index)
     {

@@ -41,8 +41,10 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     if (view->shading_cache && view->shading_cache->Of_Use() &&
         (!view->caches_dear_shading_only || IntegralCachedShading::Pays(scene)))
         shading.reset(new IntegralCachedShading(*view->shading_cache, *tally, thread));
-    const bool samples_lights = view->sampling && view->sampling->Reconstruction() && !shading;
-    area_lights.reset(samples_lights ? new IntegralAreaLights : nullptr);
+    const bool reconstructs = view->sampling && view->sampling->Reconstruction();
+    area_lights.reset(reconstructs && !shading && IntegralAreaLights::Of_Use(scene)
+                          ? new IntegralAreaLights
+                          : nullptr);
 }
 
 void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const
