@@ -315,6 +315,7 @@ bool IntegralCachedShading::Colour_Of(Intersection& isect, const Ray& ray, Trace
         return false;
     VECTOR normal;
     const bool inside = Side_Seen(isect, ray, normal);
+    Assign_Vector(isect.INormal, normal); // where colours that are not shared leave it, too
     if (Kind_Of(isect, inside) == own)
     {
         lit.isect = isect;

@@ -204,7 +204,7 @@ void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pret
 
 std::array<float, 2> IntegralTracer::Tilt(const integral::SightSlope& line) const
 {
-    if (shading || !(last_depth < HUGE_VAL))
+    if (!(last_depth < HUGE_VAL))
         return {};
     // A plane's normal is a covector: its components along the sheet's axes are products with them.
     const integral::Placement& placement = view->optics->placement;
