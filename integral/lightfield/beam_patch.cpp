@@ -15,8 +15,8 @@ constexpr double most_pixels = 3.2, most_pixels_across_lines = 7.2, fall = 0.17,
                  fall_across_lines = 0.03;
 constexpr int most_lenses = 1, most_lenses_across_lines = 3;
 
-// As their weights fall, the directions of the samples that count are spread about as evenly over
-// this part of the range.
+// The weights of samples fall towards the ends of the range of directions. Equal weights over this
+// part of the range have about the same spread.
 constexpr double spread = 0.8;
 
 // Two patches meet if their centres are nearer than this part of the sum of their widths. Where

@@ -40,7 +40,7 @@ void SampleLayers::begin(const BeamPatch& patch, const SightSlope& centre)
         cell_slopes_[k] = FourFloats{} + axis.cell_slope;
         pixels_[k] = FourFloats{} + axis.pixel_at_sheet;
         pixel_slopes_[k] = FourFloats{} + axis.pixel_slope;
-        lent_slopes_[k] = FourFloats{} + axis.lent_slope;
+        lent_slopes_[k] = FourFloats{} + std::max(axis.lent_slope, 0.5f * axis.pixel_slope);
         lent_ways_[k] = FourFloats{} + axis.lent_way;
     }
     // The width of a patch grows by this part of itself for each mm.
@@ -120,7 +120,7 @@ inline FourFloats SampleLayers::seen_part(const Group& group) const
     for (int k = 0; k < 2; ++k) {
         tilts[k] = magnitude(group.tilts[k]);
         middle -= group.tilts[k] * group.lines[k + 2];
-        most_off += tilts[k] * most(lent_slopes_[k], 0.5f * pixel_slopes_[k]);
+        most_off += tilts[k] * lent_slopes_[k];
     }
     if (!any(middle < most_off))
         return one;

@@ -226,7 +226,7 @@ bool IntegralCachedShading::Colour_Of(Intersection& isect, const Ray& ray, Trace
         return false;
     VECTOR normal;
     const bool inside = Side_Seen(isect, ray, normal);
-    Assign_Vector(isect.INormal, normal); // where colours that are not shared leave it, too
+    Assign_Vector(isect.INormal, normal); // as ComputeTextureColour does, if it is called
     if (Kind_Of(isect, inside) == own)
     {
         lit.isect = isect;

@@ -63,9 +63,9 @@ void IntegralTracer::Choose_Area_Lights(DBL x, DBL y)
 {
     if (mode == camera_rays) // radiosity's first pass, which is not a part of the frame
         return area_lights->See_All();
-    std::uint64_t key = view->seed;
-    if (mode == audit || !alike_samples)
-        key = integral::random_bits(integral::random_bits(key, std::uint64_t(x)), std::uint64_t(y));
+    // With -J, too: if every pixel saw the same parts, that would be another, smaller light.
+    const std::uint64_t key = integral::random_bits(
+        integral::random_bits(view->seed, std::uint64_t(x)), std::uint64_t(y));
     if (mode == audit)
         area_lights->Begin(integral::random_bits(key, ~audit_set), audit_index);
     else
@@ -177,7 +177,6 @@ bool IntegralTracer::Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace,
 void IntegralTracer::Refine(int x, int y, bool alike, double depth, const Colour *first)
 {
     mode = refinement;
-    alike_samples = alike;
     beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, depth);
     refined = Light();
     if (first)
