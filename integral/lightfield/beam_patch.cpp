@@ -135,18 +135,27 @@ int LendingPixels::index_of(int axis, double lens, double pixels)
     return int(steps.size()) - 1;
 }
 
-/// Whether the patch of a pixel that is a step away meets a patch at any depth of a range.
-bool LendingPixels::may_meet(const Step& step, int axis, const BeamPatch& patch, float nearest,
-                             float furthest)
+/// Works out for each step along an axis whether the patch of a pixel that is so far away meets a
+/// patch at any depth of a range. Its loop, which runs for every pixel, has no branches.
+void LendingPixels::find_meeting(int axis, const BeamPatch& patch, float nearest, float furthest,
+                                 Scratch& scratch) const
 {
-    const float slope = step.pixels * patch.axis(axis).pixel_slope;
-    const auto meet = [&](float depth) {
-        return std::fabs(step.lens + slope * depth) <= 2 * least_part * patch.reach(axis, depth);
-    };
-    if (meet(nearest) || meet(furthest) || (nearest < 0 && furthest > 0 && meet(0)))
-        return true;
-    const float crossing = -step.lens / slope; // where the centres meet; infinite if they do not
-    return nearest < crossing && crossing < furthest;
+    const BeamPatch::Axis& widths = patch.axis(axis);
+    // The distance of two centres is linear in the depth, and what it may be is so from 0 on.
+    const bool crosses_sheet = nearest < 0 && furthest > 0;
+    const float within_nearest = 2 * least_part * widths.reach(nearest),
+                within_furthest = 2 * least_part * widths.reach(furthest),
+                within_sheet = crosses_sheet ? 2 * least_part * widths.reach(0) : -1;
+    for (std::size_t k = 0; k < steps_[axis].size(); ++k) {
+        const Step& step = steps_[axis][k];
+        const float slope = step.pixels * widths.pixel_slope,
+                    at_nearest = step.lens + slope * nearest,
+                    at_furthest = step.lens + slope * furthest;
+        scratch.may_meet[axis][k] = (std::fabs(at_nearest) <= within_nearest) |
+                                    (std::fabs(at_furthest) <= within_furthest) |
+                                    (std::fabs(step.lens) <= within_sheet) |
+                                    (at_nearest * at_furthest < 0); // the centres meet between
+    }
 }
 
 } // namespace integral

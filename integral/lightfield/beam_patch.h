@@ -54,7 +54,7 @@ public:
 
     /// Working memory of one thread.
     struct Scratch {
-        std::vector<std::array<char, 2>> may_meet; ///< by `steps`, for both axes
+        std::array<std::vector<char>, 2> may_meet; ///< by `steps`, for both axes
     };
 
     /// Calls visit(x, y, lens, part) for the pixels, which may be outside the frame or behind other
@@ -82,8 +82,8 @@ private:
     };
     void add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step);
     int index_of(int axis, double lens, double pixels);
-    static bool may_meet(const Step& step, int axis, const BeamPatch& patch, float nearest,
-                         float furthest);
+    void find_meeting(int axis, const BeamPatch& patch, float nearest, float furthest,
+                      Scratch& scratch) const;
 
     bool lines_;
     int rows_ = 0;
@@ -95,12 +95,12 @@ template <class Visit>
 void LendingPixels::for_each(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch,
                              float nearest, float furthest, Scratch& scratch, Visit visit) const
 {
-    scratch.may_meet.resize(std::max(steps_[0].size(), steps_[1].size()));
-    for (int axis = 0; axis < 2; ++axis)
-        for (std::size_t k = 0; k < steps_[axis].size(); ++k)
-            scratch.may_meet[k][axis] = may_meet(steps_[axis][k], axis, patch, nearest, furthest);
+    for (int axis = 0; axis < 2; ++axis) {
+        scratch.may_meet[axis].resize(steps_[axis].size());
+        find_meeting(axis, patch, nearest, furthest, scratch);
+    }
     for (const Lender& lender : lenders_[own[1] & 1])
-        if (scratch.may_meet[lender.steps[0]][0] && scratch.may_meet[lender.steps[1]][1])
+        if (scratch.may_meet[0][lender.steps[0]] && scratch.may_meet[1][lender.steps[1]])
             visit(x + lender.x, y + lender.y,
                   FirstSamples::StoredLens{std::uint16_t(own[0] + lender.i),
                                            std::uint16_t(own[1] + lender.j)},

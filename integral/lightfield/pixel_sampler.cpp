@@ -42,6 +42,10 @@ PixelSampler::PixelSampler(const IntegralCamera& camera, std::uint64_t seed)
     lens_dimensions_ = hybrid || camera.beam_samples == 1 ? 0 : cell_is_flat ? 1 : 2;
     one_ray_ = film_dimensions_ + lens_dimensions_ == 0 && !hybrid && !camera.pseudoscopic &&
                camera.film.subpixels == Subpixels::none && optics.model() != LensModel::full;
+    if (optics.sheet().arrangement == Arrangement::lenticular && !cell_is_flat &&
+        optics.aperture().shape == ApertureShape::rectangle && !camera.display_prefilter &&
+        !camera.pseudoscopic)
+        slit_height_ = camera.slit_height({0, 0});
 }
 
 bool PixelSampler::halves_tell_error() const
@@ -332,6 +336,20 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
     return beam;
 }
 
+/// The ray of one sample of a beam; nothing if another lens images the film point, or no light gets
+/// through. `unit`: the place on the lens.
+std::optional<BeamRay> PixelSampler::beam_sample(const PixelBeam::Channel& own, Vec2 film_point,
+                                                 Vec2 unit) const
+{
+    const SheetOptics& optics = camera_.optics;
+    if (own.whole && slit_height_) // no pole ray is needed
+        return beam_ray(optics, film_point, own.lens,
+                        cell_point(optics.lattice(), unit, *slit_height_));
+    const auto pole_ray = own.whole ? optics.ray_through(film_point, own.lens)
+                                    : sample_ray(film_point, own.lens);
+    return pole_ray ? ray_at(film_point, *pole_ray, lens_point(unit, *pole_ray)) : std::nullopt;
+}
+
 void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index,
                                  std::vector<PixelRay>& rays) const
 {
@@ -342,14 +360,14 @@ void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index,
                               along = own.along(unit[1], unit[3]);
         const Vec2 pixel = own.turned ? Vec2{along.second, across.second}
                                       : Vec2{across.second, along.second};
-        const Vec2 film_point = moved(own.film_centre, pixel);
-        const auto ray = own.whole ? camera_.optics.ray_through(film_point, own.lens)
-                                   : sample_ray(film_point, own.lens);
+        const auto ray = beam_sample(own, moved(own.film_centre, pixel),
+                                     {across.first, along.first});
         if (!ray)
             continue;
         PixelRay sample;
         sample.channel = own.channel;
-        append_ray(film_point, *ray, lens_point({across.first, along.first}, *ray), sample, rays);
+        sample.ray = *ray;
+        rays.push_back(sample);
     }
 }
 

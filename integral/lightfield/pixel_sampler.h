@@ -123,6 +123,8 @@ private:
     PointSeeds beam_seeds(Vec2 centre, int channel, bool alike) const;
     void aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;
+    std::optional<BeamRay> beam_sample(const PixelBeam::Channel& own, Vec2 film_point,
+                                       Vec2 unit) const;
     void append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
                         PixelOutcome& outcome) const;
     std::optional<BeamRay> ray_at(Vec2 film_point, const LensRay& pole_ray,
@@ -136,6 +138,7 @@ private:
     Vec2 area_;                             ///< size of a pixel or of its subpixels, mm
     int film_dimensions_, lens_dimensions_; ///< that append_rays samples, 0 to 2 each
     bool one_ray_;                          ///< see gives_one_ray
+    std::optional<double> slit_height_;     ///< mm; nothing if it may depend on the pole ray
 };
 
 } // namespace integral
