@@ -12,10 +12,42 @@ namespace integral {
 
 namespace {
 
-// The expected squared error, divided by what the variance of the samples says, where nothing else
-// is known, and the number of pixels as which that counts. Found by trying on sample scenes of
-// POV-Ray's.
-constexpr float usual_excess = 3, weight_of_usual = 8;
+// The halves of pixels' samples show by how much their expected squared error differs from what the
+// variance of the samples says. For a pixel that is known from those around, as far as they are
+// more than this many; else from all in its block, as far as those are more than this many; else it
+// is the usual. Found by trying on sample scenes of POV-Ray's.
+constexpr float enough_halves = 20, usual_excess = 1.5f;
+
+// What is left of a pixel's difference beside the mean of those around counts as far as it is more
+// than this many times the noise: where samples rarely meet something bright, single pixels' noise
+// is often more than is expected. Found by trying on sample scenes of POV-Ray's.
+constexpr float margin_of_rest = 2;
+
+/// By how much more the halves of pixels' samples differ than the variance of the samples lets
+/// expect.
+class Excess {
+public:
+    void add(float variance, float of_halves)
+    {
+        if (of_halves < 0)
+            return;
+        expected_ += variance;
+        seen_ += of_halves;
+        ++number_;
+    }
+    /// The ratio of squared errors; `usual` as far as few halves are known.
+    float ratio(float usual) const
+    {
+        if (!(expected_ > 0))
+            return usual;
+        const float weight = enough_halves * expected_ / number_;
+        return (seen_ + usual * weight) / (expected_ + weight);
+    }
+
+private:
+    float expected_ = 0, seen_ = 0;
+    int number_ = 0;
+};
 
 float squared_difference(const TabulatedCurve& encode, const LinearColour& a, const LinearColour& b)
 {
@@ -113,30 +145,35 @@ void Reconstruction::for_each_around(int x, int y, int reach, Visit visit) const
                 visit(i, j, index(i, j));
 }
 
-/// The mean variance of the pixel and those beside it, times how much more the halves of the
-/// samples around differ than their variance lets expect.
-float Reconstruction::smooth_variance(int x, int y) const
+/// The ratio of squared errors that is usual in a block.
+float Reconstruction::excess_of(const PictureBlock& block) const
 {
-    float near_sum = 0, expected = 0, seen = 0;
-    int near_number = 0, number = 0;
+    Excess excess;
+    for (int y = block.top; y <= block.bottom; ++y)
+        for (int x = block.left; x <= block.right; ++x)
+            excess.add(std::max<float>(0, pixels_[index(x, y)].variance),
+                       pixels_[index(x, y)].of_halves);
+    return excess.ratio(usual_excess);
+}
+
+/// The variance of the pixel's mean, by that of the samples of the pixel and those beside it, times
+/// how much more the halves of the samples around differ than their variance lets expect. A pixel's
+/// own samples do not tell: it has few because they happen to be alike. `usual`: excess_of() the
+/// block.
+float Reconstruction::smooth_variance(int x, int y, float usual) const
+{
+    float sum_of_one = 0;
+    int number = 0;
+    Excess excess;
     for_each_around(x, y, reach_around, [&](int i, int j, std::size_t at) {
-        const Pixel& other = pixels_[at];
-        const float variance = std::max<float>(0, other.variance), of_halves = other.of_halves;
+        const float variance = std::max<float>(0, pixels_[at].variance);
         if (std::abs(i - x) <= 1 && std::abs(j - y) <= 1) {
-            near_sum += variance;
-            ++near_number;
-        }
-        if (of_halves >= 0) {
-            expected += variance;
-            seen += of_halves;
+            sum_of_one += variance * samples_.pixel(at).number;
             ++number;
         }
+        excess.add(variance, pixels_[at].of_halves);
     });
-    const float mean = near_sum / near_number;
-    if (!(expected > 0))
-        return usual_excess * mean;
-    const float weight = weight_of_usual * expected / number;
-    return mean * (seen + usual_excess * weight) / (expected + weight);
+    return sum_of_one / number / samples_.pixel(x, y).number * excess.ratio(usual);
 }
 
 /// Sets the layers of a pixel from the samples of all pixels that it may use.
@@ -172,15 +209,17 @@ bool Reconstruction::is_noisy(int x, int y, float variance) const
     return found;
 }
 
-void Reconstruction::estimate(const PictureBlock& block, Scratch& scratch)
+void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& block,
+                              Scratch& scratch)
 {
-    for (int y = block.top; y <= block.bottom; ++y)
-        for (int x = block.left; x <= block.right; ++x) {
+    const float usual = excess_of(block);
+    for (int y = pixels.top; y <= pixels.bottom; ++y)
+        for (int x = pixels.left; x <= pixels.right; ++x) {
             Pixel& pixel = pixels_[index(x, y)];
             pixel.others = 0;
             if (!first_.lens(x, y) || pixel.variance < 0)
                 continue;
-            const float variance = smooth_variance(x, y);
+            const float variance = smooth_variance(x, y, usual);
             if (!is_noisy(x, y, variance))
                 continue;
             gather(x, y, scratch);
@@ -266,7 +305,8 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
                 noise += other.noise;
             });
             const float smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0,
-                        rest_part = rest > noise ? 1 - noise / rest : 0;
+                        rest_noise = margin_of_rest * noise,
+                        rest_part = rest > rest_noise ? 1 - rest_noise / rest : 0;
             const LinearColour mean = pixels_[index(x, y)].mean.light();
             LinearColour light = pixels_[index(x, y)].layers.light();
             for (std::size_t k = 0; k < light.size(); ++k)

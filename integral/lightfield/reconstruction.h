@@ -77,9 +77,9 @@ public:
     using ScratchPointer = std::unique_ptr<Scratch, FreeScratch>;
     static ScratchPointer make_scratch();
 
-    /// Works out the layers of a block's pixels, for which all samples and errors around have been
-    /// set.
-    void estimate(const PictureBlock& block, Scratch& scratch);
+    /// Works out the layers of some pixels, for which all samples and errors around have been set.
+    /// `block`: the pixels that show how large errors usually are; all of them have been set, too.
+    void estimate(const PictureBlock& pixels, const PictureBlock& block, Scratch& scratch);
 
     /// The reconstructed light of a block's pixels, row by row; nothing for those that are to be
     /// left alone: empty ones, and those whose error is less than least_error. Those around have
@@ -122,7 +122,8 @@ private:
     struct Difference;
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
-    float smooth_variance(int x, int y) const;
+    float excess_of(const PictureBlock& block) const;
+    float smooth_variance(int x, int y, float usual) const;
     bool is_noisy(int x, int y, float variance) const;
     template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
     void gather(int x, int y, Scratch& scratch) const;

@@ -4,6 +4,7 @@
 #include "integral/lightfield/reconstruction.h"
 #include "integral/lightfield/refinement.h"
 #include "integral/lightfield/sample_fit.h"
+#include "integral/lightfield/sample_points.h"
 #include "tests/unit/pixel_origins.h"
 
 #include <boost/test/unit_test.hpp>
@@ -75,7 +76,9 @@ struct Sampled {
     BeamSamples::Seen seen(const BeamRay& ray, const Look& look) const
     {
         const float grey = float(look.grey);
-        return {sight_slope(camera.optics.lattice(), ray), look.depth, {grey, grey, grey, 0},
+        return {sight_slope(camera.optics.lattice(), ray),
+                look.depth,
+                {grey, grey, grey, 0},
                 look.tilt};
     }
 
@@ -121,12 +124,14 @@ struct Sampled {
         reconstruction.set(x, y, {grey, grey, grey, 0}, variance, halves);
     }
 
-    std::vector<std::optional<LinearColour>> pixels()
+    static constexpr PictureBlock all{0, 0, width - 1, height - 1};
+
+    /// `block`: the pixels that show how large errors usually are.
+    std::vector<std::optional<LinearColour>> pixels(const PictureBlock& block = all)
     {
-        const PictureBlock all{0, 0, width - 1, height - 1};
         const auto scratch = Reconstruction::make_scratch();
         std::vector<std::optional<LinearColour>> result;
-        reconstruction.estimate(all, *scratch);
+        reconstruction.estimate(all, block, *scratch);
         reconstruction.reconstruct(all, encode, *scratch, result);
         return result;
     }
@@ -338,6 +343,21 @@ BOOST_AUTO_TEST_CASE(each_side_of_a_floor_counts_for_itself)
     BOOST_TEST(untold > 0.8, untold); // so that the floor is one that needs it
 }
 
+BOOST_AUTO_TEST_CASE(rare_spots_are_no_surprise)
+{
+    // Few samples meet a spot, so that the errors of single pixels are far from what their samples
+    // let expect.
+    const Scene scene = [](const BeamRay& ray) {
+        const Vec2 place = place_at(ray, 4);
+        const auto cell = [](double x) { return std::uint64_t(std::int64_t(std::floor(10 * x))); };
+        return Look{random_bits(cell(place.x), cell(place.y)) % 64 == 0 ? 4 : 0.1, 4};
+    };
+    const double few = ratio(sheet(Arrangement::square), scene, 4),
+                 many = ratio(sheet(Arrangement::square), scene, 16);
+    BOOST_TEST(few < 0.65, few);
+    BOOST_TEST(many < 0.78, many);
+}
+
 BOOST_AUTO_TEST_CASE(uneven_samples_show_the_mean_of_a_curve)
 {
     // More samples near the middle than at the rim; the beam's own density is even.
@@ -360,7 +380,7 @@ BOOST_AUTO_TEST_CASE(what_moves_otherwise_stays)
     // A reflection: it looks like a texture at another depth than that of the surface.
     const Scene behind = chequers(50, 10);
     const Scene scene = [&](const BeamRay& ray) { return Look{behind(ray).grey, 5}; };
-    BOOST_TEST(ratio(sheet(Arrangement::square), scene, 4) < 1.1);
+    BOOST_TEST(ratio(sheet(Arrangement::square), scene, 4) < 1.25);
     BOOST_TEST(ratio(sheet(Arrangement::square), scene, 16) < 1.1);
 }
 
@@ -402,8 +422,8 @@ BOOST_AUTO_TEST_CASE(what_is_not_noisy_is_left_alone)
         for (int j = -4; j <= 4; ++j)
             for (int i = -4; i <= 4; ++i)
                 if (!std::isnan(frame.mean[Sampled::at(x + i, y + j)]))
-                    frame.put(x + i, y + j, float(value), variance / 3);
-        return !frame.pixels()[Sampled::at(x, y)];
+                    frame.put(x + i, y + j, float(value), variance / 1.5); // 1.5: it is so usually
+        return !frame.pixels({x - 4, y - 4, x + 4, y + 4})[Sampled::at(x, y)];
     };
     BOOST_TEST_REQUIRE(!std::isnan(frame.mean[Sampled::at(x, y)]));
     BOOST_TEST(!is_left_alone(3e-4, 0.5));
@@ -429,7 +449,7 @@ BOOST_AUTO_TEST_CASE(no_pixel_depends_on_further_rows)
         Sampled frame(p, chequers(20, 3), 2);
         const int reach = rows_reconstructed_from(frame.camera.optics.sheet(), frame.camera.film);
         const auto row = [&] {
-            auto pixels = frame.pixels();
+            auto pixels = frame.pixels({0, 0, width - 1, 0});
             pixels.resize(width);
             return pixels;
         };

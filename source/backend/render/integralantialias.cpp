@@ -231,7 +231,7 @@ private:
         if (pass == sampling.Last_Pass())
             Finish(block);
         else if (pass == IntegralSampling::estimation)
-            sampling.Reconstruction()->estimate(block, *scratch);
+            sampling.Reconstruction()->estimate(block, sampling.Whole(block), *scratch);
         else
         {
             radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left

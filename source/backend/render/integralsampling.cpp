@@ -185,8 +185,13 @@ bool IntegralSampling::Is_Wanted(const integral::PictureBlock& block, unsigned i
 
 bool IntegralSampling::Shows(const integral::PictureBlock& block) const
 {
-    const int top = area.top + (block.top - int(area.top)) / side * side;
-    return serials.count({block.left, top}) > 0;
+    return serials.count({block.left, Whole(block).top}) > 0;
+}
+
+integral::PictureBlock IntegralSampling::Whole(const integral::PictureBlock& part) const
+{
+    const int top = int(area.top) + (part.top - int(area.top)) / side * side;
+    return {part.left, top, part.right, std::min(top + side - 1, int(area.bottom))};
 }
 
 float IntegralSampling::Progress(const integral::PictureBlock& block) const

@@ -72,6 +72,9 @@ public:
     /// render finished (+C).
     bool Shows(const integral::PictureBlock& block) const;
 
+    /// The block of which a pass works on a part.
+    integral::PictureBlock Whole(const integral::PictureBlock& part) const;
+
     int Last_Pass() const { return int(scheduled.size()) - 1; }
 
     /// The part of a block's progress that the passes before the last report, 0 to 1.
