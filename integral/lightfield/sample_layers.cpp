@@ -21,6 +21,11 @@ constexpr int most_steps = 1023;
 // layers that let less than this through is left out.
 constexpr float little_part = 0.06f, little_light = 0.01f;
 
+// What a sample tells of where the beam's rays end, if it met a side of a surface that the pixel
+// does not see: for a floor that is seen from above and from below that is certain, beside the
+// outline of a round thing it is not. Found by trying on sample scenes of POV-Ray's.
+constexpr float of_other_side = 0.3f;
+
 /// About the logarithm of x to base 2, for x >= 1: linear between powers of two.
 float logarithm(float x)
 {
@@ -112,11 +117,13 @@ inline FourFloats mean_area(FourFloats middle, FourFloats off)
 /// The area in which each sample's surface is seen from the pixel's slopes, in terms of that from
 /// all slopes whose samples count: below 1 for surfaces that are seen nearly edge-on, as a floor
 /// far away, which few samples meet at the horizon; 0 for the side that the pixel does not see.
-inline FourFloats SampleLayers::seen_part(const Group& group) const
+/// Sets the group's areas.
+inline FourFloats SampleLayers::seen_part(Group& group) const
 {
     const FourFloats one = FourFloats{} + 1;
     std::array<FourFloats, 2> tilts;
-    FourFloats middle = one, most_off{};
+    FourFloats most_off{};
+    FourFloats& middle = group.areas = one;
     for (int k = 0; k < 2; ++k) {
         tilts[k] = magnitude(group.tilts[k]);
         middle -= group.tilts[k] * group.lines[k + 2];
@@ -250,6 +257,14 @@ FourFloats SampleLayers::fitted() const
     return fit.mean_of_beam();
 }
 
+/// The depths at which the samples' surfaces, as planes, are met by lines of the pixel's direction
+/// that cross the samples' lines at a depth.
+inline FourFloats SampleLayers::seen_depths(const Group& group, FourFloats depth) const
+{
+    constexpr float tiny = 1e-6f; // where the pixel sees the surface edge-on
+    return depth + (group.depths - depth) / (group.areas + tiny);
+}
+
 /// The samples that reach a layer inside the beam. `before`: the furthest depth of the layer before
 /// it.
 ReachingSamples SampleLayers::reaching(const Layer& layer, float before) const
@@ -261,8 +276,9 @@ ReachingSamples SampleLayers::reaching(const Layer& layer, float before) const
         if (!any(group.depths > before))
             continue;
         const Density at = density(group, depth);
-        const FourFloats weight = group.depths > before ? group.shares * at.value : none,
-                         passed = group.depths > layer.furthest ? weight : none;
+        const FourFloats share = group.areas > 0 ? group.shares : of_other_side * group.shares,
+                         weight = group.depths > before ? share * at.value : none,
+                         passed = seen_depths(group, depth) > layer.furthest ? weight : none;
         if (!(sum_of(weight) > 0))
             continue;
         result.add(weight, weight - passed, at.x, at.y);

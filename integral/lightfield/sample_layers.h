@@ -40,8 +40,10 @@ private:
     struct Group {
         std::array<FourFloats, 4> lines;
         std::array<FourFloats, 2> tilts; ///< BeamSamples::Seen::tilt
-        FourFloats depths;               ///< mm
-        FourFloats shares;               ///< as which the samples count inside the beam
+        FourFloats areas;   ///< in which the samples' surfaces are seen from the pixel's direction,
+                            ///< in terms of those from the samples' own; below 0: the other side
+        FourFloats depths;  ///< mm
+        FourFloats shares;  ///< as which the samples count inside the beam
         FourFloats weights; ///< the shares times the beam's density where the samples ended
         std::array<StoredLight, 4> light;
     };
@@ -64,7 +66,8 @@ private:
         FourFloats x, y, value;
     };
     Density density(const Group& group, FourFloats depth) const;
-    FourFloats seen_part(const Group& group) const;
+    FourFloats seen_part(Group& group) const;
+    FourFloats seen_depths(const Group& group, FourFloats depth) const;
     float scaled(float depth) const;
     void weigh();
     void find_layers();

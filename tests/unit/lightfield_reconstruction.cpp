@@ -343,6 +343,23 @@ BOOST_AUTO_TEST_CASE(each_side_of_a_floor_counts_for_itself)
     BOOST_TEST(untold > 0.8, untold); // so that the floor is one that needs it
 }
 
+BOOST_AUTO_TEST_CASE(rays_that_pass_end_on_the_same_floor_later)
+{
+    // A floor up to an edge, and a wall far behind it. Rays that are less steep than a pixel's, or
+    // come from the floor's other side, pass where the pixel's own meet the floor.
+    for (const double edge : {5., 20.}) {
+        const Scene scene = [=](const BeamRay& ray) {
+            const double slope = ray.direction.y / ray.direction.z,
+                         depth = ray.point.z + (-0.2 - ray.point.y) / slope;
+            if (!(depth > -290 && depth < edge))
+                return Look{0.9, 120};
+            return Look{slope < 0 ? 0.1 : 0.9, depth, {0, float(1 / slope)}};
+        };
+        const double found = ratio(sheet(Arrangement::square), scene, 4);
+        BOOST_TEST(found < 0.55, edge << " mm: " << found);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(rare_spots_are_no_surprise)
 {
     // Few samples meet a spot, so that the errors of single pixels are far from what their samples
