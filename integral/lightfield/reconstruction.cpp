@@ -158,8 +158,8 @@ float Reconstruction::excess_of(const PictureBlock& block) const
 
 /// The variance of the pixel's mean, by that of the samples of the pixel and those beside it, times
 /// how much more the halves of the samples around differ than their variance lets expect. A pixel's
-/// own samples do not tell: it has few because they happen to be alike. `usual`: excess_of() the
-/// block.
+/// own samples are not enough: it may have few because they happened to be alike. `usual`:
+/// excess_of() the block.
 float Reconstruction::smooth_variance(int x, int y, float usual) const
 {
     float sum_of_one = 0;
