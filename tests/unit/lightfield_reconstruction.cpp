@@ -44,6 +44,19 @@ Scene chequers(double depth, double side, double rise = 0)
     };
 }
 
+/// A floor at the height of the lenses, up to a depth; what is seen beyond it; the grey values of
+/// its upper and of its lower side. `tells`: whether it tells how it lies.
+Scene floor_up_to(double edge, Look beyond, double upper, double lower, bool tells = true)
+{
+    return [=](const BeamRay& ray) {
+        const double slope = ray.direction.y / ray.direction.z,
+                     depth = ray.point.z + (-0.2 - ray.point.y) / slope;
+        if (!(depth > -290 && depth < edge))
+            return beyond;
+        return Look{slope < 0 ? upper : lower, depth, {0, tells ? float(1 / slope) : 0}};
+    };
+}
+
 const TabulatedCurve encode([](float x) { return std::sqrt(std::fmax(0.0f, x)); });
 
 /// A frame with so many samples a pixel.
@@ -324,38 +337,22 @@ BOOST_AUTO_TEST_CASE(what_hides_the_same_part_counts_once)
 
 BOOST_AUTO_TEST_CASE(each_side_of_a_floor_counts_for_itself)
 {
-    // A floor at the height of the lenses, up to its horizon: the lower half of the slopes sees its
-    // upper side, the upper half its dark lower one.
-    const auto floor_of = [](bool tells) -> Scene {
-        return [=](const BeamRay& ray) {
-            const double slope = ray.direction.y / ray.direction.z,
-                         depth = ray.point.z + (-0.2 - ray.point.y) / slope;
-            if (!(depth > -290 && depth < 1e4))
-                return Look{0.9, 1e9};
-            const auto tilt = tells ? std::array<float, 2>{0, float(1 / slope)}
-                                    : std::array<float, 2>{};
-            return Look{slope < 0 ? 0.6 : 0.1, depth, tilt};
-        };
+    // Up to its horizon: the lower half of the slopes sees its upper side, the upper half its dark
+    // lower one.
+    const auto found = [](bool tells) {
+        return ratio(sheet(Arrangement::square), floor_up_to(1e4, {0.9, 1e9}, 0.6, 0.1, tells), 4);
     };
-    const double told = ratio(sheet(Arrangement::square), floor_of(true), 4),
-                 untold = ratio(sheet(Arrangement::square), floor_of(false), 4);
-    BOOST_TEST(told < 0.35, told);
-    BOOST_TEST(untold > 0.8, untold); // so that the floor is one that needs it
+    BOOST_TEST(found(true) < 0.35);
+    BOOST_TEST(found(false) > 0.8); // so that the floor is one that needs it
 }
 
 BOOST_AUTO_TEST_CASE(rays_that_pass_end_on_the_same_floor_later)
 {
-    // A floor up to an edge, and a wall far behind it. Rays that are less steep than a pixel's, or
-    // come from the floor's other side, pass where the pixel's own meet the floor.
+    // Up to an edge, and a wall far behind it. Rays that are less steep than a pixel's, or come
+    // from the floor's other side, pass where the pixel's own meet the floor.
     for (const double edge : {5., 20.}) {
-        const Scene scene = [=](const BeamRay& ray) {
-            const double slope = ray.direction.y / ray.direction.z,
-                         depth = ray.point.z + (-0.2 - ray.point.y) / slope;
-            if (!(depth > -290 && depth < edge))
-                return Look{0.9, 120};
-            return Look{slope < 0 ? 0.1 : 0.9, depth, {0, float(1 / slope)}};
-        };
-        const double found = ratio(sheet(Arrangement::square), scene, 4);
+        const double found = ratio(sheet(Arrangement::square),
+                                   floor_up_to(edge, {0.9, 120}, 0.1, 0.9), 4);
         BOOST_TEST(found < 0.55, edge << " mm: " << found);
     }
 }
