@@ -69,6 +69,7 @@ unit_sources = \
   tests/unit/lightfield_image.cpp \
   tests/unit/lightfield_known_sheets.cpp \
   tests/unit/lightfield_lens_profile.cpp \
+  tests/unit/lightfield_linear_colour.cpp \
   tests/unit/lightfield_metadata.cpp \
   tests/unit/lightfield_pass_schedule.cpp \
   tests/unit/lightfield_pixel_beam.cpp \

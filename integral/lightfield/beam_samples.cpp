@@ -8,23 +8,13 @@ namespace integral {
 
 namespace {
 
-// Comparisons in place of fmin and fmax, which are calls; every sample is stored by these
-// functions.
-
-/// 0 for NaN.
+/// 0 for NaN. Comparisons in place of fmin and fmax, which are calls: every sample is stored by
+/// this function.
 std::int16_t rounded(float x)
 {
     constexpr float most = 32767;
     const float within = x > most ? most : x > -most ? x : x <= -most ? -most : 0;
     return std::int16_t(std::lrint(within));
-}
-
-/// 0 for NaN and for x below 0.
-std::uint16_t rounded_root(float x)
-{
-    constexpr float most = 65535;
-    const float root = (x > 0 ? std::sqrt(x) : 0) * StoredLight::levels + 0.5f;
-    return std::uint16_t(root < most ? root : most);
 }
 
 } // namespace
@@ -38,17 +28,6 @@ SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray)
                                     float(dot(v, lattice.along()))};
     };
     return {along_axes(point), along_axes(slope)};
-}
-
-StoredLight::StoredLight(const LinearColour& light)
-{
-    for (std::size_t k = 0; k < light.size(); ++k)
-        roots_[k] = rounded_root(light[k]);
-}
-
-bool StoredLight::is_clamped() const
-{
-    return *std::max_element(roots_.begin(), roots_.end()) == 65535;
 }
 
 BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)

@@ -5,9 +5,9 @@
 #define INTEGRAL_LIGHTFIELD_BEAM_SAMPLES_H
 
 #include "integral/lightfield/first_samples.h"
+#include "integral/lightfield/linear_colour.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -22,31 +22,6 @@ struct SightSlope {
     std::array<float, 2> point{}, slope{};
 };
 SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray);
-
-/// Red, green, blue and transparency in linear light, each from 0 to 64.
-using LinearColour = std::array<float, 4>;
-
-/// A LinearColour in 8 bytes: square roots, so that the error is below 0.0002 of full scale.
-class StoredLight {
-public:
-    StoredLight() = default;
-    explicit StoredLight(const LinearColour& light);
-    LinearColour light() const
-    {
-        LinearColour light;
-        for (std::size_t k = 0; k < light.size(); ++k)
-            light[k] = float(roots_[k]) * float(roots_[k]) * of_squared_root;
-        return light;
-    }
-    /// Whether a component was above 64.
-    bool is_clamped() const;
-
-    /// A component is this, times the square of the stored integer.
-    static constexpr float levels = 8191, of_squared_root = 1 / (levels * levels);
-
-private:
-    std::array<std::uint16_t, 4> roots_{};
-};
 
 /// Stored samples, up to most_stored of a pixel. Different threads may store samples of different
 /// pixels at the same time.

@@ -26,12 +26,11 @@ inline bool any(FourIntegers x)
 inline float sum_of(FourFloats x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
 typedef std::int16_t FourShorts __attribute__((vector_size(8)));
-typedef std::uint16_t FourUnsignedShorts __attribute__((vector_size(8)));
 
-/// Four 16-bit integers (of the type Shorts) in memory as floats.
-template <class Shorts> inline FourFloats floats_from(const void* integers)
+/// Four 16-bit integers in memory as floats.
+inline FourFloats floats_from(const void* integers)
 {
-    Shorts narrow;
+    FourShorts narrow;
     std::memcpy(&narrow, integers, sizeof narrow);
     return __builtin_convertvector(__builtin_convertvector(narrow, FourIntegers), FourFloats);
 }

@@ -33,6 +33,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/layer_covers.h \
   integral/lightfield/lens_profile.cpp \
   integral/lightfield/lens_profile.h \
+  integral/lightfield/linear_colour.cpp \
+  integral/lightfield/linear_colour.h \
   integral/lightfield/names.cpp \
   integral/lightfield/names.h \
   integral/lightfield/pass_schedule.cpp \
@@ -49,6 +51,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/refinement.h \
   integral/lightfield/sample_fit.cpp \
   integral/lightfield/sample_fit.h \
+  integral/lightfield/sample_halves.cpp \
+  integral/lightfield/sample_halves.h \
   integral/lightfield/sample_layers.cpp \
   integral/lightfield/sample_layers.h \
   integral/lightfield/sample_points.cpp \

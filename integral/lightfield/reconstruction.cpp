@@ -16,12 +16,22 @@ namespace {
 // variance of the samples says. For a pixel that is known from those around, as far as they are
 // more than this many; else from all in its block, as far as those are more than this many; else it
 // is the usual. Found by trying on sample scenes of POV-Ray's.
-constexpr float enough_halves = 20, usual_excess = 1.5f;
+constexpr float enough_halves = 8, usual_excess = 1.5f;
 
-// What is left of a pixel's difference beside the mean of those around counts as far as it is more
-// than this many times the noise: where samples rarely meet something bright, single pixels' noise
-// is often more than is expected. Found by trying on sample scenes of POV-Ray's.
-constexpr float margin_of_rest = 2;
+// What is left of a pixel's difference beside the mean of those around is partly signal, partly
+// noise. The signal's square is taken to be what the squares around have above margin_of_rest times
+// the noise, and noise_in_rest times the pixel's own noise is set against it. Both are above 1:
+// where samples rarely meet something bright, single pixels' noise is often more than is expected.
+// Found by trying on sample scenes of POV-Ray's.
+constexpr float margin_of_rest = 2, noise_in_rest = 1.5f;
+
+/// How much the difference of a pixel tells of that of a pixel with another noise, from 0 to 1:
+/// pixels of many samples, at outlines, are not like those of few.
+float likeness(float noise, float other)
+{
+    constexpr float little = 1e-9f; // as little noise as nobody sees
+    return (std::min(noise, other) + little) / (std::max(noise, other) + little);
+}
 
 /// By how much more the halves of pixels' samples differ than the variance of the samples lets
 /// expect.
@@ -48,16 +58,6 @@ private:
     float expected_ = 0, seen_ = 0;
     int number_ = 0;
 };
-
-float squared_difference(const TabulatedCurve& encode, const LinearColour& a, const LinearColour& b)
-{
-    float sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const float difference = encode(a[k]) - encode(b[k]);
-        sum += difference * difference;
-    }
-    return sum + (a[3] - b[3]) * (a[3] - b[3]);
-}
 
 } // namespace
 
@@ -296,17 +296,20 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
             const Difference& own = difference_at(x, y);
             if (!own.any)
                 continue;
-            float smooth = 0, smooth_noise = 0, rest = 0, noise = 0;
+            float smooth = 0, smooth_noise = 0, signal = 0, weight = 0;
             for_each_around(x, y, around, [&](int i, int j, std::size_t) {
                 const Difference& other = difference_at(i, j);
+                if (!other.any)
+                    return;
                 smooth += other.smooth_square;
                 smooth_noise += other.smooth_noise;
-                rest += other.rest_square;
-                noise += other.noise;
+                const float like = likeness(own.noise, other.noise);
+                signal += like * (other.rest_square - margin_of_rest * other.noise);
+                weight += like;
             });
+            signal = std::max(0.0f, signal / weight);
             const float smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0,
-                        rest_noise = margin_of_rest * noise,
-                        rest_part = rest > rest_noise ? 1 - rest_noise / rest : 0;
+                        rest_part = signal > 0 ? signal / (signal + noise_in_rest * own.noise) : 0;
             const LinearColour mean = pixels_[index(x, y)].mean.light();
             LinearColour light = pixels_[index(x, y)].layers.light();
             for (std::size_t k = 0; k < light.size(); ++k)

@@ -65,10 +65,6 @@ int Refinement::wanted() const
 
 void Refinement::add(const ComparedColour& colour)
 {
-    if ((tried_ & (tried_ - 1)) == 0) { // each power of two of samples is evenly distributed
-        half_ = sum_;
-        half_taken_ = taken_;
-    }
     ++tried_;
     ++taken_;
     for (std::size_t k = 0; k < colour.size(); ++k) {
@@ -97,19 +93,6 @@ double Refinement::squared_error() const
     const double variance = (seen + weight_of_contrast * variance_of(contrast_)) /
                             (taken_ - 1 + weight_of_contrast);
     return variance / std::pow(double(taken_), 2 * order - 1);
-}
-
-double Refinement::squared_error_of_halves() const
-{
-    const int rest = taken_ - half_taken_;
-    if (half_taken_ == 0 || rest == 0)
-        return -1;
-    double sum = 0;
-    for (std::size_t k = 0; k < sum_.size(); ++k) {
-        const double difference = half_[k] / half_taken_ - (sum_[k] - half_[k]) / rest;
-        sum += difference * difference;
-    }
-    return sum * half_taken_ * rest / (double(taken_) * taken_);
 }
 
 double Refinement::worth() const

@@ -53,11 +53,6 @@ public:
     /// least 1 sample must have been added.
     double squared_error() const;
 
-    /// An estimate of squared_error with one degree of freedom a component, from the difference of
-    /// the first and the second half of the samples, as if they were independent; -1 if a half is
-    /// empty.
-    double squared_error_of_halves() const;
-
     /// The benefit of one more sample, as a colour distance: the square root of the decrease in the
     /// mean's squared error, up to a constant factor. For a given number of samples in a frame, the
     /// error is least if every pixel's last sample has the same benefit. Infinite before the first
@@ -67,8 +62,8 @@ public:
 private:
     const RefinementRule& rule_;
     double contrast_;
-    int tried_ = 0, taken_ = 0, half_taken_ = 0;
-    ComparedColour sum_{}, squares_{}, half_{}; ///< half: before the last doubling
+    int tried_ = 0, taken_ = 0;
+    ComparedColour sum_{}, squares_{};
 };
 
 } // namespace integral

@@ -71,7 +71,7 @@ void SampleLayers::add(const BeamSamples& samples, const BeamSamples::Pixel& pix
     const auto add_one = [&](const BeamSamples::Sample& sample) {
         Group& group = groups_[number_ / 4];
         const std::size_t place = number_++ % 4;
-        group.lines[place] = start + units * floats_from<FourShorts>(&sample.point);
+        group.lines[place] = start + units * floats_from(&sample.point);
         group.tilts[0][place] = samples.tilt_unit() * sample.tilt[0];
         group.tilts[1][place] = samples.tilt_unit() * sample.tilt[1];
         group.depths[place] = sample.depth;
@@ -214,8 +214,8 @@ void SampleLayers::find_layers()
 /// The light of a sample, times StoredLight::of_squared_root.
 inline FourFloats light_of(const StoredLight& light)
 {
-    const FourFloats roots = floats_from<FourUnsignedShorts>(&light);
-    return roots * roots;
+    const FourFloats roots = floats_from(&light);
+    return roots * magnitude(roots);
 }
 
 /// Sums up the light of the layers.
@@ -354,7 +354,7 @@ float SampleLayers::variance() const
 {
     FourFloats sum{}, squares{};
     for (std::size_t k = 0; k < met_number_; ++k) {
-        const FourFloats root = floats_from<FourUnsignedShorts>(&met_[k].light),
+        const FourFloats root = floats_from(&met_[k].light),
                          weighted = met_[k].weight() * root;
         sum += weighted;
         squares += weighted * root;

@@ -201,33 +201,6 @@ BOOST_AUTO_TEST_CASE(samples_show_a_contrast)
     BOOST_TEST(even.contrast_shown() == 0);
 }
 
-BOOST_AUTO_TEST_CASE(halves_of_the_samples_show_their_error)
-{
-    const RefinementRule rule{2, 0.1, 4};
-    Refinement refinement(rule, 0);
-    for (const double grey : {0.1, 0.3, 0.2, 0.6}) { // halves of 0.2 and 0.4: their mean errs by
-                                                     // 0.1
-        if (grey <= 0.1)
-            BOOST_TEST(refinement.squared_error_of_halves() == -1);
-        refinement.add({grey, grey, grey, 0});
-    }
-    BOOST_TEST(std::abs(refinement.squared_error_of_halves() - 3 * 0.1 * 0.1) < 1e-12);
-    // Their mean's squared error, on average over random samples.
-    std::mt19937 random(3);
-    double sum = 0;
-    constexpr int runs = 20000, samples = 16;
-    for (int k = 0; k < runs; ++k) {
-        Refinement one(rule, 0);
-        for (int n = 0; n < samples; ++n) {
-            const double grey = random() & 1;
-            one.add({grey, grey, grey, 0});
-        }
-        sum += one.squared_error_of_halves();
-    }
-    const double truth = 3 * 0.25 / samples;
-    BOOST_TEST(std::abs(sum / runs - truth) < 0.05 * truth);
-}
-
 BOOST_AUTO_TEST_CASE(method_2_goes_on_while_samples_are_worth_it)
 {
     double before_last = 0,

@@ -8,7 +8,7 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/view.h"
-#include "integral/lightfield/tabulated_curve.h"
+#include "integral/lightfield/sample_halves.h"
 
 #include <chrono>
 #include <thread>
@@ -130,6 +130,7 @@ private:
         thread.Stats()[Number_Of_Pixels_Supersampled]++;
         integral::BeamSamples *const lent = sampling.Lent();
         integral::Refinement refinement(rule, expected[Index(x, y)]);
+        integral::SampleHalves halves;
         bool any = false;
         std::uint32_t index = 0;
         const Colour first = sampling.At(x, y);
@@ -139,6 +140,7 @@ private:
         {
             gathered.begin(x, y);
             refinement.add(compared(first));
+            halves.add(Linear(first));
             thread.Stats()[Number_Of_Samples]++;
             index++;
         }
@@ -149,19 +151,25 @@ private:
                 trace.Integral().Take(index++);
                 trace(x, y, view.GetWidth(), view.GetHeight(), seen);
                 if (trace.Integral().Imaged())
+                {
                     refinement.add(compared(seen));
+                    halves.add(Linear(seen));
+                    if (lent)
+                        gathered.add(*lent, Last_Seen(view, trace, seen));
+                    any = true;
+                }
                 else
+                {
                     refinement.add_none();
-                if (lent && trace.Integral().Imaged())
-                    gathered.add(*lent, Last_Seen(view, trace, seen));
-                any = any || trace.Integral().Imaged();
+                    halves.add_none();
+                }
                 thread.Stats()[Number_Of_Samples]++;
                 cooperate();
             }
         if (any)
         {
             sampling.At(x, y) = trace.Integral().Refined();
-            Keep(x, y, refinement.squared_error(), refinement.squared_error_of_halves());
+            Keep(x, y, refinement.squared_error(), halves.squared_error(compared.Curve()));
         }
         trace.Integral().Take_Camera_Rays();
         return refinement;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Light as it is averaged, and how it is stored and compared.
+#ifndef INTEGRAL_LIGHTFIELD_LINEAR_COLOUR_H
+#define INTEGRAL_LIGHTFIELD_LINEAR_COLOUR_H
+
+#include "integral/lightfield/tabulated_curve.h"
+
+#include <cmath>
+
+namespace integral {
+
+/// Red, green, blue and transparency in linear light. A pigment may be negative, and its light with
+/// it, which counts in a pixel's mean.
+using LinearColour = std::array<float, 4>;
+
+/// The squared difference of two colours in the encoding of comparison, summed over the components;
+/// transparency is not encoded.
+float squared_difference(const TabulatedCurve& encode, const LinearColour& a,
+                         const LinearColour& b);
+
+/// A LinearColour in 8 bytes: square roots with the light's sign, so that the error is below 0.0002
+/// of full scale. Components from -64 to 64.
+class StoredLight {
+public:
+    StoredLight() = default;
+    explicit StoredLight(const LinearColour& light)
+    {
+        for (std::size_t k = 0; k < light.size(); ++k)
+            roots_[k] = rounded_root(light[k]);
+    }
+    LinearColour light() const
+    {
+        LinearColour light;
+        for (std::size_t k = 0; k < light.size(); ++k)
+            light[k] = float(roots_[k]) * std::fabs(float(roots_[k])) * of_squared_root;
+        return light;
+    }
+    /// Whether a component was above 64 or below -64.
+    bool is_clamped() const;
+
+    /// A component is this, times the square of the stored integer, with that one's sign.
+    static constexpr float levels = 4095, of_squared_root = 1 / (levels * levels);
+
+private:
+    /// 0 for NaN. Comparisons in place of fmin, which is a call.
+    static std::int16_t rounded_root(float x)
+    {
+        constexpr float most = 32767;
+        const float root = std::sqrt(std::fabs(x)) * levels;
+        if (root < most)
+            return std::int16_t(std::lrint(x < 0 ? -root : root));
+        return std::int16_t(x < 0 ? -most : x > 0 ? most : 0);
+    }
+
+    std::array<std::int16_t, 4> roots_{};
+};
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/lightfield/sample_halves.h"
+
+namespace integral {
+
+void SampleHalves::add(const LinearColour& light)
+{
+    if ((tried_ & (tried_ - 1)) == 0) { // each power of two of samples is evenly distributed
+        half_ = sum_;
+        half_taken_ = taken_;
+    }
+    ++tried_;
+    ++taken_;
+    for (std::size_t k = 0; k < light.size(); ++k)
+        sum_[k] += light[k];
+}
+
+double SampleHalves::squared_error(const TabulatedCurve& encode) const
+{
+    const int rest = taken_ - half_taken_;
+    if (half_taken_ == 0 || rest == 0)
+        return -1;
+    LinearColour first, second;
+    for (std::size_t k = 0; k < sum_.size(); ++k) {
+        first[k] = half_[k] / half_taken_;
+        second[k] = (sum_[k] - half_[k]) / rest;
+    }
+    return double(squared_difference(encode, first, second)) * half_taken_ * rest /
+           (double(taken_) * taken_);
+}
+
+} // namespace integral

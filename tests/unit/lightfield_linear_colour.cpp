@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// How light is stored, and what the halves of a pixel's samples tell of its error.
+#include "integral/lightfield/linear_colour.h"
+#include "integral/lightfield/sample_halves.h"
+
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+using namespace integral;
+
+namespace {
+
+LinearColour grey_light(double grey) { return {float(grey), float(grey), float(grey), 0}; }
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(lightfield_linear_colour)
+
+BOOST_AUTO_TEST_CASE(light_is_stored)
+{
+    for (float value : {0.0f, 0.001f, 0.02f, 0.5f, 1.0f, 7.3f, 60.0f}) {
+        const StoredLight stored({value, -value, 2 * value / 3, 1});
+        BOOST_TEST(std::fabs(stored.light()[0] - value) < 0.0002 * (1 + value));
+        BOOST_TEST(stored.light()[1] == -stored.light()[0]);
+        BOOST_TEST(std::fabs(stored.light()[3] - 1) < 0.0002);
+        BOOST_TEST(!stored.is_clamped());
+    }
+    BOOST_TEST(StoredLight({65, 0, 0, 0}).is_clamped());
+    BOOST_TEST(StoredLight({0, -65, 0, 0}).is_clamped());
+    BOOST_TEST(StoredLight({INFINITY, 0, 0, 0}).is_clamped());
+    BOOST_TEST(StoredLight({NAN, 0, 0, 0}).light()[0] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(halves_of_the_samples_show_their_error)
+{
+    const TabulatedCurve as_it_is([](float x) { return x; });
+    SampleHalves samples_of_four;
+    for (const double grey : {0.1, 0.3, 0.2, 0.6}) { // halves of 0.2 and 0.4: their mean errs by
+                                                     // 0.1
+        if (grey <= 0.1)
+            BOOST_TEST(samples_of_four.squared_error(as_it_is) == -1);
+        samples_of_four.add(grey_light(grey));
+    }
+    BOOST_TEST(std::abs(samples_of_four.squared_error(as_it_is) - 3 * 0.1 * 0.1) < 1e-6);
+    // Their mean's squared error, on average over random samples.
+    std::mt19937 random(3);
+    double sum = 0;
+    constexpr int runs = 20000, samples = 16;
+    for (int k = 0; k < runs; ++k) {
+        SampleHalves one;
+        for (int n = 0; n < samples; ++n)
+            one.add(grey_light(random() & 1));
+        sum += one.squared_error(as_it_is);
+    }
+    const double truth = 3 * 0.25 / samples;
+    BOOST_TEST(std::abs(sum / runs - truth) < 0.05 * truth);
+}
+
+BOOST_AUTO_TEST_CASE(halves_show_that_a_rare_highlight_is_encoded_after_averaging)
+{
+    // One sample in 100 meets a light of 4, the others meet 0.01; 8 samples a pixel. The error of
+    // encoded means is 7 times what encoded samples would let expect.
+    const auto root = [](double x) { return std::sqrt(x); };
+    const TabulatedCurve encode([&](float x) { return float(root(x)); });
+    std::mt19937 random(5);
+    constexpr int runs = 40000, samples = 8;
+    constexpr double part = 0.01, bright = 4, dark = 0.01;
+    const double right = root(part * bright + (1 - part) * dark);
+    double seen = 0, error = 0, of_encoded_samples = 0;
+    for (int k = 0; k < runs; ++k) {
+        SampleHalves one;
+        double mean = 0, encoded = 0, squares = 0;
+        for (int n = 0; n < samples; ++n) {
+            const double light = random() % 100 == 0 ? bright : dark;
+            one.add(grey_light(light));
+            mean += light / samples;
+            encoded += root(light) / samples;
+            squares += light / samples;
+        }
+        seen += one.squared_error(encode) / 3;
+        error += (root(mean) - right) * (root(mean) - right);
+        of_encoded_samples += (squares - encoded * encoded) / (samples - 1);
+    }
+    BOOST_TEST_MESSAGE("error " << error / runs << ", seen " << seen / runs
+                                << ", by encoded samples " << of_encoded_samples / runs);
+    BOOST_TEST(seen > 0.4 * error);
+    BOOST_TEST(seen < 1.2 * error);
+    BOOST_TEST(of_encoded_samples < 0.4 * error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
