@@ -2,6 +2,7 @@
 # Sources of integral/base: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/base/avx2.h \
   integral/base/command_pages.cpp \
   integral/base/command_pages.h \
   integral/base/constants.h \

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "integral/base/vector_loops.h"
+
 namespace integral {
 
 namespace {
@@ -19,9 +21,10 @@ constexpr int most_lenses = 1, most_lenses_across_lines = 3;
 // part of the range have about the same spread.
 constexpr double spread = 0.8;
 
-// Two patches meet if their centres are nearer than this part of the sum of their widths. Where
-// they are further apart, less than a thirtieth of one lies in the other.
-constexpr float least_part = 0.75f;
+// A pixel's samples are left out where the product of its nearness along both axes
+// (LendingPixels::find_nearness) and of the root of its weight is less. Found by trying on sample
+// scenes of POV-Ray's: behind square lenses that takes 6% less time and errs 1% more.
+constexpr float least_nearness = 0.25f;
 
 /// A pixel's width along an axis. A square one that is turned is taken for an upright one.
 double pixel_along(Vec2 pixel, Vec2 axis)
@@ -76,7 +79,9 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
 }
 
 LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
-    : lines_(lattice.arrangement() == Arrangement::lenticular)
+    : lines_(lattice.arrangement() == Arrangement::lenticular),
+      width_(film.width),
+      height_(film.height)
 {
     const int across = lines_ ? most_lenses_across_lines : most_lenses,
               along = lines_ ? 0 : most_lenses;
@@ -84,6 +89,8 @@ LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
         for (int j = -along; j <= along; ++j)
             for (int i = -across; i <= across; ++i)
                 add_pixels(lattice, film, row, {i, j});
+    for (Lenders& lenders : lenders_)
+        find_runs(lenders);
 }
 
 /// Adds the pixels behind the lens that is a step away from one in an even (0) or odd row (1).
@@ -113,9 +120,10 @@ void LendingPixels::add_pixels(const Lattice& lattice, const Film& film, int row
                 continue;
             Lender lender{right + u, down + v, std::int16_t(step.i), std::int16_t(step.j)};
             lender.part = float(std::exp(-fall_across * x * x - fall * y * y));
+            lender.nearness = std::sqrt(lender.part);
             lender.steps = {index_of(0, dot(way, a), x),
                             lines_ ? index_of(1, 0, 0) : index_of(1, dot(way, b), y)};
-            lenders_[row].push_back(lender);
+            lenders_[row].all.push_back(lender);
             rows_ = std::max(rows_, std::abs(lender.y));
         }
 }
@@ -123,38 +131,113 @@ void LendingPixels::add_pixels(const Lattice& lattice, const Film& film, int row
 /// The index of a step along an axis, which is added if it is new.
 int LendingPixels::index_of(int axis, double lens, double pixels)
 {
-    std::vector<Step>& steps = steps_[axis];
-    const auto alike = [&](const Step& step) {
-        return std::fabs(step.lens - lens) < 1e-6 * (1 + std::fabs(lens)) &&
-               std::fabs(step.pixels - pixels) < 1e-4;
+    const auto alike = [](double a, double b) {
+        return std::fabs(a - b) < 1e-4 * (1 + std::fabs(b));
     };
-    const auto found = std::find_if(steps.begin(), steps.end(), alike);
-    if (found != steps.end())
-        return int(found - steps.begin());
-    steps.push_back({float(lens), float(pixels)});
-    return int(steps.size()) - 1;
+    std::vector<EightSteps>& steps = steps_[axis];
+    int& number = step_numbers_[axis];
+    for (int k = 0; k < number; ++k)
+        if (alike(steps[k / 8].lens[k % 8], lens) && alike(steps[k / 8].pixels[k % 8], pixels))
+            return k;
+    if (number % 8 == 0)
+        steps.emplace_back();
+    steps.back().lens[number % 8] = float(lens);
+    steps.back().pixels[number % 8] = float(pixels);
+    return number++;
 }
 
-/// Works out for each step along an axis whether the patch of a pixel that is so far away meets a
-/// patch at any depth of a range. Its loop, which runs for every pixel, has no branches.
-void LendingPixels::find_meeting(int axis, const BeamPatch& patch, float nearest, float furthest,
-                                 Scratch& scratch) const
+/// Sorts lenders by their steps across.
+void LendingPixels::find_runs(Lenders& lenders) const
 {
+    std::stable_sort(lenders.all.begin(), lenders.all.end(),
+                     [](const Lender& a, const Lender& b) { return a.steps[0] < b.steps[0]; });
+    for (int k = 0; k < int(lenders.all.size()); ++k) {
+        const int step = lenders.all[k].steps[0];
+        if (lenders.runs.empty() || lenders.runs.back().step != step)
+            lenders.runs.push_back({step, k, k});
+        lenders.runs.back().end = k + 1;
+    }
+}
+
+/// Works out for each step along an axis how near the patch of a pixel that is so far away comes to
+/// a patch at any depth of a range: 1 where the two have the same centre, 0 where they do not meet.
+/// Its loop, which runs for every pixel, has no branches.
+template <class Floats>
+INTEGRAL_INLINE void LendingPixels::find_nearness_with(int axis, const BeamPatch& patch,
+                                                       float nearest, float furthest,
+                                                       Scratch& scratch) const
+{
+    std::vector<Eight>& nearness = scratch.nearness[axis];
+    nearness.resize(steps_[axis].size());
     const BeamPatch::Axis& widths = patch.axis(axis);
     // The distance of two centres is linear in the depth, and what it may be is so from 0 on.
     const bool crosses_sheet = nearest < 0 && furthest > 0;
-    const float within_nearest = 2 * least_part * widths.reach(nearest),
-                within_furthest = 2 * least_part * widths.reach(furthest),
-                within_sheet = crosses_sheet ? 2 * least_part * widths.reach(0) : -1;
-    for (std::size_t k = 0; k < steps_[axis].size(); ++k) {
-        const Step& step = steps_[axis][k];
-        const float slope = step.pixels * widths.pixel_slope,
-                    at_nearest = step.lens + slope * nearest,
-                    at_furthest = step.lens + slope * furthest;
-        scratch.may_meet[axis][k] = (std::fabs(at_nearest) <= within_nearest) |
-                                    (std::fabs(at_furthest) <= within_furthest) |
-                                    (std::fabs(step.lens) <= within_sheet) |
-                                    (at_nearest * at_furthest < 0); // the centres meet between
+    const Floats by_nearest = eight_of<Floats>(0.5f / widths.reach(nearest)),
+                 by_furthest = eight_of<Floats>(0.5f / widths.reach(furthest)),
+                 by_sheet = eight_of<Floats>(crosses_sheet ? 0.5f / widths.reach(0) : 1e9f),
+                 pixel_slope = eight_of<Floats>(widths.pixel_slope), one = eight_of<Floats>(1),
+                 none = eight_of<Floats>(0);
+    for (std::size_t k = 0; k < nearness.size(); ++k) {
+        const Floats lens = loaded<Floats>(steps_[axis][k].lens),
+                     slope = pixel_slope * loaded<Floats>(steps_[axis][k].pixels),
+                     at_nearest = lens + eight_of<Floats>(nearest) * slope,
+                     at_furthest = lens + eight_of<Floats>(furthest) * slope,
+                     at_ends = least(by_nearest * magnitude(at_nearest),
+                                     by_furthest * magnitude(at_furthest)),
+                     apart = least(at_ends, by_sheet * magnitude(lens));
+        // Below 0 the centres are at one place at a depth between.
+        store(nearness[k], one - chosen(at_nearest * at_furthest < none, none, apart));
+    }
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2
+void LendingPixels::find_nearness_with_avx2(int axis, const BeamPatch& patch, float nearest,
+                                            float furthest, Scratch& scratch) const
+{
+    find_nearness_with<EightFloats>(axis, patch, nearest, furthest, scratch);
+}
+#endif
+
+void LendingPixels::find_nearness(int axis, const BeamPatch& patch, float nearest, float furthest,
+                                  Scratch& scratch) const
+{
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        return find_nearness_with_avx2(axis, patch, nearest, furthest, scratch);
+#endif
+    find_nearness_with<TwiceFourFloats>(axis, patch, nearest, furthest, scratch);
+}
+
+void LendingPixels::find(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch,
+                         float nearest, float furthest, Scratch& scratch) const
+{
+    for (int axis = 0; axis < 2; ++axis)
+        find_nearness(axis, patch, nearest, furthest, scratch);
+    const Eight *across = scratch.nearness[0].data(), *along = scratch.nearness[1].data();
+    const auto at = [](const Eight* nearness, int step) { return nearness[step / 8u][step % 8u]; };
+    const Lenders& lenders = lenders_[own[1] & 1];
+    scratch.near.resize(lenders.all.size() + 1);
+    int* end = scratch.near.data();
+    for (const Lenders::Run& run : lenders.runs) {
+        const float near_across = at(across, run.step);
+        if (near_across < least_nearness)
+            continue;
+        for (int k = run.begin; k < run.end; ++k) { // without branches
+            const Lender& lender = lenders.all[k];
+            *end = k;
+            end += near_across * at(along, lender.steps[1]) * lender.nearness >= least_nearness;
+        }
+    }
+    scratch.found.clear();
+    for (const int* k = scratch.near.data(); k != end; ++k) {
+        const Lender& lender = lenders.all[*k];
+        const int i = x + lender.x, j = y + lender.y;
+        if (i >= 0 && j >= 0 && i < width_ && j < height_)
+            scratch.found.push_back(
+                {std::size_t(j) * width_ + i,
+                 {std::uint16_t(own[0] + lender.i), std::uint16_t(own[1] + lender.j)},
+                 lender.part});
     }
 }
 

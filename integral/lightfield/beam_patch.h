@@ -8,6 +8,7 @@
 #define INTEGRAL_LIGHTFIELD_BEAM_PATCH_H
 
 #include "integral/lightfield/beam_samples.h"
+#include "integral/lightfield/eight_floats.h"
 
 #include <vector>
 
@@ -52,60 +53,69 @@ class LendingPixels {
 public:
     LendingPixels(const Lattice& lattice, const Film& film);
 
+    /// A pixel that may lend its samples.
+    struct Found {
+        std::size_t index;             ///< row by row from the top
+        FirstSamples::StoredLens lens; ///< behind which it is expected; it may be behind another
+        float part;                    ///< the weight of its samples, 0 to 1, which falls with the
+                                       ///< distance between directions
+    };
     /// Working memory of one thread.
     struct Scratch {
-        std::array<std::vector<char>, 2> may_meet; ///< by `steps`, for both axes
+        /// Of the steps along both axes: see find_nearness.
+        std::array<std::vector<Eight>, 2> nearness;
+        std::vector<int> near; ///< places in the list of lenders
+        std::vector<Found> found;
     };
 
-    /// Calls visit(x, y, lens, part) for the pixels, which may be outside the frame or behind other
-    /// lenses than `lens`, the one that is expected. `part`: the weight of the pixel's
-    /// samples, 0 to 1, which falls with the distance between directions. It leaves out those whose
-    /// beams do not meet the patch of a pixel behind `own` lens at any depth from `nearest` to
-    /// `furthest`.
-    template <class Visit>
-    void for_each(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch, float nearest,
-                  float furthest, Scratch& scratch, Visit visit) const;
+    /// Sets scratch.found to the pixels of the frame whose beams come near the patch of a pixel
+    /// behind `own` lens at a depth from `nearest` to `furthest`. It leaves out those that would
+    /// hardly count: those at the rim of the range of directions whose patches hardly meet.
+    void find(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch, float nearest,
+              float furthest, Scratch& scratch) const;
 
     /// The greatest distance in rows.
     int rows() const { return rows_; }
 
 private:
-    /// Along one axis: how far the lens (mm) and the direction (pixels) are from the pixel's own.
-    struct Step {
-        float lens, pixels;
+    /// Eight steps along one axis: how far the lens (mm) and the direction (pixels) are from the
+    /// pixel's own.
+    struct EightSteps {
+        Eight lens{}, pixels{};
     };
     struct Lender {
         int x, y;                   ///< pixels to the right and down
         std::int16_t i, j;          ///< the step to its lens
         std::array<int, 2> steps{}; ///< across and along
         float part = 1;             ///< the weight of its samples
+        float nearness = 1;         ///< falls with the distance between directions
     };
+    /// Lenders from one row of lenses, those of the same step across beside each other.
+    struct Lenders {
+        std::vector<Lender> all;
+        struct Run {
+            int step, begin, end;
+        };
+        std::vector<Run> runs;
+    };
+    void find_runs(Lenders& lenders) const;
     void add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step);
     int index_of(int axis, double lens, double pixels);
-    void find_meeting(int axis, const BeamPatch& patch, float nearest, float furthest,
-                      Scratch& scratch) const;
+    template <class Floats>
+    void find_nearness_with(int axis, const BeamPatch& patch, float nearest, float furthest,
+                            Scratch& scratch) const;
+    void find_nearness_with_avx2(int axis, const BeamPatch& patch, float nearest, float furthest,
+                                 Scratch& scratch) const;
+    void find_nearness(int axis, const BeamPatch& patch, float nearest, float furthest,
+                       Scratch& scratch) const;
 
     bool lines_;
+    int width_, height_;
     int rows_ = 0;
-    std::array<std::vector<Lender>, 2> lenders_; ///< from an even and from an odd row of lenses
-    std::array<std::vector<Step>, 2> steps_;     ///< along both axes
+    std::array<Lenders, 2> lenders_;               ///< from an even and from an odd row of lenses
+    std::array<std::vector<EightSteps>, 2> steps_; ///< along both axes
+    std::array<int, 2> step_numbers_{};
 };
-
-template <class Visit>
-void LendingPixels::for_each(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch,
-                             float nearest, float furthest, Scratch& scratch, Visit visit) const
-{
-    for (int axis = 0; axis < 2; ++axis) {
-        scratch.may_meet[axis].resize(steps_[axis].size());
-        find_meeting(axis, patch, nearest, furthest, scratch);
-    }
-    for (const Lender& lender : lenders_[own[1] & 1])
-        if (scratch.may_meet[0][lender.steps[0]] && scratch.may_meet[1][lender.steps[1]])
-            visit(x + lender.x, y + lender.y,
-                  FirstSamples::StoredLens{std::uint16_t(own[0] + lender.i),
-                                           std::uint16_t(own[1] + lender.j)},
-                  lender.part);
-}
 
 } // namespace integral
 

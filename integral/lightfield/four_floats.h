@@ -35,6 +35,19 @@ inline FourFloats floats_from(const void* integers)
     return __builtin_convertvector(__builtin_convertvector(narrow, FourIntegers), FourFloats);
 }
 
+/// The 16-bit integers in the halves of each of the four: those that come first in memory, and the
+/// second ones.
+inline void split_pairs(FourFloats pairs, FourFloats& first, FourFloats& second)
+{
+    typedef std::uint32_t FourBits __attribute__((vector_size(16)));
+    const FourBits bits = FourBits(pairs);
+    const FourFloats low = __builtin_convertvector(FourIntegers(bits << 16) >> 16, FourFloats),
+                     high = __builtin_convertvector(FourIntegers(bits) >> 16, FourFloats);
+    constexpr bool low_is_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
+    first = low_is_first ? low : high;
+    second = low_is_first ? high : low;
+}
+
 /// Exchanges rows and columns.
 inline void transpose(std::array<FourFloats, 4>& rows)
 {

@@ -21,20 +21,16 @@ float scale(const BeamPatch::Axis& axis, float depth, float place_depth)
 
 } // namespace
 
-void LayerCovers::add(float depth, const ReachingSamples& samples)
+void LayerCovers::add(float depth, const ReachingSamples<float>& samples)
 {
-    const float sum = sum_of(samples.weight);
+    const float sum = samples.weight;
     if (!(sum > 0))
         return;
-    const float one = 1 / sum, x = one * sum_of(samples.x), y = one * sum_of(samples.y),
-                part = one * sum_of(samples.ended),
-                level = one * one * sum_of(samples.squared_weight) * level_samples *
-                        square_of_place,
-                xx = one * sum_of(samples.xx) - x * x + level,
-                yy = one * sum_of(samples.yy) - y * y + level,
-                xy = one * sum_of(samples.xy) - x * y, of_determinant = 1 / (xx * yy - xy * xy),
-                to_x = one * sum_of(samples.ended_x) - x * part,
-                to_y = one * sum_of(samples.ended_y) - y * part;
+    const float one = 1 / sum, x = one * samples.x, y = one * samples.y, part = one * samples.ended,
+                level = one * one * samples.squared_weight * level_samples * square_of_place,
+                xx = one * samples.xx - x * x + level, yy = one * samples.yy - y * y + level,
+                xy = one * samples.xy - x * y, of_determinant = 1 / (xx * yy - xy * xy),
+                to_x = one * samples.ended_x - x * part, to_y = one * samples.ended_y - y * part;
     Cover cover;
     cover.depth = depth;
     cover.by_x = of_determinant * (yy * to_x - xy * to_y);

@@ -6,35 +6,45 @@
 #define INTEGRAL_LIGHTFIELD_LAYER_COVERS_H
 
 #include "integral/lightfield/beam_patch.h"
-#include "integral/lightfield/four_floats.h"
+#include "integral/lightfield/eight_floats.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace integral {
 
-/// The samples that reach a layer inside the beam, and those of them that end there. Each number is
-/// that of four samples side by side: their sum is meant. Places are in terms of half the patch's
-/// width at the layer's depth.
-struct ReachingSamples {
-    FourFloats weight{}, squared_weight{};
-    FourFloats x{}, y{}, xx{}, xy{}, yy{}; ///< by weight
-    FourFloats ended{}, ended_x{}, ended_y{};
-    FourFloats passing{}; ///< the weight of those that go on, seen through the layers before
+/// The samples that reach a layer inside the beam, and those of them that end there. Places are in
+/// terms of half the patch's width at the layer's depth. Number: a type of eight floats
+/// (eight_floats.h), of which the sum is meant, or float.
+template <class Number> struct ReachingSamples {
+    Number weight{}, squared_weight{};
+    Number x{}, y{}, xx{}, xy{}, yy{}; ///< by weight
+    Number ended{}, ended_x{}, ended_y{};
+    Number passing{}; ///< the weight of those that go on, seen through the layers before
 
-    void add(FourFloats more, FourFloats end_here, FourFloats at_x, FourFloats at_y)
+    INTEGRAL_INLINE void add(Number more, Number end_here, Number at_x, Number at_y)
     {
-        const FourFloats more_x = more * at_x, more_y = more * at_y;
-        weight += more;
-        squared_weight += more * more;
-        x += more_x;
-        y += more_y;
-        xx += more_x * at_x;
-        xy += more_x * at_y;
-        yy += more_y * at_y;
-        ended += end_here;
-        ended_x += end_here * at_x;
-        ended_y += end_here * at_y;
+        const Number more_x = more * at_x, more_y = more * at_y;
+        weight = weight + more;
+        squared_weight = squared_weight + more * more;
+        x = x + more_x;
+        y = y + more_y;
+        xx = xx + more_x * at_x;
+        xy = xy + more_x * at_y;
+        yy = yy + more_y * at_y;
+        ended = ended + end_here;
+        ended_x = ended_x + end_here * at_x;
+        ended_y = ended_y + end_here * at_y;
+    }
+
+    INTEGRAL_INLINE ReachingSamples<float> sums() const
+    {
+        return {sum_of_eight(weight),  sum_of_eight(squared_weight),
+                sum_of_eight(x),       sum_of_eight(y),
+                sum_of_eight(xx),      sum_of_eight(xy),
+                sum_of_eight(yy),      sum_of_eight(ended),
+                sum_of_eight(ended_x), sum_of_eight(ended_y),
+                sum_of_eight(passing)};
     }
 };
 
@@ -46,19 +56,32 @@ public:
 
     /// Adds a layer at a depth (mm). The part of the beam that it hides is taken for a linear
     /// function of the place, which is fitted to the samples that end there and those that go on.
-    void add(float depth, const ReachingSamples& samples);
+    void add(float depth, const ReachingSamples<float>& samples);
 
     /// Sets the depth (mm) of the places in the patch at which open() is asked.
     void look_from(const BeamPatch& patch, float depth);
 
     /// How much of the light from a place in the patch the layers let through. The scale is
-    /// arbitrary, only the ratio between places counts. Number: float or FourFloats.
-    template <class Number> Number open(Number x, Number y) const
+    /// arbitrary, only the ratio between places counts.
+    float open(float x, float y) const
     {
-        Number part = Number{} + 1;
+        float part = 1;
         for (const Cover& cover : covers_)
-            part *= open_part(cover.at + cover.by_x * cover.scale_x * x +
-                              cover.by_y * cover.scale_y * y);
+            part *= std::clamp(half_open - steepness * covered(cover, x, y), little, 1.0f);
+        return part;
+    }
+    /// The same for eight places.
+    template <class Floats> INTEGRAL_INLINE Floats open(Floats x, Floats y) const
+    {
+        const Floats one = eight_of<Floats>(1);
+        Floats part = one;
+        for (const Cover& cover : covers_) {
+            const Floats covered = eight_of<Floats>(cover.at) +
+                                   eight_of<Floats>(cover.by_x * cover.scale_x) * x +
+                                   eight_of<Floats>(cover.by_y * cover.scale_y) * y,
+                         open = eight_of<Floats>(half_open) - eight_of<Floats>(steepness) * covered;
+            part = part * most(least(open, one), eight_of<Floats>(little));
+        }
         return part;
     }
 
@@ -66,20 +89,16 @@ private:
     // An outline is sharp, the straight line through the samples on both its sides is not: twice as
     // steep a line, about the place where half is hidden, is nearer to it. A little is let through
     // everywhere, as the line is uncertain.
-    template <class Number> static Number open_part(Number covered)
-    {
-        return within(1.5f - 2 * covered, 0.1f, 1.0f);
-    }
-    static float within(float x, float low, float high) { return std::clamp(x, low, high); }
-    static FourFloats within(FourFloats x, float low, float high)
-    {
-        return most(least(x, FourFloats{} + high), FourFloats{} + low);
-    }
+    static constexpr float steepness = 2, half_open = 1.5f, little = 0.1f;
     struct Cover {
         float depth = 0;
         float at = 0, by_x = 0, by_y = 0; ///< the part in the middle, and its slopes
         float scale_x = 1, scale_y = 1;   ///< from the depth of the places asked for
     };
+    static float covered(const Cover& cover, float x, float y)
+    {
+        return cover.at + cover.by_x * cover.scale_x * x + cover.by_y * cover.scale_y * y;
+    }
     std::vector<Cover> covers_;
 };
 

@@ -12,6 +12,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/depth_advice.h \
   integral/lightfield/depth_range.cpp \
   integral/lightfield/depth_range.h \
+  integral/lightfield/eight_floats.h \
   integral/lightfield/encoding.h \
   integral/lightfield/error_estimate.cpp \
   integral/lightfield/error_estimate.h \
@@ -68,4 +69,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/sheet_report.cpp \
   integral/lightfield/sheet_report.h \
   integral/lightfield/tabulated_curve.h \
-  integral/lightfield/view_grid.h
+  integral/lightfield/view_grid.h \
+  integral/lightfield/weighed_samples.cpp \
+  integral/lightfield/weighed_samples.h

@@ -186,15 +186,12 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
         depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
     for (float& depth : depths)
         depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
-    scratch.layers.begin(patch, own.centre);
-    const auto lend = [&](int i, int j, FirstSamples::StoredLens lens, float part) {
-        if (i < 0 || j < 0 || i >= width_ || j >= height_ || !first_.is_behind(index(i, j), lens) ||
-            pixels_[index(i, j)].variance < 0)
-            return;
-        const BeamSamples::Pixel& pixel = samples_.pixel(index(i, j));
-        scratch.layers.add(samples_, pixel, part, &pixel == &own);
-    };
-    lending_.for_each(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending, lend);
+    WeighedSamples& weighed = scratch.layers.samples();
+    weighed.begin(patch, own.centre, samples_);
+    lending_.find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
+    for (const LendingPixels::Found& lender : scratch.lending.found)
+        if (first_.is_behind(lender.index, lender.lens) && !(pixels_[lender.index].variance < 0))
+            weighed.add(samples_.pixel(lender.index), lender.part, lender.index == index(x, y));
 }
 
 /// Whether the pixel, of the given variance, or one around it has an error that counts. One sample

@@ -8,18 +8,13 @@
 #ifndef INTEGRAL_OUTPUT_INTERLACE_AVX2_H
 #define INTEGRAL_OUTPUT_INTERLACE_AVX2_H
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define INTEGRAL_HAS_AVX2
+#include "integral/base/avx2.h"
+
+#ifdef INTEGRAL_HAS_AVX2
 
 #include "integral/output/interlace_rows.h"
 
 namespace integral {
-
-inline bool has_avx2()
-{
-    static const bool has = __builtin_cpu_supports("avx2");
-    return has;
-}
 
 /// As interlace_row, for the first samples of the row: as many as are returned.
 int fast_row(std::uint8_t* samples, const PanelRow& row, const ViewRows<std::uint8_t>& rows,

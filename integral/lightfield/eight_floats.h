@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Arithmetic on eight floats side by side: in one register of processors with AVX2 (EightFloats),
+// in two of others (TwiceFourFloats). Both types have the same functions and give the same results,
+// bit by bit. So a loop over such numbers is written once, as a template (INTEGRAL_INLINE), and
+// called from two functions, one of which is compiled for AVX2 (INTEGRAL_TARGET_AVX2). In memory
+// the numbers are an Eight.
+#ifndef INTEGRAL_LIGHTFIELD_EIGHT_FLOATS_H
+#define INTEGRAL_LIGHTFIELD_EIGHT_FLOATS_H
+
+#include "integral/base/avx2.h"
+#include "integral/lightfield/four_floats.h"
+
+#include <cstddef>
+
+namespace integral {
+
+/// Always inlined, so that it is compiled for the processor that its caller is compiled for.
+#define INTEGRAL_INLINE __attribute__((always_inline)) inline
+
+#ifdef INTEGRAL_HAS_AVX2
+#define INTEGRAL_TARGET_AVX2 __attribute__((target("avx2")))
+#endif
+
+/// Eight floats in memory.
+struct alignas(32) Eight {
+    float values[8];
+    float& operator[](std::size_t k) { return values[k]; }
+    float operator[](std::size_t k) const { return values[k]; }
+};
+
+/// Eight floats in one register.
+typedef float EightFloats __attribute__((vector_size(32)));
+typedef std::int32_t EightIntegers __attribute__((vector_size(32)));
+
+/// Eight floats in two registers.
+struct TwiceFourIntegers {
+    FourIntegers low, high;
+};
+struct TwiceFourFloats {
+    FourFloats low, high;
+};
+#define INTEGRAL_OPERATOR(Result, Operand, symbol)                                                 \
+    INTEGRAL_INLINE Result operator symbol(Operand a, Operand b)                                   \
+    {                                                                                              \
+        return {a.low symbol b.low, a.high symbol b.high};                                         \
+    }
+INTEGRAL_OPERATOR(TwiceFourFloats, TwiceFourFloats, +)
+INTEGRAL_OPERATOR(TwiceFourFloats, TwiceFourFloats, -)
+INTEGRAL_OPERATOR(TwiceFourFloats, TwiceFourFloats, *)
+INTEGRAL_OPERATOR(TwiceFourFloats, TwiceFourFloats, /)
+INTEGRAL_OPERATOR(TwiceFourIntegers, TwiceFourFloats, <)
+INTEGRAL_OPERATOR(TwiceFourIntegers, TwiceFourFloats, >)
+#undef INTEGRAL_OPERATOR
+
+/// From and to memory; eight times the same.
+template <class Floats> INTEGRAL_INLINE Floats loaded(const Eight& memory)
+{
+    Floats x;
+    std::memcpy(&x, &memory, sizeof x);
+    return x;
+}
+template <class Floats> INTEGRAL_INLINE void store(Eight& memory, Floats x)
+{
+    std::memcpy(&memory, &x, sizeof x);
+}
+template <class Floats> INTEGRAL_INLINE Floats eight_of(float x);
+template <> INTEGRAL_INLINE EightFloats eight_of(float x) { return EightFloats{} + x; }
+template <> INTEGRAL_INLINE TwiceFourFloats eight_of(float x)
+{
+    return {FourFloats{} + x, FourFloats{} + x};
+}
+
+/// a where a comparison holds, b elsewhere.
+INTEGRAL_INLINE FourFloats chosen(FourIntegers where, FourFloats a, FourFloats b)
+{
+    return where ? a : b;
+}
+INTEGRAL_INLINE EightFloats chosen(EightIntegers where, EightFloats a, EightFloats b)
+{
+    return where ? a : b;
+}
+INTEGRAL_INLINE TwiceFourFloats chosen(TwiceFourIntegers where, TwiceFourFloats a,
+                                       TwiceFourFloats b)
+{
+    return {chosen(where.low, a.low, b.low), chosen(where.high, a.high, b.high)};
+}
+template <class Floats> INTEGRAL_INLINE Floats least(Floats a, Floats b)
+{
+    return chosen(a < b, a, b);
+}
+template <class Floats> INTEGRAL_INLINE Floats most(Floats a, Floats b)
+{
+    return chosen(a > b, a, b);
+}
+
+INTEGRAL_INLINE EightFloats magnitude(EightFloats x)
+{
+    return EightFloats(EightIntegers(x) & 0x7fffffff);
+}
+INTEGRAL_INLINE TwiceFourFloats magnitude(TwiceFourFloats x)
+{
+    return {magnitude(x.low), magnitude(x.high)};
+}
+
+/// Whether a comparison holds for one of the eight at least.
+INTEGRAL_INLINE bool any(EightIntegers where)
+{
+    std::int64_t parts[4];
+    std::memcpy(parts, &where, sizeof where);
+    return ((parts[0] | parts[1]) | (parts[2] | parts[3])) != 0;
+}
+INTEGRAL_INLINE bool any(TwiceFourIntegers where) { return any(where.low | where.high); }
+
+/// The first four, and the other four.
+INTEGRAL_INLINE FourFloats low_half(EightFloats x)
+{
+    return __builtin_shufflevector(x, x, 0, 1, 2, 3);
+}
+INTEGRAL_INLINE FourFloats high_half(EightFloats x)
+{
+    return __builtin_shufflevector(x, x, 4, 5, 6, 7);
+}
+INTEGRAL_INLINE FourFloats low_half(TwiceFourFloats x) { return x.low; }
+INTEGRAL_INLINE FourFloats high_half(TwiceFourFloats x) { return x.high; }
+template <class Floats> INTEGRAL_INLINE Floats of_halves(FourFloats low, FourFloats high);
+template <> INTEGRAL_INLINE EightFloats of_halves(FourFloats low, FourFloats high)
+{
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+template <> INTEGRAL_INLINE TwiceFourFloats of_halves(FourFloats low, FourFloats high)
+{
+    return {low, high};
+}
+template <class Floats> INTEGRAL_INLINE float sum_of_eight(Floats x)
+{
+    return sum_of(low_half(x) + high_half(x));
+}
+
+/// The 16-bit integers in the halves of each of the eight: those that come first in memory, and the
+/// second ones.
+INTEGRAL_INLINE void split_pairs(EightFloats pairs, EightFloats& first, EightFloats& second)
+{
+    typedef std::uint32_t EightBits __attribute__((vector_size(32)));
+    const EightBits bits = EightBits(pairs);
+    const EightFloats low = __builtin_convertvector(EightIntegers(bits << 16) >> 16, EightFloats),
+                      high = __builtin_convertvector(EightIntegers(bits) >> 16, EightFloats);
+    constexpr bool low_is_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
+    first = low_is_first ? low : high;
+    second = low_is_first ? high : low;
+}
+INTEGRAL_INLINE void split_pairs(TwiceFourFloats pairs, TwiceFourFloats& first,
+                                 TwiceFourFloats& second)
+{
+    split_pairs(pairs.low, first.low, second.low);
+    split_pairs(pairs.high, first.high, second.high);
+}
+
+/// Exchanges rows and columns of two matrices of four by four: those of the rows' first and of
+/// their second halves.
+INTEGRAL_INLINE void transpose(EightFloats (&rows)[4])
+{
+    const EightFloats a = __builtin_shufflevector(rows[0], rows[1], 0, 8, 1, 9, 4, 12, 5, 13),
+                      b = __builtin_shufflevector(rows[0], rows[1], 2, 10, 3, 11, 6, 14, 7, 15),
+                      c = __builtin_shufflevector(rows[2], rows[3], 0, 8, 1, 9, 4, 12, 5, 13),
+                      d = __builtin_shufflevector(rows[2], rows[3], 2, 10, 3, 11, 6, 14, 7, 15);
+    rows[0] = __builtin_shufflevector(a, c, 0, 1, 8, 9, 4, 5, 12, 13);
+    rows[1] = __builtin_shufflevector(a, c, 2, 3, 10, 11, 6, 7, 14, 15);
+    rows[2] = __builtin_shufflevector(b, d, 0, 1, 8, 9, 4, 5, 12, 13);
+    rows[3] = __builtin_shufflevector(b, d, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+INTEGRAL_INLINE void transpose(TwiceFourFloats (&rows)[4])
+{
+    std::array<FourFloats, 4> low, high;
+    for (int k = 0; k < 4; ++k) {
+        low[k] = rows[k].low;
+        high[k] = rows[k].high;
+    }
+    transpose(low);
+    transpose(high);
+    for (int k = 0; k < 4; ++k)
+        rows[k] = {low[k], high[k]};
+}
+
+} // namespace integral
+
+#endif
