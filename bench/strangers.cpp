@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Anti-aliasing against brute force on scenes that nobody here made: every sample scene of
 // POV-Ray's that renders in reasonable time, unedited, behind two sheets put on with
-// Integral_Camera. Each frame is measured against a converged one. A run that is ended goes on
-// where it was; `strangers -o FOLDER` writes FOLDER/strangers.csv, .md, .svg and .png.
+// Integral_Camera. Each frame is measured against two converged ones of independent samples. A run
+// that is ended goes on where it was; `strangers -o FOLDER` writes FOLDER/strangers.csv, .md, .svg
+// and .png.
 #include "bench/strangers.h"
 
 #include "bench/program.h"
+#include "integral/base/file_bytes.h"
 #include "integral/io/image_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <regex>
 
 namespace {
 
@@ -31,7 +34,7 @@ options::options_description make_options()
         "only", options::value<std::vector<std::string>>()->value_name("TEXT"),
         "only scenes whose path has this text in it; may be given again")(
         "longest", options::value<int>()->value_name("SECONDS")->default_value(120),
-        "leave a scene out if its converged frame would take longer than this")(
+        "leave a scene out if its two converged frames would take longer than this")(
         "report", "measure nothing: write the page of what has been measured")(
         "renderer", options::value<std::string>()->value_name("FILE"),
         "povray-integral (default: the one built beside this program)")(
@@ -57,6 +60,18 @@ std::vector<std::string> scenes_in(const files::path& folder, const std::vector<
     }
     std::sort(scenes.begin(), scenes.end());
     return scenes;
+}
+
+/// What a scene's light needs, by its own text (not that of files which it includes) and by the
+/// statistics of a render.
+std::string kind_of(const std::string& scene_text, const std::string& statistics)
+{
+    static const std::regex comments("//[^\n]*|/\\*[^]*?\\*/"),
+        dear("\\barea_light\\b|\\bradiosity\\s*\\{"), bent("\n(Reflected|Refracted) Rays: +[1-9]");
+    const std::string text = std::regex_replace(scene_text, comments, " ");
+    if (std::regex_search(text, dear))
+        return "area lights or radiosity";
+    return std::regex_search(statistics, bent) ? "mirrors or glass" : "matte, point lights";
 }
 
 /// Measures one scene behind one sheet.
@@ -85,7 +100,7 @@ public:
         for (const Setting& setting : settings) {
             if (table_.find(key_, setting.full_name()))
                 continue;
-            make_reference();
+            make_references();
             const StrangersRow row = measured(setting);
             table_.add(key_, setting.full_name(), row);
             char line[200];
@@ -96,6 +111,13 @@ public:
         }
     }
 
+    /// After a frame has been rendered.
+    std::string kind() const
+    {
+        return kind_of(read_file(renderer_.scene_folder + "/" + file_ + ".pov"),
+                       read_file(renderer_.work_folder + "/" + name_ + ".log"));
+    }
+
 private:
     RenderCost render(const Setting& setting, const std::string& name, const char* audit)
     {
@@ -104,23 +126,28 @@ private:
         return renderer_.render(file_, name, camera_words(sheet_, setting), options);
     }
 
-    void make_reference()
+    /// Two converged frames of independent samples, and of independent gathering of radiosity.
+    void make_references()
     {
-        if (reference_)
+        if (!references_.empty())
             return;
-        const std::string name = name_ + "-reference", file = renderer_.picture(name);
-        const Setting setting = reference_setting(Extent::light_field);
-        if (!files::exists(file)) {
-            const double plain = render(brute_force_settings()[0], name_, "off").cpu_seconds;
-            constexpr int samples = 256;
-            if (samples * plain > longest_)
-                throw std::runtime_error("its converged frame would take " +
-                                         std::to_string(int(samples * plain)) + " s");
-            render(setting, name, "on");
+        std::vector<Frame> both;
+        for (const char* number : {"1", "2"}) {
+            const std::string name = name_ + "-reference-" + number, file = renderer_.picture(name);
+            Setting setting = brute_force_settings().back();
+            setting.options.push_back(std::string("Integral_Seed=100") + number);
+            if (!files::exists(file)) {
+                const double plain = render(brute_force_settings()[0], name_, "off").cpu_seconds;
+                constexpr int samples = 256; // of both
+                if (samples * plain > longest_)
+                    throw std::runtime_error("its converged frames would take " +
+                                             std::to_string(int(samples * plain)) + " s");
+                render(setting, name, "off");
+            }
+            both.push_back(read_frame_with_metadata(file));
         }
-        reference_ = read_frame_with_metadata(file);
-        if (!reference_->metadata->render || !reference_->metadata->render->error)
-            throw std::runtime_error("its converged frame does not tell its own error");
+        references_ = std::move(both);
+        floor_ = lit_rmse(references_[0], references_[1]) / 2;
     }
 
     StrangersRow measured(const Setting& setting)
@@ -133,9 +160,9 @@ private:
         const Frame frame = read_frame_with_metadata(renderer_.picture(name_));
         files::remove(renderer_.picture(name_));
         row.estimate = frame.metadata->render->error;
-        row.floor = reference_->metadata->render->error->rms;
-        const double difference = lit_rmse(frame, *reference_);
-        row.error = std::sqrt(std::max(0.0, difference * difference - row.floor * row.floor));
+        row.floor = floor_;
+        row.error = std::sqrt(
+            std::max(0.0, lit_squared_error(frame, references_[0], references_[1])));
         return row;
     }
 
@@ -145,7 +172,8 @@ private:
     Sheet sheet_;
     int longest_;
     StrangersTable& table_;
-    std::optional<Frame> reference_;
+    std::vector<Frame> references_; ///< two, or none yet
+    double floor_ = 0;              ///< of the mean of both: its own error
 };
 
 void write_page(const StrangersTable& table, const std::string& folder)
@@ -192,8 +220,12 @@ int run(const options::variables_map& arguments)
         if (arguments.count("report") || table.reason(scene))
             continue;
         try {
-            for (const Sheet& sheet : sheets())
-                Stranger(renderer, scene, sheet, longest, table).measure(say);
+            for (const Sheet& sheet : sheets()) {
+                Stranger stranger(renderer, scene, sheet, longest, table);
+                stranger.measure(say);
+                if (!table.kind(scene))
+                    table.set_kind(scene, stranger.kind());
+            }
         } catch (const std::runtime_error& error) {
             table.leave_out(scene, error.what());
             say(scene + ": left out: " + error.what());

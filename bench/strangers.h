@@ -17,8 +17,8 @@ namespace integral::bench {
 /// One frame: a scene behind a sheet, at one setting.
 struct StrangersRow {
     double cpu_seconds = 0; ///< of tracing, without parsing; the least of the runs
-    double error = 0;       ///< RMSE over the lit pixels, freed of the reference's own error
-    double floor = 0;       ///< the reference's own error
+    double error = 0;       ///< RMSE over the lit pixels, freed of the references' own errors
+    double floor = 0;       ///< the error of the mean of both references
     std::optional<ErrorEstimate> estimate; ///< the program's, of `error`
 };
 
@@ -39,6 +39,10 @@ public:
     const std::string* reason(const std::string& scene) const;
     void leave_out(const std::string& scene, const std::string& reason);
 
+    /// What its light needs ("matte, point lights"); null: not known.
+    const std::string* kind(const std::string& scene) const;
+    void set_kind(const std::string& scene, const std::string& kind);
+
     const std::map<Key, std::map<std::string, StrangersRow>>& panels() const { return panels_; }
     const std::map<std::string, std::string>& left_out() const { return left_out_; }
 
@@ -48,7 +52,7 @@ private:
 
     std::string file_;
     std::map<Key, std::map<std::string, StrangersRow>> panels_;
-    std::map<std::string, std::string> left_out_;
+    std::map<std::string, std::string> left_out_, kinds_;
 };
 
 /// Brute force: so many samples for every pixel, the plainest first.

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,8 +17,9 @@ namespace integral::bench {
 
 namespace {
 
-/// In the table, why a scene is left out stands in the place of a sheet and a setting.
-constexpr const char* left_out_mark = "left out";
+/// In the table, words about a scene stand in the place of a sheet and a setting: why it is left
+/// out, and what kind it is of.
+constexpr const char *left_out_mark = "left out", *kind_mark = "kind";
 
 /// Without what would end a field or a line.
 std::string plain(std::string text)
@@ -40,13 +42,19 @@ Setting light_field(const std::string& threshold)
     return {Family::light_field, threshold, "", {"+A" + threshold, "+R5", "+AM2"}};
 }
 
-/// Speed-ups at one threshold over all scenes and sheets, in rising order.
-std::vector<double> speed_ups(const StrangersTable& table, const Setting& setting)
+/// Speed-ups at one threshold over all scenes and sheets, in rising order; `kind`: over those of
+/// one kind.
+std::vector<double> speed_ups(const StrangersTable& table, const Setting& setting,
+                              const std::string& kind = {})
 {
     std::vector<double> all;
-    for (const auto& [key, panel] : table.panels())
+    for (const auto& [key, panel] : table.panels()) {
+        const std::string* of_scene = table.kind(key.first);
+        if (!kind.empty() && (!of_scene || *of_scene != kind))
+            continue;
         if (const auto value = speed_up(panel, setting))
             all.push_back(*value);
+    }
     std::sort(all.begin(), all.end());
     return all;
 }
@@ -77,6 +85,30 @@ void add_distribution(std::ostringstream& text, const StrangersTable& table)
     }
 }
 
+void add_kinds(std::ostringstream& text, const StrangersTable& table)
+{
+    std::set<std::string> kinds;
+    for (const auto& [key, panel] : table.panels())
+        if (const std::string* kind = table.kind(key.first))
+            kinds.insert(*kind);
+    text << "Geometric means (in brackets: the least) by what the light needs:\n\n| kind |";
+    for (const Setting& setting : antialias_settings())
+        text << " +A" << setting.name << " |";
+    text << "\n|---|---|---|---|---|---|\n";
+    for (const std::string& kind : kinds) {
+        text << "| " << kind << " |";
+        for (const Setting& setting : antialias_settings()) {
+            const std::vector<double> all = speed_ups(table, setting, kind);
+            if (all.empty())
+                text << " |";
+            else
+                text << ' ' << number(geometric_mean(all), "%.2f") << " (" << number(all[0], "%.2f")
+                     << ") |";
+        }
+        text << '\n';
+    }
+}
+
 /// How often the program's interval of 95% holds the error that was measured.
 void add_honesty(std::ostringstream& text, const StrangersTable& table)
 {
@@ -88,7 +120,7 @@ void add_honesty(std::ostringstream& text, const StrangersTable& table)
                 held += row.estimate->low <= row.error && row.error <= row.estimate->high;
             }
     text << "The program's own interval holds the measured error in " << held << " of " << intervals
-         << " frames (those that err more than the converged frame itself).\n";
+         << " frames (those that err more than the mean of the converged ones).\n";
 }
 
 void add_panels(std::ostringstream& text, const StrangersTable& table)
@@ -147,6 +179,10 @@ void StrangersTable::read_line(const std::string& line)
         left_out_[fields[0]] = fields[2];
         return;
     }
+    if (fields.size() == 3 && fields[1] == kind_mark) {
+        kinds_[fields[0]] = fields[2];
+        return;
+    }
     try {
         const auto value = [&](std::size_t k) { return std::stod(fields.at(k)); };
         StrangersRow row{value(3), value(4), value(5), std::nullopt};
@@ -194,6 +230,18 @@ const std::string* StrangersTable::reason(const std::string& scene) const
 {
     const auto found = left_out_.find(scene);
     return found == left_out_.end() ? nullptr : &found->second;
+}
+
+const std::string* StrangersTable::kind(const std::string& scene) const
+{
+    const auto found = kinds_.find(scene);
+    return found == kinds_.end() ? nullptr : &found->second;
+}
+
+void StrangersTable::set_kind(const std::string& scene, const std::string& kind)
+{
+    kinds_[scene] = plain(kind);
+    append(scene + "," + kind_mark + "," + kinds_[scene]);
 }
 
 void StrangersTable::leave_out(const std::string& scene, const std::string& reason)
@@ -268,10 +316,12 @@ std::string strangers_page(const StrangersTable& table)
            "faster.\nWhere +A errs more than a single ray it is the single ray's time by +A's.\n\n";
     add_distribution(text, table);
     text << '\n';
+    add_kinds(text, table);
+    text << '\n';
     add_honesty(text, table);
     text << '\n';
     add_panels(text, table);
-    text << "\nA dash: missing, or one of the two errs less than the other or the converged frame "
+    text << "\nA dash: missing, or one of the two errs less than the other or the converged ones "
             "can tell.\n\nLeft out:\n\n";
     for (const auto& [scene, reason] : table.left_out())
         text << "- " << scene << ": " << reason << '\n';

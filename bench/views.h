@@ -68,6 +68,11 @@ ViewFigures greatest(const std::vector<ViewFigures>& views);
 /// Root mean square difference of the colours, over the pixels that `frame` lights.
 double lit_rmse(const Frame& frame, const Frame& reference);
 
+/// Mean product of the frame's differences from two references, over the same pixels. If the
+/// references err independently of each other, that is the frame's mean squared error: their own
+/// errors do not count in it. It may be below 0.
+double lit_squared_error(const Frame& frame, const Frame& a, const Frame& b);
+
 } // namespace integral::bench
 
 #endif
