@@ -128,7 +128,8 @@ build_bench_moving_eye_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 other-routes: all build/tests/oracle
 	$(srcdir)/bench/other_routes
 
-# The thesis's table 4-1: doc/images/table-4-1.png and its figures. Takes a few minutes of rendering.
+# The thesis's table 4-1 (doc/table-4-1.md): doc/images/table-4-1.png and the figures. Takes a few
+# minutes of rendering.
 EXTRA_PROGRAMS += build/bench/table_4_1
 build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \
   bench/pictures.cpp bench/pictures.h bench/program.h bench/views.cpp bench/views.h
