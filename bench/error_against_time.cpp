@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Measures the error of frames against their run time. Renders six scenes behind two sheets with
 // each setting of a ladder, and compares frames and their replayed views with a converged frame of
-// many pixel_samples and beam_samples (doc/error-against-time.md).
+// many pixel_samples and beam_samples (doc/six-scenes.md).
 #include "bench/error_against_time.h"
 #include "bench/program.h"
 

@@ -81,8 +81,8 @@ bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench
 	$(srcdir)/bench/strip_cost
 	$(srcdir)/bench/batch_throughput
 
-# Error against run time (doc/error-against-time.md). Takes minutes of rendering; its test runs a
-# small part.
+# Error against run time on six scenes (doc/six-scenes.md). Takes minutes of rendering; its test
+# runs a small part.
 EXTRA_PROGRAMS += build/bench/error_against_time
 build_bench_error_against_time_SOURCES = \
   bench/error_against_time.cpp \
@@ -103,8 +103,8 @@ build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIO
 error-against-time: all build/bench/error_against_time
 	build/bench/error_against_time --scenes $(srcdir)/bench/scenes --size 120x80 -o build/bench/error-against-time
 
-# Anti-aliasing against brute force on POV-Ray's own sample scenes: hours; what is measured is kept
-# and not measured again.
+# Anti-aliasing against brute force on POV-Ray's own sample scenes (doc/error-against-time.md):
+# hours; what is measured is kept and not measured again.
 EXTRA_PROGRAMS += build/bench/strangers
 build_bench_strangers_SOURCES = bench/error_against_time.h bench/error_against_time_ladder.cpp \
   bench/error_against_time_measure.cpp bench/error_against_time_renderer.cpp bench/pictures.cpp \
@@ -128,7 +128,8 @@ build_bench_moving_eye_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 other-routes: all build/tests/oracle
 	$(srcdir)/bench/other_routes
 
-# The thesis's table 4-1: doc/images/table-4-1.png and its figures. Takes a few minutes of rendering.
+# The thesis's table 4-1 (doc/table-4-1.md): doc/images/table-4-1.png and the figures. Takes a few
+# minutes of rendering.
 EXTRA_PROGRAMS += build/bench/table_4_1
 build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \
   bench/pictures.cpp bench/pictures.h bench/program.h bench/views.cpp bench/views.h

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Makes pictures and figures for the thesis's table 4-1. It renders a blue sphere 50 mm behind two
-// sheets, with and without anti-aliasing and at three resolutions of film, and replays each frame
-// from the aperture's centre, where the sphere's profile is measured, and from near its right edge,
-// where an eye sees the borders of the micro-images.
+// Makes pictures and figures for the thesis's table 4-1 (doc/table-4-1.md). It renders a blue
+// sphere 50 mm behind two sheets, with and without anti-aliasing and at three resolutions of film,
+// and replays each frame from the aperture's centre, where the sphere's profile is measured, and
+// from near its right edge, where an eye sees the borders of the micro-images.
 //
 // table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md. SCENES is the folder of
 //                                 sphere.pov (default: bench/scenes of this build's source).
