@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Tests that arithmetic on eight floats gives the same bits with and without AVX2, and what plain
+// arithmetic gives.
+#include "integral/lightfield/eight_floats.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+using namespace integral;
+
+namespace {
+
+/// What each function makes of two times eight numbers.
+template <class Floats>
+INTEGRAL_INLINE void work_out(const Eight& first, const Eight& second, std::vector<Eight>& results)
+{
+    const Floats a = loaded<Floats>(first), b = loaded<Floats>(second);
+    results.clear();
+    const auto keep = [&](Floats x) __attribute__((always_inline))
+    {
+        results.emplace_back();
+        store(results.back(), x);
+    };
+    keep(a + b);
+    keep(a - b);
+    keep(a * b);
+    keep(a / b);
+    keep(least(a, b));
+    keep(most(a, b));
+    keep(magnitude(a));
+    keep(chosen(a < b, a, eight_of<Floats>(2)));
+    keep(chosen(a > b, a, eight_of<Floats>(2)));
+    keep(of_halves<Floats>(high_half(a), low_half(b)));
+    Floats low, high;
+    split_pairs(a, low, high);
+    keep(low);
+    keep(high);
+    Floats rows[4] = {a, b, a - b, a * b};
+    transpose(rows);
+    for (const Floats& row : rows)
+        keep(row);
+    keep(eight_of<Floats>(sum_of_eight(a)));
+    keep(eight_of<Floats>(any(a < b) ? 1.0f : 0.0f));
+}
+
+void in_two_registers(const Eight& a, const Eight& b, std::vector<Eight>& results)
+{
+    work_out<TwiceFourFloats>(a, b, results);
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2
+void in_one_register(const Eight& a, const Eight& b, std::vector<Eight>& results)
+{
+    work_out<EightFloats>(a, b, results);
+}
+#endif
+
+/// Numbers of all sizes, some of them alike.
+std::pair<Eight, Eight> random_numbers(std::mt19937& random)
+{
+    std::uniform_real_distribution<float> mantissa(-1, 1), exponent(-20, 20);
+    std::pair<Eight, Eight> numbers;
+    for (int k = 0; k < 8; ++k) {
+        numbers.first[k] = mantissa(random) * std::exp2(exponent(random));
+        numbers.second[k] = k == int(random() % 16)
+                                ? numbers.first[k]
+                                : mantissa(random) * std::exp2(exponent(random));
+    }
+    return numbers;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(lightfield_eight_floats)
+
+BOOST_AUTO_TEST_CASE(both_ways_give_the_same_bits)
+{
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2()) {
+        std::mt19937 random(5);
+        for (int time = 0; time < 1000; ++time) {
+            const auto [a, b] = random_numbers(random);
+            std::vector<Eight> one, two;
+            in_one_register(a, b, one);
+            in_two_registers(a, b, two);
+            BOOST_TEST_REQUIRE(one.size() == two.size());
+            for (std::size_t k = 0; k < one.size(); ++k)
+                BOOST_TEST_REQUIRE(std::memcmp(&one[k], &two[k], sizeof(Eight)) == 0,
+                                   "function " << k << ", time " << time);
+        }
+        return;
+    }
+#endif
+    BOOST_TEST_MESSAGE("this processor has no AVX2: there is one way only");
+    BOOST_TEST(true);
+}
+
+BOOST_AUTO_TEST_CASE(they_do_what_plain_arithmetic_does)
+{
+    std::mt19937 random(6);
+    const auto [a, b] = random_numbers(random);
+    std::vector<Eight> results;
+    in_two_registers(a, b, results);
+    float sum = 0;
+    for (int k = 0; k < 8; ++k) {
+        BOOST_TEST(results[0][k] == a[k] + b[k]);
+        BOOST_TEST(results[3][k] == a[k] / b[k]);
+        BOOST_TEST(results[4][k] == std::min(a[k], b[k]));
+        BOOST_TEST(results[5][k] == std::max(a[k], b[k]));
+        BOOST_TEST(results[6][k] == std::fabs(a[k]));
+        BOOST_TEST(results[7][k] == (a[k] < b[k] ? a[k] : 2));
+        BOOST_TEST(results[9][k] == (k < 4 ? a[k + 4] : b[k - 4]));
+        std::int16_t pair[2];
+        std::memcpy(pair, &a.values[k], sizeof pair);
+        BOOST_TEST(results[10][k] == pair[0]);
+        BOOST_TEST(results[11][k] == pair[1]);
+        // The transposed rows 0 to 3: numbers k and k + 4 of a, b, a - b, a * b.
+        const int of = k % 4, row = k < 4 ? 0 : 4;
+        for (int column = 0; column < 4; ++column) {
+            const int place = column + row;
+            const float expected[4] = {a[place], b[place], a[place] - b[place],
+                                       a[place] * b[place]};
+            BOOST_TEST(results[12 + column][row + of] == expected[of]);
+        }
+        sum += a[k];
+    }
+    BOOST_TEST(std::fabs(results[16][0] - sum) <= 1e-5f * std::fabs(sum) + 1e-2f);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
