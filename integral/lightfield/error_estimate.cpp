@@ -67,10 +67,26 @@ void ErrorSums::add(const ErrorSums& other)
 
 namespace {
 
-/// A mean and the half-width of its interval.
+/// A mean, its standard error, and the half-width of its interval.
 struct Mean {
-    double value, reach;
+    double value, deviation, reach;
 };
+
+/// The expected value of what was measured as `mean`, with a normal error of that deviation, if
+/// it cannot be below 0 and all above is equally likely: the mean of a truncated normal
+/// distribution.
+double not_below_zero(const Mean& mean)
+{
+    const double t = mean.value / mean.deviation;
+    if (!std::isfinite(t) || t > 6) // no deviation, or far above 0
+        return std::max(0.0, mean.value);
+    if (t < -6)
+        return -mean.deviation / t;
+    constexpr double pi = 3.14159265358979323846;
+    const double density = std::exp(-0.5 * t * t) / std::sqrt(2 * pi),
+                 above = 0.5 * std::erfc(-t / std::sqrt(2));
+    return mean.value + mean.deviation * density / above;
+}
 
 Mean mean_of(const ErrorSums& sums, ErrorMethod method)
 {
@@ -80,7 +96,8 @@ Mean mean_of(const ErrorSums& sums, ErrorMethod method)
                       n; // of the mean
     if (method == ErrorMethod::split_halves)
         variance *= 2;
-    return {mean, std::hypot(two_sided_95 * std::sqrt(variance), bias * mean)};
+    const double deviation = std::sqrt(variance);
+    return {mean, deviation, std::hypot(two_sided_95 * deviation, bias * mean)};
 }
 
 } // namespace
@@ -98,13 +115,13 @@ std::optional<ErrorEstimate> estimate(const ErrorSums& sums, ErrorMethod method)
     ErrorEstimate result;
     result.method = method;
     result.pixels = sums.pixels;
-    result.rms = std::sqrt(std::max(0.0, mean.value));
     if (mean.value > mean.reach)
-        result.low = result.rms * std::exp(-0.5 * mean.reach / mean.value);
+        result.low = std::sqrt(mean.value) * std::exp(-0.5 * mean.reach / mean.value);
     if (upper.value > upper.reach)
         result.high = std::sqrt(upper.value) * std::exp(0.5 * upper.reach / upper.value);
     else // the same where the two meet
         result.high = std::sqrt(std::max(0.0, upper.value + (std::exp(1.0) - 1) * upper.reach));
+    result.rms = std::min(std::sqrt(not_below_zero(mean)), result.high);
     return result;
 }
 

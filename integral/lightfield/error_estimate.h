@@ -75,6 +75,10 @@ struct ErrorSums {
 /// Sets rms, its interval, the method and the number of pixels; the caller sets the other fields.
 /// Returns nothing for fewer than 2 pixels.
 ///
+/// The mean of few pixels' squared errors may be near 0 or below by chance, where a frame's cannot
+/// be. So rms is the root of the value expected of a frame's mean that is not below 0. From 3
+/// standard errors on, that differs from the pixels' mean by less than 0.2%.
+///
 /// The interval is that of the central limit theorem, symmetric in the logarithm of the mean square
 /// if the relative error is small enough. It is widened
 /// - upwards, as if one more pixel had the largest error: most of a frame's error is in few pixels,
