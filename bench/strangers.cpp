@@ -71,7 +71,7 @@ std::string kind_of(const std::string& scene_text, const std::string& statistics
     const std::string text = std::regex_replace(scene_text, comments, " ");
     if (std::regex_search(text, dear))
         return "area lights or radiosity";
-    return std::regex_search(statistics, bent) ? "mirrors or glass" : "matte, point lights";
+    return std::regex_search(statistics, bent) ? "mirrors or glass" : "matte under point lights";
 }
 
 /// Measures one scene behind one sheet.

@@ -39,7 +39,7 @@ public:
     const std::string* reason(const std::string& scene) const;
     void leave_out(const std::string& scene, const std::string& reason);
 
-    /// What its light needs ("matte, point lights"); null: not known.
+    /// What its light needs ("matte under point lights"); null: not known.
     const std::string* kind(const std::string& scene) const;
     void set_kind(const std::string& scene, const std::string& kind);
 
