@@ -14,9 +14,6 @@
 
 namespace integral {
 
-/// Always inlined, so that it is compiled for the processor that its caller is compiled for.
-#define INTEGRAL_INLINE __attribute__((always_inline)) inline
-
 #ifdef INTEGRAL_HAS_AVX2
 #define INTEGRAL_TARGET_AVX2 __attribute__((target("avx2")))
 #endif
@@ -136,17 +133,11 @@ template <class Floats> INTEGRAL_INLINE float sum_of_eight(Floats x)
     return sum_of(low_half(x) + high_half(x));
 }
 
-/// The 16-bit integers in the halves of each of the eight: those that come first in memory, and the
-/// second ones.
+/// See four_floats.h.
 INTEGRAL_INLINE void split_pairs(EightFloats pairs, EightFloats& first, EightFloats& second)
 {
     typedef std::uint32_t EightBits __attribute__((vector_size(32)));
-    const EightBits bits = EightBits(pairs);
-    const EightFloats low = __builtin_convertvector(EightIntegers(bits << 16) >> 16, EightFloats),
-                      high = __builtin_convertvector(EightIntegers(bits) >> 16, EightFloats);
-    constexpr bool low_is_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
-    first = low_is_first ? low : high;
-    second = low_is_first ? high : low;
+    split_pairs_as<EightBits, EightIntegers>(pairs, first, second);
 }
 INTEGRAL_INLINE void split_pairs(TwiceFourFloats pairs, TwiceFourFloats& first,
                                  TwiceFourFloats& second)

@@ -10,6 +10,9 @@
 
 namespace integral {
 
+/// Always inlined, so that it is compiled for the processor that its caller is compiled for.
+#define INTEGRAL_INLINE __attribute__((always_inline)) inline
+
 typedef float FourFloats __attribute__((vector_size(16)));
 typedef std::int32_t FourIntegers __attribute__((vector_size(16)));
 
@@ -35,17 +38,22 @@ inline FourFloats floats_from(const void* integers)
     return __builtin_convertvector(__builtin_convertvector(narrow, FourIntegers), FourFloats);
 }
 
-/// The 16-bit integers in the halves of each of the four: those that come first in memory, and the
-/// second ones.
-inline void split_pairs(FourFloats pairs, FourFloats& first, FourFloats& second)
+/// The 16-bit integers in the halves of each number's 32 bits: those that come first in memory, and
+/// the second ones. Bits, Integers: vectors of as many unsigned and signed integers.
+template <class Bits, class Integers, class Floats>
+INTEGRAL_INLINE void split_pairs_as(Floats pairs, Floats& first, Floats& second)
 {
-    typedef std::uint32_t FourBits __attribute__((vector_size(16)));
-    const FourBits bits = FourBits(pairs);
-    const FourFloats low = __builtin_convertvector(FourIntegers(bits << 16) >> 16, FourFloats),
-                     high = __builtin_convertvector(FourIntegers(bits) >> 16, FourFloats);
+    const Bits bits = Bits(pairs);
+    const Floats low = __builtin_convertvector(Integers(bits << 16) >> 16, Floats),
+                 high = __builtin_convertvector(Integers(bits) >> 16, Floats);
     constexpr bool low_is_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
     first = low_is_first ? low : high;
     second = low_is_first ? high : low;
+}
+INTEGRAL_INLINE void split_pairs(FourFloats pairs, FourFloats& first, FourFloats& second)
+{
+    typedef std::uint32_t FourBits __attribute__((vector_size(16)));
+    split_pairs_as<FourBits, FourIntegers>(pairs, first, second);
 }
 
 /// Exchanges rows and columns.
