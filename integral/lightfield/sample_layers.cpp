@@ -58,9 +58,9 @@ void SampleLayers::find_layers()
     const int last = step_of(samples_.furthest());
     std::bitset<most_steps + 1> used;
     if (last >= 2)
-        for (Met* met = samples_.begin_of_met(); met != samples_.end_of_met(); ++met) {
-            met->layer = std::uint16_t(step_of(met->depth()));
-            used.set(met->layer);
+        for (Met& met : samples_.met()) {
+            met.layer = std::uint16_t(step_of(met.depth()));
+            used.set(met.layer);
         }
     std::array<std::uint16_t, most_steps + 1> layer_of;
     for (int k = 0; k <= last; ++k)
@@ -70,8 +70,8 @@ void SampleLayers::find_layers()
             layer_of[k] = std::uint16_t(layers_.size() - 1);
         }
     if (layers_.size() > 1)
-        for (Met* met = samples_.begin_of_met(); met != samples_.end_of_met(); ++met)
-            met->layer = layer_of[met->layer];
+        for (Met& met : samples_.met())
+            met.layer = layer_of[met.layer];
 }
 
 /// The light of a sample, times StoredLight::of_squared_root.
@@ -84,12 +84,12 @@ inline FourFloats light_of(const StoredLight& light)
 /// Sums up the light of the layers.
 void SampleLayers::sum_layers()
 {
-    for (const Met* met = samples_.begin_of_met(); met != samples_.end_of_met(); ++met) {
-        Layer& layer = layers_[met->layer];
-        layer.weight += met->weight();
-        layer.depth += met->weight() * met->depth();
-        layer.furthest = std::max(layer.furthest, met->depth());
-        layer.light += met->weight() * light_of(met->light);
+    for (const Met& met : samples_.met()) {
+        Layer& layer = layers_[met.layer];
+        layer.weight += met.weight();
+        layer.depth += met.weight() * met.depth();
+        layer.furthest = std::max(layer.furthest, met.depth());
+        layer.light += met.weight() * light_of(met.light);
     }
     for (Layer& layer : layers_)
         layer.depth /= layer.weight;
@@ -110,11 +110,11 @@ FourFloats SampleLayers::fitted() const
     const FourFloats squares = {0, 0, mean_square(samples_.patch().axis(0), depth),
                                 mean_square(samples_.patch().axis(1), depth)},
                      one = FourFloats{} + 1;
-    for (const Met* met = samples_.begin_of_met(); met != samples_.end_of_met(); ++met) {
-        const FourFloats numbers = met->numbers,
+    for (const Met& met : samples_.met()) {
+        const FourFloats numbers = met.numbers,
                          place = __builtin_shufflevector(numbers, numbers, 1, 2, 1, 2),
                          factor = __builtin_shufflevector(numbers, one, 4, 4, 1, 2);
-        fit.add(numbers[0], place * factor - squares, light_of(met->light));
+        fit.add(numbers[0], place * factor - squares, light_of(met.light));
     }
     return fit.mean_of_beam();
 }
@@ -129,10 +129,10 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching_with(const Layer& 
                  tiny = eight_of<Floats>(1e-6f); // where the pixel sees the surface edge-on
     const WeighedSamples::Section section = samples_.section(layer.depth);
     ReachingSamples<Floats> result;
-    for (auto group = samples_.begin_of_groups(); group != samples_.end_of_groups(); ++group) {
-        const auto at = section.density<Floats>(*group);
-        const Floats areas = loaded<Floats>(group->areas), depths = loaded<Floats>(group->depths),
-                     shares = loaded<Floats>(group->shares),
+    for (const WeighedSamples::Group& group : samples_.groups()) {
+        const auto at = section.density<Floats>(group);
+        const Floats areas = loaded<Floats>(group.areas), depths = loaded<Floats>(group.depths),
+                     shares = loaded<Floats>(group.shares),
                      share = chosen(areas > none, shares, eight_of<Floats>(of_other_side) * shares),
                      weight = chosen(depths > eight_of<Floats>(before), share * at.value, none);
         if (!any(weight > none))
@@ -172,11 +172,11 @@ void SampleLayers::see_through_covers(Layer& layer)
     covers_.look_from(samples_.patch(), layer.depth);
     float weight = 0;
     FourFloats light{};
-    for (const Met* met = samples_.begin_of_met(); met != samples_.end_of_met(); ++met)
-        if (met->layer == number) {
-            const float seen = met->weight() * covers_.open(met->numbers[1], met->numbers[2]);
+    for (const Met& met : samples_.met())
+        if (met.layer == number) {
+            const float seen = met.weight() * covers_.open(met.numbers[1], met.numbers[2]);
             weight += seen;
-            light += seen * light_of(met->light);
+            light += seen * light_of(met.light);
         }
     layer.weight = weight;
     layer.light = light;
@@ -233,8 +233,8 @@ std::optional<SampleLayers::Light> SampleLayers::light()
 float SampleLayers::variance() const
 {
     FourFloats sum{}, squares{};
-    for (const Met* met = samples_.begin_of_met(); met != samples_.end_of_met(); ++met) {
-        const FourFloats root = floats_from(&met->light), weighted = met->weight() * root;
+    for (const Met& met : samples_.met()) {
+        const FourFloats root = floats_from(&met.light), weighted = met.weight() * root;
         sum += weighted;
         squares += weighted * root;
     }

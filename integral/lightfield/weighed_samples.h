@@ -16,6 +16,13 @@ namespace integral {
 
 class WeighedSamples {
 public:
+    /// The elements of an array, for range-based loops.
+    template <class Element> struct Range {
+        Element *first, *last;
+        Element* begin() const { return first; }
+        Element* end() const { return last; }
+    };
+
     /// Begins a pixel. `centre`: the line from its centre through the lens's pole. `samples`: the
     /// store of the samples that will be added; it must outlive weigh().
     void begin(const BeamPatch& patch, const SightSlope& centre, const BeamSamples& samples);
@@ -38,8 +45,7 @@ public:
         Eight shares;  ///< as which the samples count inside the beam
         Eight weights; ///< the shares times the beam's density where the samples ended
     };
-    const Group* begin_of_groups() const { return groups_.data(); }
-    const Group* end_of_groups() const { return groups_.data() + group_number_; }
+    Range<const Group> groups() const { return {groups_.data(), groups_.data() + group_number_}; }
 
     /// A sample that ended in the beam.
     struct Met {
@@ -49,10 +55,8 @@ public:
         StoredLight light;
         std::uint16_t layer; ///< for the user of the list
     };
-    Met* begin_of_met() { return met_.data(); }
-    Met* end_of_met() { return met_.data() + met_number_; }
-    const Met* begin_of_met() const { return met_.data(); }
-    const Met* end_of_met() const { return met_.data() + met_number_; }
+    Range<Met> met() { return {met_.data(), met_.data() + met_number_}; }
+    Range<const Met> met() const { return {met_.data(), met_.data() + met_number_}; }
 
     /// Of the samples that ended in the beam: the sum of their weights, the part of it that the
     /// pixel's own have, and their least and greatest depth, mm.
