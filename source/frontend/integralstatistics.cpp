@@ -5,6 +5,7 @@
 #include "frontend/integralstatistics.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
+#include "base/povmsgid.h"
 #include "base/stringutilities.h"
 
 #include <cmath>
@@ -42,6 +43,8 @@ static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
     else
         out->printf("  by the two halves of the %d samples of each of %.0f lit pixels\n", samples,
                     pixels);
+    if (statistics.TryGetLong(kPOVAttrib_RadGatherCount, 0) > 0)
+        out->printf("  without the error of radiosity's interpolation, which all samples share\n");
     if (statistics.Exist(kIntegralAttrib_ErrorPicture))
         out->printf("Warning: the error picture could not be written to %s.\n",
                     statistics.GetString(kIntegralAttrib_ErrorPicture).c_str());
