@@ -62,14 +62,29 @@ std::vector<std::string> scenes_in(const files::path& folder, const std::vector<
     return scenes;
 }
 
+/// A scene's text without its comments.
+std::string without_comments(const std::string& text)
+{
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const bool line = text.compare(at, 2, "//") == 0;
+        if (!line && text.compare(at, 2, "/*") != 0) {
+            result += text[at++];
+            continue;
+        }
+        const std::size_t end = text.find(line ? "\n" : "*/", at + 2);
+        at = end == std::string::npos ? text.size() : end + (line ? 0 : 2);
+    }
+    return result;
+}
+
 /// What a scene's light needs, by its own text (not that of files which it includes) and by the
 /// statistics of a render.
 std::string kind_of(const std::string& scene_text, const std::string& statistics)
 {
-    static const std::regex comments("//[^\n]*|/\\*[^]*?\\*/"),
-        dear("\\barea_light\\b|\\bradiosity\\s*\\{"), bent("\n(Reflected|Refracted) Rays: +[1-9]");
-    const std::string text = std::regex_replace(scene_text, comments, " ");
-    if (std::regex_search(text, dear))
+    static const std::regex dear("\\barea_light\\b|\\bradiosity\\s*\\{"),
+        bent("\n(Reflected|Refracted) Rays: +[1-9]");
+    if (std::regex_search(without_comments(scene_text), dear))
         return "area lights or radiosity";
     return std::regex_search(statistics, bent) ? "mirrors or glass" : "matte under point lights";
 }
@@ -111,11 +126,13 @@ public:
         }
     }
 
-    /// After a frame has been rendered.
-    std::string kind() const
+    /// See kind_of; nothing if no render of the scene has left its statistics.
+    std::optional<std::string> kind() const
     {
-        return kind_of(read_file(renderer_.scene_folder + "/" + file_ + ".pov"),
-                       read_file(renderer_.work_folder + "/" + name_ + ".log"));
+        const std::string log = renderer_.work_folder + "/" + name_ + ".log";
+        if (!files::exists(log))
+            return {};
+        return kind_of(read_file(renderer_.scene_folder + "/" + file_ + ".pov"), read_file(log));
     }
 
 private:
@@ -223,8 +240,8 @@ int run(const options::variables_map& arguments)
             for (const Sheet& sheet : sheets()) {
                 Stranger stranger(renderer, scene, sheet, longest, table);
                 stranger.measure(say);
-                if (!table.kind(scene))
-                    table.set_kind(scene, stranger.kind());
+                if (const auto kind = stranger.kind(); kind && !table.kind(scene))
+                    table.set_kind(scene, *kind);
             }
         } catch (const std::runtime_error& error) {
             table.leave_out(scene, error.what());
