@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "integral/base/vector_loops.h"
-
 namespace integral {
 
 namespace {
@@ -185,7 +183,7 @@ INTEGRAL_INLINE void LendingPixels::find_nearness_with(int axis, const BeamPatch
                      at_ends = least(by_nearest * magnitude(at_nearest),
                                      by_furthest * magnitude(at_furthest)),
                      apart = least(at_ends, by_sheet * magnitude(lens));
-        // Below 0 the centres are at one place at a depth between.
+        // Where the signs differ, the centres meet at a depth between.
         store(nearness[k], one - chosen(at_nearest * at_furthest < none, none, apart));
     }
 }
@@ -217,27 +215,22 @@ void LendingPixels::find(int x, int y, FirstSamples::StoredLens own, const BeamP
     const Eight *across = scratch.nearness[0].data(), *along = scratch.nearness[1].data();
     const auto at = [](const Eight* nearness, int step) { return nearness[step / 8u][step % 8u]; };
     const Lenders& lenders = lenders_[own[1] & 1];
-    scratch.near.resize(lenders.all.size() + 1);
-    int* end = scratch.near.data();
+    scratch.found.clear();
     for (const Lenders::Run& run : lenders.runs) {
         const float near_across = at(across, run.step);
         if (near_across < least_nearness)
             continue;
-        for (int k = run.begin; k < run.end; ++k) { // without branches
+        for (int k = run.begin; k < run.end; ++k) {
             const Lender& lender = lenders.all[k];
-            *end = k;
-            end += near_across * at(along, lender.steps[1]) * lender.nearness >= least_nearness;
-        }
-    }
-    scratch.found.clear();
-    for (const int* k = scratch.near.data(); k != end; ++k) {
-        const Lender& lender = lenders.all[*k];
-        const int i = x + lender.x, j = y + lender.y;
-        if (i >= 0 && j >= 0 && i < width_ && j < height_)
+            const int i = x + lender.x, j = y + lender.y;
+            if (near_across * at(along, lender.steps[1]) * lender.nearness < least_nearness ||
+                i < 0 || j < 0 || i >= width_ || j >= height_)
+                continue;
             scratch.found.push_back(
                 {std::size_t(j) * width_ + i,
                  {std::uint16_t(own[0] + lender.i), std::uint16_t(own[1] + lender.j)},
                  lender.part});
+        }
     }
 }
 

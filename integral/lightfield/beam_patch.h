@@ -40,9 +40,6 @@ public:
     /// Across and along the lattice.
     const Axis& axis(int which) const { return axes_[which]; }
 
-    /// Half the patch's width along an axis, mm.
-    float reach(int which, float depth) const { return axes_[which].reach(depth); }
-
 private:
     std::array<Axis, 2> axes_; ///< across and along the lattice
 };
@@ -64,7 +61,6 @@ public:
     struct Scratch {
         /// Of the steps along both axes: see find_nearness.
         std::array<std::vector<Eight>, 2> nearness;
-        std::vector<int> near; ///< places in the list of lenders
         std::vector<Found> found;
     };
 

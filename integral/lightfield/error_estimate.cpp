@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/error_estimate.h"
 
+#include "integral/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,7 +84,6 @@ double not_below_zero(const Mean& mean)
         return std::max(0.0, mean.value);
     if (t < -6)
         return -mean.deviation / t;
-    constexpr double pi = 3.14159265358979323846;
     const double density = std::exp(-0.5 * t * t) / std::sqrt(2 * pi),
                  above = 0.5 * std::erfc(-t / std::sqrt(2));
     return mean.value + mean.deviation * density / above;

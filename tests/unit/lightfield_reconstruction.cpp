@@ -408,31 +408,6 @@ BOOST_AUTO_TEST_CASE(one_sample_a_pixel_will_do)
     BOOST_TEST(ratio(sheet(Arrangement::lenticular), scene, 1) < 0.75);
 }
 
-BOOST_AUTO_TEST_CASE(far_places_are_seen_by_more_lenses)
-{
-    // The greatest number of lenses between a pixel and another whose beam meets its own at a
-    // depth.
-    const auto furthest = [](Arrangement arrangement, float depth) {
-        constexpr int side = 200;
-        const IntegralCamera camera = camera_of(sheet(arrangement), side, side);
-        const LendingPixels lending(camera.optics.lattice(), camera.film);
-        const FirstSamples::StoredLens own{100, 100};
-        LendingPixels::Scratch scratch;
-        int most = 0;
-        lending.find(side / 2, side / 2, own, BeamPatch(camera, SightSlope{}), depth, depth,
-                     scratch);
-        for (const LendingPixels::Found& lender : scratch.found)
-            most = std::max(most, std::abs(lender.lens[0] - own[0]));
-        return most;
-    };
-    BOOST_TEST(furthest(Arrangement::lenticular, 0) == 0);
-    BOOST_TEST(furthest(Arrangement::lenticular, 5) == 1);
-    BOOST_TEST(furthest(Arrangement::lenticular, 10) == 2);
-    BOOST_TEST(furthest(Arrangement::lenticular, 200) == 3);
-    BOOST_TEST(furthest(Arrangement::square, 0) == 0);
-    BOOST_TEST(furthest(Arrangement::square, 200) == 1);
-}
-
 BOOST_AUTO_TEST_CASE(what_is_not_noisy_is_left_alone)
 {
     Sampled frame(sheet(Arrangement::square), chequers(5, 3), 2, 0.001);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Tests which pixels' samples a pixel may use.
+#include "integral/lightfield/beam_patch.h"
+#include "tests/unit/pixel_origins.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+
+using namespace pixel_origins;
+
+BOOST_AUTO_TEST_SUITE(lightfield_beam_patch)
+
+BOOST_AUTO_TEST_CASE(far_places_are_seen_by_more_lenses)
+{
+    // The greatest number of lenses between a pixel and another whose beam meets its own at a
+    // depth.
+    const auto furthest = [](Arrangement arrangement, float depth) {
+        constexpr int side = 200;
+        CameraParameters parameters = parameters_of(arrangement);
+        parameters.film.pixel_pitch = {25.4 / 300, 25.4 / 300};
+        const IntegralCamera camera = camera_of(parameters, side, side);
+        const LendingPixels lending(camera.optics.lattice(), camera.film);
+        const FirstSamples::StoredLens own{100, 100};
+        LendingPixels::Scratch scratch;
+        int most = 0;
+        lending.find(side / 2, side / 2, own, BeamPatch(camera, SightSlope{}), depth, depth,
+                     scratch);
+        for (const LendingPixels::Found& lender : scratch.found)
+            most = std::max(most, std::abs(lender.lens[0] - own[0]));
+        return most;
+    };
+    BOOST_TEST(furthest(Arrangement::lenticular, 0) == 0);
+    BOOST_TEST(furthest(Arrangement::lenticular, 5) == 1);
+    BOOST_TEST(furthest(Arrangement::lenticular, 10) == 2);
+    BOOST_TEST(furthest(Arrangement::lenticular, 200) == 3);
+    BOOST_TEST(furthest(Arrangement::square, 0) == 0);
+    BOOST_TEST(furthest(Arrangement::square, 200) == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
