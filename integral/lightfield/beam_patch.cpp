@@ -86,84 +86,89 @@ LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
     for (int row = 0; row < 2; ++row)
         for (int j = -along; j <= along; ++j)
             for (int i = -across; i <= across; ++i)
-                add_pixels(lattice, film, row, {i, j});
-    for (Lenders& lenders : lenders_)
-        find_runs(lenders);
+                add_lens(lattice, film, row, {i, j});
 }
 
 /// Adds the pixels behind the lens that is a step away from one in an even (0) or odd row (1).
-void LendingPixels::add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step)
+void LendingPixels::add_lens(const Lattice& lattice, const Film& film, int row, LensIndex step)
 {
     Vec2 way = lattice.pole({step.i, row + step.j}) - lattice.pole({0, row});
     if (!lines_ && !(length(way) < (most_lenses + 0.5) * lattice.pitch()))
         return;
     const Vec2 a = lattice.across(), b = lattice.along(), pixel = film.pixel_pitch;
-    const double across = pixel_along(pixel, a), along = pixel_along(pixel, b);
-    double most = most_pixels, most_along = most_pixels, fall_across = fall;
+    double furthest = most_pixels, furthest_along = most_pixels, fall_across = fall;
     if (lines_) { // not the shortest way across the lines, but the one along the slit
         const Vec2 slit = slit_direction(lattice);
         way = (dot(way, a) / dot(slit, a)) * slit;
-        most = most_pixels_across_lines;
+        furthest = most_pixels_across_lines;
         fall_across = fall_across_lines;
-        most_along = std::fabs(dot(slit, b)) > 1e-6 ? most_pixels : 0.5;
+        furthest_along = std::fabs(dot(slit, b)) > 1e-6 ? most_pixels : 0.5;
     }
-    const int right = int(std::lround(way.x / pixel.x)), down = int(std::lround(-way.y / pixel.y)),
-              around = int(std::ceil(most)) + 1;
+    // How far the direction of a pixel is from that of the pixel's own, in pixels along both axes.
+    const int right = int(std::lround(way.x / pixel.x)), down = int(std::lround(-way.y / pixel.y));
+    const auto off = [&](int u, int v) -> Vec2 {
+        const Vec2 film_way = Vec2{(right + u) * pixel.x, -(down + v) * pixel.y} - way;
+        return {dot(film_way, a) / pixel_along(pixel, a), dot(film_way, b) / pixel_along(pixel, b)};
+    };
+    const auto is_near = [&](Vec2 off) {
+        return std::hypot(off.x / furthest, off.y / furthest_along) <= 1;
+    };
+    const int around = int(std::ceil(furthest)) + 1;
+    int first = around + 1, last = -around - 1;
     for (int v = -around; v <= around; ++v)
-        for (int u = -around; u <= around; ++u) {
-            const Vec2 film_way = {(right + u) * pixel.x, -(down + v) * pixel.y},
-                       off = film_way - way;
-            const double x = dot(off, a) / across, y = dot(off, b) / along;
-            if (std::hypot(x / most, y / most_along) > 1)
+        for (int u = -around; u <= around; ++u)
+            if (is_near(off(u, v))) {
+                first = std::min(first, u);
+                last = std::max(last, u);
+            }
+    for (int v = -around; v <= around; ++v)
+        for (int u = first; u <= last; u += 8) {
+            Lenders lenders{right + u, down + v, std::int16_t(step.i), std::int16_t(step.j)};
+            EightSteps across, along;
+            bool any = false;
+            for (int k = 0; k < 8; ++k) {
+                const Vec2 at = off(u + k, v);
+                across.lens[k] = float(dot(way, a));
+                across.pixels[k] = float(at.x);
+                along.lens[k] = lines_ ? 0 : float(dot(way, b));
+                along.pixels[k] = lines_ ? 0 : float(at.y);
+                if (!is_near(at))
+                    continue;
+                any = true;
+                lenders.parts[k] = float(std::exp(-fall_across * at.x * at.x - fall * at.y * at.y));
+                lenders.nearness[k] = std::sqrt(lenders.parts[k]);
+            }
+            if (!any)
                 continue;
-            Lender lender{right + u, down + v, std::int16_t(step.i), std::int16_t(step.j)};
-            lender.part = float(std::exp(-fall_across * x * x - fall * y * y));
-            lender.nearness = std::sqrt(lender.part);
-            lender.steps = {index_of(0, dot(way, a), x),
-                            lines_ ? index_of(1, 0, 0) : index_of(1, dot(way, b), y)};
-            lenders_[row].all.push_back(lender);
-            rows_ = std::max(rows_, std::abs(lender.y));
+            lenders.steps = {index_of(0, across), index_of(1, along)};
+            lenders_[row].push_back(lenders);
+            rows_ = std::max(rows_, std::abs(lenders.y));
         }
 }
 
-/// The index of a step along an axis, which is added if it is new.
-int LendingPixels::index_of(int axis, double lens, double pixels)
+/// The index of eight steps along an axis, which are added if they are new.
+int LendingPixels::index_of(int axis, const EightSteps& steps)
 {
-    const auto alike = [](double a, double b) {
-        return std::fabs(a - b) < 1e-4 * (1 + std::fabs(b));
+    const auto alike = [](const Eight& a, const Eight& b) {
+        return std::equal(a.values, a.values + 8, b.values, [](double x, double y) {
+            return std::fabs(x - y) < 1e-4 * (1 + std::fabs(y));
+        });
     };
-    std::vector<EightSteps>& steps = steps_[axis];
-    int& number = step_numbers_[axis];
-    for (int k = 0; k < number; ++k)
-        if (alike(steps[k / 8].lens[k % 8], lens) && alike(steps[k / 8].pixels[k % 8], pixels))
-            return k;
-    if (number % 8 == 0)
-        steps.emplace_back();
-    steps.back().lens[number % 8] = float(lens);
-    steps.back().pixels[number % 8] = float(pixels);
-    return number++;
-}
-
-/// Sorts lenders by their steps across.
-void LendingPixels::find_runs(Lenders& lenders) const
-{
-    std::stable_sort(lenders.all.begin(), lenders.all.end(),
-                     [](const Lender& a, const Lender& b) { return a.steps[0] < b.steps[0]; });
-    for (int k = 0; k < int(lenders.all.size()); ++k) {
-        const int step = lenders.all[k].steps[0];
-        if (lenders.runs.empty() || lenders.runs.back().step != step)
-            lenders.runs.push_back({step, k, k});
-        lenders.runs.back().end = k + 1;
-    }
+    std::vector<EightSteps>& all = steps_[axis];
+    const auto same = std::find_if(all.begin(), all.end(), [&](const EightSteps& other) {
+        return alike(steps.lens, other.lens) && alike(steps.pixels, other.pixels);
+    });
+    const int index = int(same - all.begin());
+    if (same == all.end())
+        all.push_back(steps);
+    return index;
 }
 
 /// Works out for each step along an axis how near the patch of a pixel that is so far away comes to
 /// a patch at any depth of a range: 1 where the two have the same centre, 0 where they do not meet.
-/// Its loop, which runs for every pixel, has no branches.
 template <class Floats>
-INTEGRAL_INLINE void LendingPixels::find_nearness_with(int axis, const BeamPatch& patch,
-                                                       float nearest, float furthest,
-                                                       Scratch& scratch) const
+INTEGRAL_INLINE void LendingPixels::find_nearness(int axis, const BeamPatch& patch, float nearest,
+                                                  float furthest, Scratch& scratch) const
 {
     std::vector<Eight>& nearness = scratch.nearness[axis];
     nearness.resize(steps_[axis].size());
@@ -188,50 +193,63 @@ INTEGRAL_INLINE void LendingPixels::find_nearness_with(int axis, const BeamPatch
     }
 }
 
+/// The bits of those of eight numbers beside each other, the first of which is `first`, that are
+/// from 0 to `number` - 1.
+inline unsigned inside(int first, int number)
+{
+    unsigned which = 0xff;
+    if (first < 0)
+        which = first > -8 ? which << -first : 0;
+    if (number - first < 8)
+        which &= number > first ? 0xffu >> (8 - (number - first)) : 0;
+    return which & 0xff;
+}
+
+template <class Floats>
+INTEGRAL_INLINE void LendingPixels::find_with(int x, int y, FirstSamples::StoredLens own,
+                                              const BeamPatch& patch, float nearest, float furthest,
+                                              Scratch& scratch) const
+{
+    for (int axis = 0; axis < 2; ++axis)
+        find_nearness<Floats>(axis, patch, nearest, furthest, scratch);
+    const Eight *across = scratch.nearness[0].data(), *along = scratch.nearness[1].data();
+    scratch.found.clear();
+    for (const Lenders& lenders : lenders_[own[1] & 1]) {
+        const Floats near = loaded<Floats>(across[lenders.steps[0]]) *
+                            loaded<Floats>(along[lenders.steps[1]]) *
+                            loaded<Floats>(lenders.nearness);
+        unsigned which = bits(near > eight_of<Floats>(least_nearness));
+        const int i = x + lenders.x, j = y + lenders.y;
+        if (which == 0 || j < 0 || j >= height_)
+            continue;
+        if (i < 0 || i + 8 > width_)
+            which &= inside(i, width_);
+        scratch.found.push_back(
+            {std::size_t(std::ptrdiff_t(j) * width_ + i),
+             which,
+             {std::uint16_t(own[0] + lenders.i), std::uint16_t(own[1] + lenders.j)},
+             &lenders.parts});
+    }
+}
+
 #ifdef INTEGRAL_HAS_AVX2
 INTEGRAL_TARGET_AVX2
-void LendingPixels::find_nearness_with_avx2(int axis, const BeamPatch& patch, float nearest,
-                                            float furthest, Scratch& scratch) const
+void LendingPixels::find_with_avx2(int x, int y, FirstSamples::StoredLens own,
+                                   const BeamPatch& patch, float nearest, float furthest,
+                                   Scratch& scratch) const
 {
-    find_nearness_with<EightFloats>(axis, patch, nearest, furthest, scratch);
+    find_with<EightFloats>(x, y, own, patch, nearest, furthest, scratch);
 }
 #endif
-
-void LendingPixels::find_nearness(int axis, const BeamPatch& patch, float nearest, float furthest,
-                                  Scratch& scratch) const
-{
-#ifdef INTEGRAL_HAS_AVX2
-    if (has_avx2())
-        return find_nearness_with_avx2(axis, patch, nearest, furthest, scratch);
-#endif
-    find_nearness_with<TwiceFourFloats>(axis, patch, nearest, furthest, scratch);
-}
 
 void LendingPixels::find(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch,
                          float nearest, float furthest, Scratch& scratch) const
 {
-    for (int axis = 0; axis < 2; ++axis)
-        find_nearness(axis, patch, nearest, furthest, scratch);
-    const Eight *across = scratch.nearness[0].data(), *along = scratch.nearness[1].data();
-    const auto at = [](const Eight* nearness, int step) { return nearness[step / 8u][step % 8u]; };
-    const Lenders& lenders = lenders_[own[1] & 1];
-    scratch.found.clear();
-    for (const Lenders::Run& run : lenders.runs) {
-        const float near_across = at(across, run.step);
-        if (near_across < least_nearness)
-            continue;
-        for (int k = run.begin; k < run.end; ++k) {
-            const Lender& lender = lenders.all[k];
-            const int i = x + lender.x, j = y + lender.y;
-            if (near_across * at(along, lender.steps[1]) * lender.nearness < least_nearness ||
-                i < 0 || j < 0 || i >= width_ || j >= height_)
-                continue;
-            scratch.found.push_back(
-                {std::size_t(j) * width_ + i,
-                 {std::uint16_t(own[0] + lender.i), std::uint16_t(own[1] + lender.j)},
-                 lender.part});
-        }
-    }
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        return find_with_avx2(x, y, own, patch, nearest, furthest, scratch);
+#endif
+    find_with<TwiceFourFloats>(x, y, own, patch, nearest, furthest, scratch);
 }
 
 } // namespace integral

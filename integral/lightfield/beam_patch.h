@@ -50,12 +50,14 @@ class LendingPixels {
 public:
     LendingPixels(const Lattice& lattice, const Film& film);
 
-    /// A pixel that may lend its samples.
+    /// Pixels beside each other that may lend their samples: some of eight.
     struct Found {
-        std::size_t index;             ///< row by row from the top
-        FirstSamples::StoredLens lens; ///< behind which it is expected; it may be behind another
-        float part;                    ///< the weight of its samples, 0 to 1, which falls with the
-                                       ///< distance between directions
+        std::size_t index;             ///< of the first of the eight, row by row from the top
+        unsigned which;                ///< bit k is set: the pixel at index + k may lend
+        FirstSamples::StoredLens lens; ///< behind which they are expected; one may be behind
+                                       ///< another
+        const Eight* parts; ///< the weights of their samples, 0 to 1, which fall with the distance
+                            ///< between directions
     };
     /// Working memory of one thread.
     struct Scratch {
@@ -79,38 +81,30 @@ private:
     struct EightSteps {
         Eight lens{}, pixels{};
     };
-    struct Lender {
-        int x, y;                   ///< pixels to the right and down
-        std::int16_t i, j;          ///< the step to its lens
-        std::array<int, 2> steps{}; ///< across and along
-        float part = 1;             ///< the weight of its samples
-        float nearness = 1;         ///< falls with the distance between directions
-    };
-    /// Lenders from one row of lenses, those of the same step across beside each other.
+    /// Eight pixels beside each other, behind one lens.
     struct Lenders {
-        std::vector<Lender> all;
-        struct Run {
-            int step, begin, end;
-        };
-        std::vector<Run> runs;
+        int x, y;                   ///< the first one, pixels to the right and down
+        std::int16_t i, j;          ///< the step to their lens
+        std::array<int, 2> steps{}; ///< across and along: indices in steps_
+        Eight parts{};              ///< the weights of their samples; 0: not to be used
+        Eight nearness{};           ///< falls with the distance between directions
     };
-    void find_runs(Lenders& lenders) const;
-    void add_pixels(const Lattice& lattice, const Film& film, int row, LensIndex step);
-    int index_of(int axis, double lens, double pixels);
+    void add_lens(const Lattice& lattice, const Film& film, int row, LensIndex step);
+    int index_of(int axis, const EightSteps& steps);
     template <class Floats>
-    void find_nearness_with(int axis, const BeamPatch& patch, float nearest, float furthest,
-                            Scratch& scratch) const;
-    void find_nearness_with_avx2(int axis, const BeamPatch& patch, float nearest, float furthest,
-                                 Scratch& scratch) const;
     void find_nearness(int axis, const BeamPatch& patch, float nearest, float furthest,
                        Scratch& scratch) const;
+    template <class Floats>
+    void find_with(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch,
+                   float nearest, float furthest, Scratch& scratch) const;
+    void find_with_avx2(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch,
+                        float nearest, float furthest, Scratch& scratch) const;
 
     bool lines_;
     int width_, height_;
     int rows_ = 0;
-    std::array<Lenders, 2> lenders_;               ///< from an even and from an odd row of lenses
+    std::array<std::vector<Lenders>, 2> lenders_;  ///< from an even and from an odd row of lenses
     std::array<std::vector<EightSteps>, 2> steps_; ///< along both axes
-    std::array<int, 2> step_numbers_{};
 };
 
 } // namespace integral

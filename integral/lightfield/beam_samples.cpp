@@ -60,17 +60,21 @@ BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& se
     return sample;
 }
 
-void BeamSamples::set_first(int x, int y, const SightSlope& centre, const Seen& seen)
+void BeamSamples::set_first(int x, int y, const SightSlope& centre, LensIndex lens,
+                            const Seen& seen)
 {
     Pixel& pixel = pixels_[std::size_t(y) * width_ + x];
     pixel.centre = centre;
     pixel.first = stored(centre, seen);
     pixel.number = 1;
+    pixel.lens = {std::uint16_t(lens.i), std::uint16_t(lens.j)};
+    pixel.lends = StoredLight::holds(seen.light);
 }
 
 void BeamSamples::Gathered::add(const BeamSamples& store, const Seen& seen)
 {
-    const Begun& pixel = pixels_.back();
+    Begun& pixel = pixels_.back();
+    pixel.lends = pixel.lends && StoredLight::holds(seen.light);
     if (samples_.size() - pixel.at < std::size_t(most_stored - 1))
         samples_.push_back(store.stored(store.pixel(pixel.x, pixel.y).centre, seen));
 }
@@ -85,6 +89,7 @@ void BeamSamples::store(int top, Gathered& gathered)
             Pixel& pixel = pixels_[std::size_t(begun->y) * width_ + begun->x];
             pixel.more = samples.get() + begun->at;
             pixel.number = std::uint16_t(1 + end - begun->at);
+            pixel.lends = pixel.lends && begun->lends;
             end = begun->at;
         }
         std::lock_guard<std::mutex> lock(mutex_);

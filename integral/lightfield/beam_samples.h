@@ -43,6 +43,10 @@ public:
         Sample first;
         const Sample* more = nullptr; ///< those after the first
         std::uint16_t number = 0;     ///< 0: the pixel is empty
+        FirstSamples::StoredLens lens{};
+        /// Whether other pixels may use the samples: if not, the pixel is empty, or the light of
+        /// one was too bright to be stored, or not a number.
+        bool lends = false;
     };
     static constexpr std::size_t bytes_a_pixel = 56;
 
@@ -60,13 +64,13 @@ public:
         /// lateral part of the surface's normal, divided by the normal's product with (slope, 1).
         std::array<float, 2> tilt{};
     };
-    /// Sets a pixel's centre and its first sample.
-    void set_first(int x, int y, const SightSlope& centre, const Seen& seen);
+    /// Sets a pixel's centre, its lens and its first sample.
+    void set_first(int x, int y, const SightSlope& centre, LensIndex lens, const Seen& seen);
 
     /// Further samples of the pixels of one block, gathered by one thread.
     class Gathered {
     public:
-        void begin(int x, int y) { pixels_.push_back({x, y, samples_.size()}); }
+        void begin(int x, int y) { pixels_.push_back({x, y, samples_.size(), true}); }
         void add(const BeamSamples& store, const Seen& seen);
 
     private:
@@ -74,6 +78,7 @@ public:
         struct Begun {
             int x, y;
             std::size_t at;
+            bool lends;
         };
         std::vector<Begun> pixels_;
         std::vector<Sample> samples_;
@@ -86,6 +91,21 @@ public:
     void forget_above(int row);
 
     const Pixel& pixel(std::size_t index) const { return pixels_[index]; }
+
+    /// Of some of eight pixels, those at `index` + k for which bit k of `which` is set: the bits of
+    /// those that are behind a lens and lend their samples. Without branches, which the processor
+    /// could not predict.
+    unsigned lending(std::size_t index, unsigned which, FirstSamples::StoredLens lens) const
+    {
+        unsigned found = 0;
+        for (unsigned left = which; left != 0; left &= left - 1) {
+            const int k = __builtin_ctz(left);
+            const Pixel& pixel = pixels_[index + k];
+            found |= unsigned((pixel.lens[0] == lens[0]) & (pixel.lens[1] == lens[1]) & pixel.lends)
+                     << k;
+        }
+        return found;
+    }
     const Pixel& pixel(int x, int y) const { return pixels_[std::size_t(y) * width_ + x]; }
 
     /// The units of Sample::point (mm) and Sample::slope.

@@ -108,6 +108,22 @@ INTEGRAL_INLINE bool any(EightIntegers where)
 }
 INTEGRAL_INLINE bool any(TwiceFourIntegers where) { return any(where.low | where.high); }
 
+/// For which of the eight a comparison holds: bit 0 for the first, bit 7 for the last.
+INTEGRAL_INLINE unsigned bits(TwiceFourIntegers where)
+{
+    const FourIntegers both = (where.low & FourIntegers{1, 2, 4, 8}) |
+                              (where.high & FourIntegers{16, 32, 64, 128});
+    std::uint64_t halves[2];
+    std::memcpy(halves, &both, sizeof both);
+    const std::uint64_t all = halves[0] | halves[1];
+    return unsigned(all | all >> 32) & 0xff;
+}
+INTEGRAL_INLINE unsigned bits(EightIntegers where)
+{
+    return bits({__builtin_shufflevector(where, where, 0, 1, 2, 3),
+                 __builtin_shufflevector(where, where, 4, 5, 6, 7)});
+}
+
 /// The first four, and the other four.
 INTEGRAL_INLINE FourFloats low_half(EightFloats x)
 {

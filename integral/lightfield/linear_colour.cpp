@@ -2,7 +2,7 @@
 #include "integral/lightfield/linear_colour.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 
 namespace integral {
 
@@ -16,11 +16,10 @@ float squared_difference(const TabulatedCurve& encode, const LinearColour& a, co
     return sum + (a[3] - b[3]) * (a[3] - b[3]);
 }
 
-bool StoredLight::is_clamped() const
+bool StoredLight::holds(const LinearColour& light)
 {
-    constexpr int root_of_64 = 8;
-    return std::any_of(roots_.begin(), roots_.end(),
-                       [](int root) { return std::abs(root) > root_of_64 * levels; });
+    return std::all_of(light.begin(), light.end(),
+                       [](float component) { return std::fabs(component) <= 64; });
 }
 
 } // namespace integral

@@ -35,8 +35,8 @@ public:
             light[k] = float(roots_[k]) * std::fabs(float(roots_[k])) * of_squared_root;
         return light;
     }
-    /// Whether a component was above 64 or below -64.
-    bool is_clamped() const;
+    /// Whether a light can be stored: all components are numbers from -64 to 64.
+    static bool holds(const LinearColour& light);
 
     /// A component is this, times the square of the stored integer, with that one's sign.
     static constexpr float levels = 4095, of_squared_root = 1 / (levels * levels);

@@ -128,7 +128,7 @@ void Reconstruction::set(int x, int y, const LinearColour& mean, double variance
 {
     Pixel& pixel = pixels_[index(x, y)];
     pixel.mean = StoredLight(mean);
-    pixel.variance = pixel.mean.is_clamped() || !(variance >= 0) ? -1 : float(variance);
+    pixel.variance = StoredLight::holds(mean) && variance >= 0 ? float(variance) : -1;
     pixel.of_halves = float(of_halves);
 }
 
@@ -189,9 +189,13 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
     WeighedSamples& weighed = scratch.layers.samples();
     weighed.begin(patch, own.centre, samples_);
     lending_.find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
-    for (const LendingPixels::Found& lender : scratch.lending.found)
-        if (first_.is_behind(lender.index, lender.lens) && !(pixels_[lender.index].variance < 0))
-            weighed.add(samples_.pixel(lender.index), lender.part, lender.index == index(x, y));
+    for (const LendingPixels::Found& found : scratch.lending.found)
+        for (unsigned left = samples_.lending(found.index, found.which, found.lens); left != 0;
+             left &= left - 1) {
+            const int k = __builtin_ctz(left);
+            const std::size_t lender = found.index + k;
+            weighed.add(samples_.pixel(lender), (*found.parts)[k], lender == index(x, y));
+        }
 }
 
 /// Whether the pixel, of the given variance, or one around it has an error that counts. One sample

@@ -44,6 +44,7 @@ INTEGRAL_INLINE void work_out(const Eight& first, const Eight& second, std::vect
         keep(row);
     keep(eight_of<Floats>(sum_of_eight(a)));
     keep(eight_of<Floats>(any(a < b) ? 1.0f : 0.0f));
+    keep(eight_of<Floats>(float(bits(a < b))));
 }
 
 void in_two_registers(const Eight& a, const Eight& b, std::vector<Eight>& results)
@@ -128,6 +129,10 @@ BOOST_AUTO_TEST_CASE(they_do_what_plain_arithmetic_does)
         }
         sum += a[k];
     }
+    unsigned less = 0;
+    for (int k = 0; k < 8; ++k)
+        less |= unsigned(a[k] < b[k]) << k;
+    BOOST_TEST(results[18][0] == less);
     BOOST_TEST(std::fabs(results[16][0] - sum) <= 1e-5f * std::fabs(sum) + 1e-2f);
 }
 

@@ -23,11 +23,12 @@ BOOST_AUTO_TEST_CASE(light_is_stored)
         BOOST_TEST(std::fabs(stored.light()[0] - value) < 0.0002 * (1 + value));
         BOOST_TEST(stored.light()[1] == -stored.light()[0]);
         BOOST_TEST(std::fabs(stored.light()[3] - 1) < 0.0002);
-        BOOST_TEST(!stored.is_clamped());
+        BOOST_TEST(StoredLight::holds({value, -value, 2 * value / 3, 1}));
     }
-    BOOST_TEST(StoredLight({65, 0, 0, 0}).is_clamped());
-    BOOST_TEST(StoredLight({0, -65, 0, 0}).is_clamped());
-    BOOST_TEST(StoredLight({INFINITY, 0, 0, 0}).is_clamped());
+    BOOST_TEST(!StoredLight::holds({65, 0, 0, 0}));
+    BOOST_TEST(!StoredLight::holds({0, -65, 0, 0}));
+    BOOST_TEST(!StoredLight::holds({INFINITY, 0, 0, 0}));
+    BOOST_TEST(!StoredLight::holds({NAN, 0, 0, 0}));
     BOOST_TEST(StoredLight({NAN, 0, 0, 0}).light()[0] == 0);
 }
 

@@ -105,7 +105,7 @@ struct Sampled {
             return;
         const BeamRay ray = sampler.first_sample(centre, *pole, false);
         const Look look = scene(ray);
-        samples.set_first(x, y, sight_slope(camera.optics.lattice(), pole_beam(*pole)),
+        samples.set_first(x, y, sight_slope(camera.optics.lattice(), pole_beam(*pole)), pole->lens,
                           seen(ray, look));
         const auto compared = [](double grey) {
             const double value = encode(float(grey));

@@ -276,7 +276,7 @@ private:
                                          trace.Integral().Depth());
                 if (lent && trace.Integral().Imaged())
                     lent->set_first(x, y, integral::sight_slope(lattice, trace.Integral().Centre()),
-                                    Last_Seen(view, trace, colour));
+                                    trace.Integral().Lens(), Last_Seen(view, trace, colour));
                 cooperate();
             }
         trace.Integral().Take_Camera_Rays();
