@@ -127,6 +127,7 @@ unit_sources = \
   tests/unit/output_print_media.cpp \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \
+  tests/unit/sampled_frame.h \
   tests/unit/wireframe.cpp \
   tests/unit/wireframe_far.cpp
 

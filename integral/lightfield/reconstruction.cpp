@@ -69,6 +69,28 @@ struct Reconstruction::Difference {
     float smooth_square = 0, smooth_noise = 0, rest_square = 0, noise = 0;
 };
 
+/// A pixel's own mean, less what is smooth, as it counts beside its layers.
+struct Reconstruction::Own {
+    float signal = 0; ///< the square of what would be left without noise
+    float noise = 0;  ///< the variance of the mean
+    LinearColour light{};
+    SamplesTaken samples;
+
+    /// The part of it that counts (Wiener's filter).
+    float part() const { return signal > 0 ? signal / (signal + noise_in_rest * noise) : 0; }
+
+    /// Adds the light of more samples, of which `number` belonged to the pixel's lens.
+    void add(int tried, int number, const LinearColour& sum)
+    {
+        const float one = 1.0f / (samples.taken + number);
+        for (std::size_t k = 0; k < light.size(); ++k)
+            light[k] = one * (samples.taken * light[k] + sum[k]);
+        noise *= float(squared_error_falls(samples.taken, number));
+        samples.tried += tried;
+        samples.taken += number;
+    }
+};
+
 struct Reconstruction::Scratch {
     LendingPixels::Scratch lending;
     SampleLayers layers;
@@ -124,12 +146,15 @@ Reconstruction::Reconstruction(const IntegralCamera& camera, const FirstSamples&
 {
 }
 
-void Reconstruction::set(int x, int y, const LinearColour& mean, double variance, double of_halves)
+void Reconstruction::set(int x, int y, const LinearColour& mean, double variance, double of_halves,
+                         SamplesTaken samples)
 {
     Pixel& pixel = pixels_[index(x, y)];
     pixel.mean = StoredLight(mean);
     pixel.variance = StoredLight::holds(mean) && variance >= 0 ? float(variance) : -1;
     pixel.of_halves = float(of_halves);
+    pixel.tried = std::uint16_t(std::min(samples.tried, SamplesTaken::most));
+    pixel.taken = std::uint16_t(std::min(samples.taken, SamplesTaken::most));
 }
 
 /// Calls visit(x, y, index) for the pixels behind the same lens at most `reach` pixels away, itself
@@ -275,9 +300,19 @@ Reconstruction::Difference Reconstruction::difference(int x, int y,
     return result;
 }
 
+/// Takes further samples of a pixel as long as one more is worth it.
+void Reconstruction::take_further(int x, int y, const Further& further, Own& own) const
+{
+    while (const int number = further_samples(further.rule, own.samples, own.noise, own.part())) {
+        LinearColour sum{};
+        const int taken = further.take(x, y, own.samples.tried, number, sum);
+        own.add(number, taken, sum);
+    }
+}
+
 void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve& encode,
-                                 Scratch& scratch,
-                                 std::vector<std::optional<LinearColour>>& pixels) const
+                                 Scratch& scratch, std::vector<std::optional<LinearColour>>& pixels,
+                                 const Further* further) const
 {
     constexpr int around = reach_around;
     const int x0 = std::max(0, block.left - around), y0 = std::max(0, block.top - around),
@@ -308,14 +343,19 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
                 signal += like * (other.rest_square - margin_of_rest * other.noise);
                 weight += like;
             });
-            signal = std::max(0.0f, signal / weight);
-            const float smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0,
-                        rest_part = signal > 0 ? signal / (signal + noise_in_rest * own.noise) : 0;
-            const LinearColour mean = pixels_[index(x, y)].mean.light();
-            LinearColour light = pixels_[index(x, y)].layers.light();
+            const float smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0;
+            const Pixel& pixel = pixels_[index(x, y)];
+            Own mean{std::max(0.0f, signal / weight),
+                     own.noise,
+                     pixel.mean.light(),
+                     {pixel.tried, pixel.taken}};
+            if (further)
+                take_further(x, y, *further, mean);
+            const float rest_part = mean.part();
+            LinearColour light = pixel.layers.light();
             for (std::size_t k = 0; k < light.size(); ++k)
                 light[k] += smooth_part * own.smooth[k] +
-                            rest_part * (mean[k] - light[k] - own.smooth[k]);
+                            rest_part * (mean.light[k] - light[k] - own.smooth[k]);
             pixels.back() = light;
         }
 }

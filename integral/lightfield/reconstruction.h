@@ -15,16 +15,18 @@
 // Mirrors, highlights and glass do not look alike from everywhere. So what the pixel's own samples
 // say is compared with the layers, on two scales: the difference of a pixel, and its mean over the
 // pixels around. Each is added to the layers' light as far as it is more than noise (Wiener's
-// filter).
+// filter). Where it counts, further samples of the pixel are taken, as long as they are worth it.
 #ifndef INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
 #define INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
 
 #include "integral/lightfield/beam_patch.h"
 #include "integral/lightfield/pass_schedule.h"
+#include "integral/lightfield/refinement.h"
 #include "integral/lightfield/tabulated_curve.h"
 
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -61,13 +63,14 @@ public:
     /// lens's cell and a pixel's area.
     static bool possible(const IntegralCamera& camera);
 
-    static constexpr std::size_t bytes_a_pixel = 24;
+    static constexpr std::size_t bytes_a_pixel = 28;
 
     /// The mean light of the pixel's samples, and the squared error expected of it in the encoding
     /// of comparison, summed over the colour's components: by the samples' variance
     /// (Refinement::squared_error), and as the halves of the samples show it (-1: not at all). A
     /// pixel of more than 64 is left alone.
-    void set(int x, int y, const LinearColour& mean, double variance, double of_halves = -1);
+    void set(int x, int y, const LinearColour& mean, double variance, double of_halves = -1,
+             SamplesTaken samples = {});
 
     /// Working memory of one thread.
     struct Scratch;
@@ -81,11 +84,21 @@ public:
     /// `block`: the pixels that show how large errors usually are; all of them have been set, too.
     void estimate(const PictureBlock& pixels, const PictureBlock& block, Scratch& scratch);
 
+    /// How further samples are taken of pixels of which others' samples do not tell enough.
+    struct Further {
+        RefinementRule rule;
+        /// Tries `number` samples of pixel (x, y), those from the index `begin` on. Adds the light
+        /// of those that belong to the pixel's lens to `sum`, and returns their number.
+        std::function<int(int x, int y, int begin, int number, LinearColour& sum)> take;
+    };
+
     /// The reconstructed light of a block's pixels, row by row; nothing for those that are to be
     /// left alone: empty ones, and those whose error is less than least_error. Those around have
-    /// been estimated. `encode`: linear light to the encoding of comparison.
+    /// been estimated. `encode`: linear light to the encoding of comparison. `further`: null if no
+    /// further samples can be taken. They count for their own pixel only.
     void reconstruct(const PictureBlock& block, const TabulatedCurve& encode, Scratch& scratch,
-                     std::vector<std::optional<LinearColour>>& pixels) const;
+                     std::vector<std::optional<LinearColour>>& pixels,
+                     const Further* further = nullptr) const;
 
 private:
     /// A float in 2 bytes: its upper half, with an error of less than 1 in 128. 0 in zeroed memory.
@@ -117,9 +130,11 @@ private:
         ShortFloat others; ///< the part of other pixels' samples in the layers; 0: no layers
         ShortFloat noise;  ///< the variance that is expected of the mean, by the pixels around;
                            ///< if it is of one sample, by all samples in the beam, too
+        std::uint16_t tried, taken; ///< SamplesTaken
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
     struct Difference;
+    struct Own;
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
     float excess_of(const PictureBlock& block) const;
@@ -128,6 +143,7 @@ private:
     template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
     void gather(int x, int y, Scratch& scratch) const;
     Difference difference(int x, int y, const TabulatedCurve& encode) const;
+    void take_further(int x, int y, const Further& further, Own& own) const;
 
     const IntegralCamera& camera_;
     const FirstSamples& first_;

@@ -28,6 +28,22 @@ double samples_at_edges(const RefinementRule& rule);
 /// and keeps its first sample. `contrast`: FirstSamples::contrast of the pixel.
 double squared_error_of_one(double contrast);
 
+/// How many samples of a pixel were tried, and how many of them belonged to its lens.
+struct SamplesTaken {
+    static constexpr int most = 65535; ///< as many as are counted
+    int tried = 1, taken = 1;
+};
+
+/// The number of samples to try next in a pixel of a reconstructed frame, whose light takes
+/// `own_part` (0 to 1) of the mean of its own samples, and the rest of other pixels' (0: no further
+/// one is worth it). `squared_error`: that of the mean, summed over the colour's components. None
+/// with method 1.
+int further_samples(const RefinementRule& rule, const SamplesTaken& samples, double squared_error,
+                    double own_part);
+
+/// The squared error of the mean of taken + more samples, in terms of that of `taken` ones.
+double squared_error_falls(int taken, int more);
+
 /// The refinement of one pixel. The caller adds wanted() samples and asks again until it returns 0.
 class Refinement {
 public:
@@ -42,6 +58,9 @@ public:
 
     /// Records a sample that was tried but belongs to another lens than the pixel's.
     void add_none() { ++tried_; }
+
+    /// The samples so far.
+    SamplesTaken samples() const { return {tried_, taken_}; }
 
     /// The standard deviation of the samples, as a colour distance.
     double scatter() const;

@@ -1,201 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Tests the reconstruction of anti-aliased frames on scenes in closed form, which are looked at
-// along the rays that PixelSampler chooses. What is right is found by many random rays of a pixel.
+// Tests the reconstruction of anti-aliased frames on scenes in closed form.
 #include "integral/lightfield/reconstruction.h"
-#include "integral/lightfield/refinement.h"
 #include "integral/lightfield/sample_fit.h"
-#include "integral/lightfield/sample_halves.h"
 #include "integral/lightfield/sample_points.h"
-#include "tests/unit/pixel_origins.h"
+#include "tests/unit/sampled_frame.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
 
-using namespace pixel_origins;
-
-namespace {
-
-constexpr int width = 48, height = 44;
-
-/// What is seen along a ray: a grey value, in linear light, its depth, and how the surface lies
-/// (BeamSamples::Seen::tilt).
-struct Look {
-    double grey, depth;
-    std::array<float, 2> tilt{};
-};
-using Scene = std::function<Look(const BeamRay&)>;
-
-Vec2 place_at(const BeamRay& ray, double depth)
-{
-    const double way = (depth - ray.point.z) / ray.direction.z;
-    return {ray.point.x + way * ray.direction.x, ray.point.y + way * ray.direction.y};
-}
-
-/// Squares of two grey values on a plane that leans: its depth grows by `rise` for each mm to the
-/// right.
-Scene chequers(double depth, double side, double rise = 0)
-{
-    return [=](const BeamRay& ray) {
-        const double slope = ray.direction.x / ray.direction.z;
-        const double z = (depth + rise * (ray.point.x - ray.point.z * slope)) / (1 - rise * slope);
-        const Vec2 place = place_at(ray, z);
-        const auto square = [&](double x) { return int(std::floor(x / side)) & 1; };
-        return Look{square(place.x) == square(place.y) ? 0.7 : 0.1, z};
-    };
-}
-
-/// A floor at the height of the lenses, up to a depth; what is seen beyond it; the grey values of
-/// its upper and of its lower side. `tells`: whether it tells how it lies.
-Scene floor_up_to(double edge, Look beyond, double upper, double lower, bool tells = true)
-{
-    return [=](const BeamRay& ray) {
-        const double slope = ray.direction.y / ray.direction.z,
-                     depth = ray.point.z + (-0.2 - ray.point.y) / slope;
-        if (!(depth > -290 && depth < edge))
-            return beyond;
-        return Look{slope < 0 ? upper : lower, depth, {0, tells ? float(1 / slope) : 0}};
-    };
-}
-
-const TabulatedCurve encode([](float x) { return std::sqrt(std::fmax(0.0f, x)); });
-
-/// A frame with so many samples a pixel.
-struct Sampled {
-    IntegralCamera camera;
-    PixelSampler sampler;
-    FirstSamples first;
-    BeamSamples samples;
-    Reconstruction reconstruction;
-    std::vector<float> mean; ///< NaN for an empty pixel
-
-    Sampled(const CameraParameters& parameters, const Scene& scene, int number,
-            double least_error = 0.0005)
-        : camera(camera_of(parameters, width, height)),
-          sampler(camera, 3),
-          first(camera),
-          samples(camera),
-          reconstruction(camera, first, samples, least_error),
-          mean(std::size_t(width) * height, NAN)
-    {
-        BeamSamples::Gathered gathered;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                take(x, y, scene, number, gathered);
-        samples.store(0, gathered);
-    }
-
-    static std::size_t at(int x, int y) { return std::size_t(y) * width + x; }
-
-    BeamSamples::Seen seen(const BeamRay& ray, const Look& look) const
-    {
-        const float grey = float(look.grey);
-        return {sight_slope(camera.optics.lattice(), ray),
-                look.depth,
-                {grey, grey, grey, 0},
-                look.tilt};
-    }
-
-    void take(int x, int y, const Scene& scene, int number, BeamSamples::Gathered& gathered)
-    {
-        const Vec2 centre{x + 0.5, y + 0.5};
-        const auto pole = camera.optics.map(film_from_pixel(camera.film, centre), camera.mapping)
-                              .ray;
-        if (!pole)
-            return;
-        const BeamRay ray = sampler.first_sample(centre, *pole, false);
-        const Look look = scene(ray);
-        samples.set_first(x, y, sight_slope(camera.optics.lattice(), pole_beam(*pole)), pole->lens,
-                          seen(ray, look));
-        const auto compared = [](double grey) {
-            const double value = encode(float(grey));
-            return ComparedColour{value, value, value, 0};
-        };
-        first.set(x, y, compared(look.grey), pole->lens, look.depth);
-        Refinement refinement({1, 0.1, 3}, 1.5);
-        SampleHalves halves;
-        double sum = 0, taken = 0;
-        const auto count = [&](float grey) {
-            refinement.add(compared(grey));
-            halves.add({grey, grey, grey, 0});
-            sum += grey;
-            ++taken;
-        };
-        count(float(look.grey));
-        gathered.begin(x, y);
-        const PixelBeam beam = sampler.beam(centre, false, look.depth);
-        for (int index = 1; index < number; ++index) {
-            std::vector<PixelRay> rays;
-            sampler.append_sample(beam, index, rays);
-            for (const PixelRay& more : rays) {
-                const Look other = scene(more.ray);
-                gathered.add(samples, seen(more.ray, other));
-                count(float(other.grey));
-            }
-        }
-        put(x, y, float(sum / taken), refinement.squared_error(), halves.squared_error(encode));
-    }
-
-    void put(int x, int y, float grey, double variance, double halves = -1)
-    {
-        mean[at(x, y)] = grey;
-        reconstruction.set(x, y, {grey, grey, grey, 0}, variance, halves);
-    }
-
-    static constexpr PictureBlock all{0, 0, width - 1, height - 1};
-
-    /// `block`: the pixels that show how large errors usually are.
-    std::vector<std::optional<LinearColour>> pixels(const PictureBlock& block = all)
-    {
-        const auto scratch = Reconstruction::make_scratch();
-        std::vector<std::optional<LinearColour>> result;
-        reconstruction.estimate(all, block, *scratch);
-        reconstruction.reconstruct(all, encode, *scratch, result);
-        return result;
-    }
-
-    /// The RMS errors of some pixels, away from the frame's edge: before and after.
-    std::array<double, 2> errors(const Scene& scene)
-    {
-        const auto reconstructed = pixels();
-        std::array<double, 2> sums{};
-        int number = 0;
-        for (int y = 14; y < height - 14; y += 2)
-            for (int x = 14; x < width - 14; x += 3) {
-                if (std::isnan(mean[at(x, y)]))
-                    continue;
-                double truth = 0;
-                const auto rays = random_rays_at(sampler, {x + 0.5, y + 0.5}, 400);
-                for (const PixelRay& ray : rays)
-                    truth += scene(ray.ray).grey / double(rays.size());
-                const auto& light = reconstructed[at(x, y)];
-                const auto square = [&](double grey) {
-                    return std::pow(encode(float(grey)) - encode(float(truth)), 2);
-                };
-                sums[0] += square(mean[at(x, y)]);
-                sums[1] += square(light ? (*light)[1] : mean[at(x, y)]);
-                ++number;
-            }
-        return {std::sqrt(sums[0] / number), std::sqrt(sums[1] / number)};
-    }
-};
-
-CameraParameters sheet(Arrangement arrangement, double slant = 0)
-{
-    CameraParameters p = parameters_of(arrangement);
-    p.sheet.slant = slant;
-    p.film.pixel_pitch = {25.4 / 300, 25.4 / 300};
-    return p;
-}
-
-/// The error after the reconstruction, divided by the error before.
-double ratio(const CameraParameters& parameters, const Scene& scene, int number)
-{
-    const auto errors = Sampled(parameters, scene, number).errors(scene);
-    return errors[1] / errors[0];
-}
-
-} // namespace
+using namespace sampled_frame;
 
 BOOST_AUTO_TEST_SUITE(lightfield_reconstruction)
 
@@ -399,6 +213,35 @@ BOOST_AUTO_TEST_CASE(what_moves_otherwise_stays)
     const Scene scene = [&](const BeamRay& ray) { return Look{behind(ray).grey, 5}; };
     BOOST_TEST(ratio(sheet(Arrangement::square), scene, 4) < 1.25);
     BOOST_TEST(ratio(sheet(Arrangement::square), scene, 16) < 1.1);
+}
+
+BOOST_AUTO_TEST_CASE(further_samples_are_taken_where_a_pixels_own_light_counts)
+{
+    // As above.
+    const Scene behind = chequers(50, 10);
+    const Scene reflection = [&](const BeamRay& ray) { return Look{behind(ray).grey, 5}; };
+    struct Result {
+        double without, with; // the error
+        double number;        // of further samples, a pixel
+    };
+    const auto try_on = [](const Scene& scene, const RefinementRule& rule) {
+        Sampled frame(sheet(Arrangement::square), scene, 4);
+        long long number = 0;
+        const auto further = frame.further(scene, rule,
+                                           [&](int, int, int more) { number += more; });
+        const double without = frame.errors(scene)[1], with = frame.errors(scene, &further)[1];
+        return Result{without, with, double(number) / (width * height)};
+    };
+    const Result mirror = try_on(reflection, {2, 0.03, 4, true}),
+                 rough = try_on(reflection, {2, 0.3, 4, true}),
+                 at_once = try_on(reflection, {1, 0.03, 4, true}),
+                 matte = try_on(chequers(5, 10), {2, 0.03, 4, true});
+    BOOST_TEST(mirror.with < 0.5 * mirror.without);
+    BOOST_TEST(rough.number < 0.5 * mirror.number);
+    BOOST_TEST(rough.with < rough.without);
+    BOOST_TEST(at_once.number == 0);
+    BOOST_TEST(matte.number < 0.05 * mirror.number);
+    BOOST_TEST(matte.with < 1.01 * matte.without);
 }
 
 BOOST_AUTO_TEST_CASE(one_sample_a_pixel_will_do)

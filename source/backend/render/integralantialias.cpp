@@ -106,6 +106,25 @@ public:
             lent->store(block.top, gathered);
     }
 
+    /// integral::Reconstruction::Further::take
+    int Take_Further(int x, int y, int begin, int number, integral::LinearColour& sum)
+    {
+        int taken = 0;
+        trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y), NULL);
+        for (int index = begin; index < begin + number; index++)
+        {
+            Colour seen;
+            if (!Take(x, y, index, seen))
+                continue;
+            taken++;
+            const integral::LinearColour light = Linear(seen);
+            for (std::size_t channel = 0; channel < light.size(); channel++)
+                sum[channel] += light[channel];
+        }
+        trace.Integral().Take_Camera_Rays();
+        return taken;
+    }
+
 private:
     int Width() const { return block.right - block.left + 1; }
     std::size_t Index(int x, int y) const
@@ -123,6 +142,17 @@ private:
         if (most < 0)
             waiting.emplace_back(x, y);
         most = std::max(most, contrast);
+    }
+
+    /// Traces one sample of the pixel that is being refined. Returns whether it belongs to the
+    /// pixel's lens.
+    bool Take(int x, int y, std::uint32_t index, Colour& seen)
+    {
+        trace.Integral().Take(index);
+        trace(x, y, view.GetWidth(), view.GetHeight(), seen);
+        thread.Stats()[Number_Of_Samples]++;
+        cooperate();
+        return trace.Integral().Imaged();
     }
 
     integral::Refinement Refine(int x, int y)
@@ -148,9 +178,7 @@ private:
             for (int k = 0; k < wanted; k++)
             {
                 Colour seen;
-                trace.Integral().Take(index++);
-                trace(x, y, view.GetWidth(), view.GetHeight(), seen);
-                if (trace.Integral().Imaged())
+                if (Take(x, y, index++, seen))
                 {
                     refinement.add(compared(seen));
                     halves.add(Linear(seen));
@@ -163,23 +191,23 @@ private:
                     refinement.add_none();
                     halves.add_none();
                 }
-                thread.Stats()[Number_Of_Samples]++;
-                cooperate();
             }
         if (any)
         {
             sampling.At(x, y) = trace.Integral().Refined();
-            Keep(x, y, refinement.squared_error(), halves.squared_error(compared.Curve()));
+            Keep(x, y, refinement.squared_error(), halves.squared_error(compared.Curve()),
+                 refinement.samples());
         }
         trace.Integral().Take_Camera_Rays();
         return refinement;
     }
 
-    void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1)
+    void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1,
+              integral::SamplesTaken samples = {})
     {
         if (integral::Reconstruction *const reconstruction = sampling.Reconstruction())
             reconstruction->set(x, y, Linear(sampling.At(x, y)), squared_error,
-                                squared_error_of_halves);
+                                squared_error_of_halves, samples);
     }
 
     ViewData& view;
@@ -213,6 +241,10 @@ public:
           compared(options.gamma),
           refinement(view, thread, trace, cooperate, options, compared, sampling)
     {
+        const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
+        further.rule = options.rule;
+        further.take = [&](int x, int y, int begin, int number, integral::LinearColour& sum)
+        { return rows.Have(y) ? refinement.Take_Further(x, y, begin, number, sum) : 0; };
     }
 
     void Run()
@@ -236,26 +268,28 @@ public:
 private:
     void Work(int pass, const integral::PictureBlock& block)
     {
+        if (pass == IntegralSampling::estimation && pass != sampling.Last_Pass())
+            return sampling.Reconstruction()->estimate(block, sampling.Whole(block), *scratch);
+        radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left : 0);
         if (pass == sampling.Last_Pass())
             Finish(block);
-        else if (pass == IntegralSampling::estimation)
-            sampling.Reconstruction()->estimate(block, sampling.Whole(block), *scratch);
         else
-        {
-            radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left
-                                                      : 0);
-            if (pass == IntegralSampling::sampling)
-                Sample(block);
-            else
-                refinement.Run(block);
-            radiosity.AfterTile();
-            Take(block);
-            const float share = pass == IntegralSampling::sampling
-                                    ? IntegralSampling::sampling_share
-                                    : IntegralSampling::refinement_share;
-            if (sampling.Shows(block))
-                view.CompletedRectangle(To_Rect(block), 0, pixels, 1, false, share);
-        }
+            Trace_Pass(pass, block);
+        radiosity.AfterTile();
+    }
+
+    /// The first or the second pass.
+    void Trace_Pass(int pass, const integral::PictureBlock& block)
+    {
+        if (pass == IntegralSampling::sampling)
+            Sample(block);
+        else
+            refinement.Run(block);
+        Take(block);
+        const float share = pass == IntegralSampling::sampling ? IntegralSampling::sampling_share
+                                                               : IntegralSampling::refinement_share;
+        if (sampling.Shows(block))
+            view.CompletedRectangle(To_Rect(block), 0, pixels, 1, false, share);
     }
 
     /// Takes the first samples of a block.
@@ -293,7 +327,7 @@ private:
         if (sampling.Reconstruction())
         {
             sampling.Reconstruction()->reconstruct(block, compared.Curve(), *scratch,
-                                                   reconstructed);
+                                                   reconstructed, &further);
             for (std::size_t k = 0; k < pixels.size(); k++)
                 if (const auto& light = reconstructed[k];
                     light && rows.Have(block.top + int(k) / (block.right - block.left + 1)))
@@ -334,6 +368,7 @@ private:
     ComparedEncoding compared;
     BlockRefinement refinement;
     std::vector<Colour> pixels;
+    integral::Reconstruction::Further further;
     integral::Reconstruction::ScratchPointer scratch = integral::Reconstruction::make_scratch();
     std::vector<std::optional<integral::LinearColour>> reconstructed;
 };
