@@ -92,13 +92,18 @@ public:
         std::function<int(int x, int y, int begin, int number, LinearColour& sum)> take;
     };
 
-    /// The reconstructed light of a block's pixels, row by row; nothing for those that are to be
-    /// left alone: empty ones, and those whose error is less than least_error. Those around have
-    /// been estimated. `encode`: linear light to the encoding of comparison. `further`: null if no
-    /// further samples can be taken. They count for their own pixel only.
+    struct Result {
+        /// Nothing for pixels that are to be left alone: empty ones, and those whose error is less
+        /// than least_error.
+        std::optional<LinearColour> light;
+        /// About the squared error that is left, up to a factor: it tells where to look for errors.
+        float error = 0;
+    };
+    /// The reconstructed light of a block's pixels, row by row. Those around have been estimated.
+    /// `encode`: linear light to the encoding of comparison. `further`: null if no further samples
+    /// can be taken. They count for their own pixel only.
     void reconstruct(const PictureBlock& block, const TabulatedCurve& encode, Scratch& scratch,
-                     std::vector<std::optional<LinearColour>>& pixels,
-                     const Further* further = nullptr) const;
+                     std::vector<Result>& pixels, const Further* further = nullptr) const;
 
 private:
     /// A float in 2 bytes: its upper half, with an error of less than 1 in 128. 0 in zeroed memory.

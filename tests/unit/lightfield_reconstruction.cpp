@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_noisy_is_left_alone)
             for (int i = -4; i <= 4; ++i)
                 if (!std::isnan(frame.mean[Sampled::at(x + i, y + j)]))
                     frame.put(x + i, y + j, float(value), variance / 1.5); // 1.5: it is so usually
-        return !frame.pixels({x - 4, y - 4, x + 4, y + 4})[Sampled::at(x, y)];
+        return !frame.pixels({x - 4, y - 4, x + 4, y + 4})[Sampled::at(x, y)].light;
     };
     BOOST_TEST_REQUIRE(!std::isnan(frame.mean[Sampled::at(x, y)]));
     BOOST_TEST(!is_left_alone(3e-4, 0.5));
@@ -272,7 +272,8 @@ BOOST_AUTO_TEST_CASE(what_is_not_noisy_is_left_alone)
     int empty = 0;
     for (std::size_t k = 0; k < pixels.size(); ++k)
         if (std::isnan(frame.mean[k])) {
-            BOOST_TEST_REQUIRE(!pixels[k]);
+            BOOST_TEST_REQUIRE(!pixels[k].light);
+            BOOST_TEST_REQUIRE(pixels[k].error == 0);
             ++empty;
         }
     BOOST_TEST(empty > 0);
@@ -286,9 +287,11 @@ BOOST_AUTO_TEST_CASE(no_pixel_depends_on_further_rows)
         Sampled frame(p, chequers(20, 3), 2);
         const int reach = rows_reconstructed_from(frame.camera.optics.sheet(), frame.camera.film);
         const auto row = [&] {
-            auto pixels = frame.pixels({0, 0, width - 1, 0});
-            pixels.resize(width);
-            return pixels;
+            const auto pixels = frame.pixels({0, 0, width - 1, 0});
+            std::vector<std::optional<LinearColour>> lights;
+            for (int x = 0; x < width; ++x)
+                lights.push_back(pixels[x].light);
+            return lights;
         };
         const auto before = row();
         BeamSamples::Gathered gathered;

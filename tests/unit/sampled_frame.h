@@ -165,11 +165,11 @@ struct Sampled {
     static constexpr PictureBlock all{0, 0, width - 1, height - 1};
 
     /// `block`: the pixels that show how large errors usually are.
-    std::vector<std::optional<LinearColour>> pixels(
-        const PictureBlock& block = all, const Reconstruction::Further* further = nullptr)
+    std::vector<Reconstruction::Result> pixels(const PictureBlock& block = all,
+                                               const Reconstruction::Further* further = nullptr)
     {
         const auto scratch = Reconstruction::make_scratch();
-        std::vector<std::optional<LinearColour>> result;
+        std::vector<Reconstruction::Result> result;
         reconstruction.estimate(all, block, *scratch);
         reconstruction.reconstruct(all, encode, *scratch, result, further);
         return result;
@@ -190,7 +190,7 @@ struct Sampled {
                 const auto rays = random_rays_at(sampler, {x + 0.5, y + 0.5}, 400);
                 for (const PixelRay& ray : rays)
                     truth += scene(ray.ray).grey / double(rays.size());
-                const auto& light = reconstructed[at(x, y)];
+                const auto& light = reconstructed[at(x, y)].light;
                 const auto square = [&](double grey) {
                     return std::pow(encode(float(grey)) - encode(float(truth)), 2);
                 };

@@ -3,6 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integralsampling.h"
+#include "backend/render/integralaudit.h"
 #include "backend/lighting/radiosity.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -241,10 +242,9 @@ public:
           compared(options.gamma),
           refinement(view, thread, trace, cooperate, options, compared, sampling)
     {
-        const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
         further.rule = options.rule;
         further.take = [&](int x, int y, int begin, int number, integral::LinearColour& sum)
-        { return rows.Have(y) ? refinement.Take_Further(x, y, begin, number, sum) : 0; };
+        { return Rows().Have(y) ? refinement.Take_Further(x, y, begin, number, sum) : 0; };
     }
 
     void Run()
@@ -268,10 +268,12 @@ public:
 private:
     void Work(int pass, const integral::PictureBlock& block)
     {
-        if (pass == IntegralSampling::estimation && pass != sampling.Last_Pass())
+        // Without reconstruction, the last pass follows upon refinement.
+        const bool is_last = pass == sampling.Last_Pass();
+        if (pass == IntegralSampling::estimation && !is_last)
             return sampling.Reconstruction()->estimate(block, sampling.Whole(block), *scratch);
         radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left : 0);
-        if (pass == sampling.Last_Pass())
+        if (is_last)
             Finish(block);
         else
             Trace_Pass(pass, block);
@@ -323,25 +325,36 @@ private:
         if (!sampling.Is_Wanted(block, serial))
             return;
         Take(block);
-        const pov_base::IntegralRows& rows = view.GetCamera().Integral_View->rows;
         if (sampling.Reconstruction())
-        {
-            sampling.Reconstruction()->reconstruct(block, compared.Curve(), *scratch,
-                                                   reconstructed, &further);
-            for (std::size_t k = 0; k < pixels.size(); k++)
-                if (const auto& light = reconstructed[k];
-                    light && rows.Have(block.top + int(k) / (block.right - block.left + 1)))
+            Reconstruct(block);
+        // A block without rows that count is never marked final, so that +C may be used with other
+        // rows.
+        view.CompletedRectangle(To_Rect(block), serial, pixels, 1,
+                                options.final && Rows().Meet(block.top, block.bottom),
+                                1 - sampling.Progress(block));
+    }
+
+    /// Sets `pixels` to the reconstructed light of a block, and tells the audit where errors are
+    /// expected.
+    void Reconstruct(const integral::PictureBlock& block)
+    {
+        sampling.Reconstruction()->reconstruct(block, compared.Curve(), *scratch, reconstructed,
+                                               &further);
+        std::size_t k = 0;
+        std::vector<float> errors;
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++, k++)
+            {
+                errors.push_back(reconstructed[k].error);
+                if (const auto& light = reconstructed[k].light; light && Rows().Have(y))
                 {
                     for (int channel = 0; channel < 3; channel++)
                         pixels[k][channel] = (*light)[channel];
                     pixels[k].transm() = (*light)[3];
                 }
-        }
-        // A block without rows that count is never marked final, so that +C may be used with other
-        // rows.
-        view.CompletedRectangle(To_Rect(block), serial, pixels, 1,
-                                options.final && rows.Meet(block.top, block.bottom),
-                                1 - sampling.Progress(block));
+            }
+        if (IntegralAudit *const audit = view.GetCamera().Integral_View->audit.get())
+            audit->Expect(To_Rect(block), errors);
     }
 
     /// Sets `pixels` to the block's colours.
@@ -352,6 +365,9 @@ private:
             for (int x = block.left; x <= block.right; x++)
                 pixels.push_back(sampling.At(x, y));
     }
+
+    /// The rows that count.
+    const pov_base::IntegralRows& Rows() const { return view.GetCamera().Integral_View->rows; }
 
     static POVRect To_Rect(const integral::PictureBlock& block)
     {
@@ -370,7 +386,7 @@ private:
     std::vector<Colour> pixels;
     integral::Reconstruction::Further further;
     integral::Reconstruction::ScratchPointer scratch = integral::Reconstruction::make_scratch();
-    std::vector<std::optional<integral::LinearColour>> reconstructed;
+    std::vector<integral::Reconstruction::Result> reconstructed;
 };
 
 }

@@ -24,9 +24,13 @@ namespace
 constexpr double usual_share = 0.002, picture_share = 0.05;
 
 // Unless a share of the pixels is asked for, an audit takes this part of the frame's rays, but
-// examines at least so many pixels, and no more than most_pixels or usual_share of them.
+// examines at least so many pixels, half of them if it knows where errors are expected, and no more
+// than most_pixels or usual_share of them.
 constexpr double part_of_rays = 0.05;
 constexpr double least_pixels = 150, most_pixels = 1000;
+
+// The part of the mean expected error that is added to that of each pixel, as it is not certain.
+constexpr double expected_anywhere = 0.5;
 
 // Samples of a pixel. What they err by themselves must be little beside the error to be found,
 // which is great where there is one ray a pixel. A picture shows single pixels.
@@ -73,15 +77,37 @@ void IntegralAudit::Note_One(int x, int y, const Colour& colour)
     if (!rows.Have(y))
         return;
     seen++;
-    const std::uint64_t hash = integral::random_bits(seed, Key(x, y));
+    const std::uint64_t key = Key(x, y), hash = integral::random_bits(seed, key);
     if (hash > threshold)
         return;
     if (!optics->optics
              .map(integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5}), optics->mapping)
              .ray)
+    {
+        noted.erase(key);
         return;
-    noted[Key(x, y)] = {hash, {colour.red(), colour.green(), colour.blue()}};
+    }
+    Noted& pixel = noted[key];
+    pixel.hash = hash;
+    pixel.light = {colour.red(), colour.green(), colour.blue()};
     Thin_Out();
+}
+
+void IntegralAudit::Expect(const POVRect& rect, const std::vector<float>& squared_errors)
+{
+    std::lock_guard<std::mutex> lock(mutex);
+    std::size_t index = 0;
+    for (int y = rect.top; y <= int(rect.bottom); y++)
+        for (int x = rect.left; x <= int(rect.right); x++)
+        {
+            const std::uint64_t key = Key(x, y), hash = integral::random_bits(seed, key);
+            const float squared_error = squared_errors[index++];
+            if (!rows.Have(y) || hash > threshold)
+                continue;
+            Noted& pixel = noted[key];
+            pixel.hash = hash;
+            pixel.expected = squared_error;
+        }
 }
 
 /// Drops recorded pixels that will not be audited. Keeps twice the requested share of the pixels
@@ -107,21 +133,83 @@ void IntegralAudit::Choose()
     for (const IntegralTally& tally : counts->tallies)
         rays += double(tally.rays.Get());
     samples = rays < 1.5 * lit_pixels && picture.empty() ? samples_after_one_ray : usual_samples;
+    // Of pixels that an earlier render finished (+C) nothing is known. A picture shows all places
+    // alike.
+    const bool by_errors = share == 0 && picture.empty() &&
+                           std::all_of(noted.begin(), noted.end(),
+                                       [](const auto& pixel)
+                                       {
+                                           const float expected = pixel.second.expected;
+                                           return expected >= 0 && std::isfinite(expected);
+                                       });
     const double most = std::max(most_pixels, usual_share * lit_pixels),
-                 usual = std::max(least_pixels, std::min(most, part_of_rays * rays / samples)),
+                 usual = std::max(by_errors ? 0.5 * least_pixels : least_pixels,
+                                  std::min(most, part_of_rays * rays / samples)),
                  wanted = std::ceil(share > 0 ? share * lit_pixels : usual);
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> order; // hash, pixel
-    for (const auto& pixel : noted)
-        order.emplace_back(pixel.second.hash, pixel.first);
-    std::sort(order.begin(), order.end());
-    order.resize(std::min<std::size_t>(order.size(), std::size_t(wanted)));
-    for (const auto& entry : order)
-        pixels.push_back(
-            {int(std::uint32_t(entry.second)), int(entry.second >> 32), noted[entry.second].light});
+    const std::size_t number = std::min(noted.size(), std::size_t(wanted));
+    if (by_errors && number < noted.size())
+        Take_By_Errors(Candidates(), number);
+    else
+        Take_Any(Candidates(), number);
     // Pixels beside each other meet the same objects, which are then in the processor's caches.
     std::sort(pixels.begin(), pixels.end(),
               [](const Pixel& a, const Pixel& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
     noted.clear();
+}
+
+/// The recorded pixels, row by row.
+std::vector<IntegralAudit::Candidate> IntegralAudit::Candidates() const
+{
+    std::vector<Candidate> candidates;
+    for (const auto& [key, pixel] : noted)
+        candidates.push_back(
+            {int(std::uint32_t(key)), int(key >> 32), pixel.light, pixel.hash, pixel.expected});
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b)
+              { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+    return candidates;
+}
+
+/// Sets `pixels` to that number of candidates, all of which have the same chance.
+void IntegralAudit::Take_Any(std::vector<Candidate> candidates, std::size_t number)
+{
+    const auto end = candidates.begin() + number;
+    std::nth_element(candidates.begin(), end, candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.hash < b.hash; });
+    for (auto candidate = candidates.begin(); candidate != end; ++candidate)
+        pixels.push_back({candidate->x, candidate->y, candidate->light, 1});
+}
+
+/// The same with chances that grow with the expected errors: systematic sampling, by equal steps
+/// along the sum of the chances, from a random start.
+void IntegralAudit::Take_By_Errors(std::vector<Candidate> candidates, std::size_t number)
+{
+    const auto mean = [&]
+    {
+        double sum = 0;
+        for (const Candidate& candidate : candidates)
+            sum += candidate.expected;
+        return sum / double(candidates.size());
+    };
+    const double anywhere = expected_anywhere * mean();
+    for (Candidate& candidate : candidates)
+        candidate.expected += anywhere > 0 ? anywhere : 1;
+    const double middle = mean(), step = middle * double(candidates.size()) / double(number);
+    double next = step * std::ldexp(double(integral::random_bits(seed, ~std::uint64_t(0))), -64),
+           sum = 0;
+    for (const Candidate& candidate : candidates)
+    {
+        sum += candidate.expected;
+        if (sum <= next)
+            continue;
+        // One that is longer than a step stands for all the steps in it.
+        const double steps = std::floor((sum - next) / step) + 1;
+        pixels.push_back(
+            {candidate.x, candidate.y, candidate.light, steps * middle / candidate.expected});
+        next += steps * step;
+    }
+    for (Pixel& pixel : pixels)
+        pixel.share *= double(pixels.size()) / double(number);
 }
 
 IntegralAudit::Pixel *IntegralAudit::Next()
@@ -137,7 +225,7 @@ std::optional<integral::ErrorEstimate> IntegralAudit::Result()
     std::lock_guard<std::mutex> lock(mutex);
     integral::ErrorSums sums;
     for (const Pixel& pixel : pixels)
-        sums.add(pixel.squared_error);
+        sums.add(pixel.share * pixel.squared_error);
     auto error = integral::estimate(sums, integral::ErrorMethod::audit);
     if (!error)
         return error;

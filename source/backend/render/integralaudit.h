@@ -26,8 +26,12 @@ class Camera;
 struct IntegralCounts;
 struct IntegralView;
 
-/// The audit of one view. It takes the pixels with the smallest hashes of (seed, x, y), so that the
-/// choice does not depend on the order in which threads work.
+/// The audit of one view. Which pixels it takes follows from random numbers that are hashes of
+/// (seed, x, y), and from the errors that are expected of them, so that the choice does not depend
+/// on the order in which threads work.
+///
+/// Where errors are expected (Expect), pixels with greater ones are taken more often, and count by
+/// the less. Half as many tell the frame's error as well as pixels that are chosen at random.
 class IntegralAudit
 {
 public:
@@ -37,8 +41,13 @@ public:
     {
         int x, y;
         integral::Light rendered;
+        double share; ///< as how much its error counts in the frame's mean
         double squared_error = 0;
     };
+
+    /// Sets the squared errors that are expected of pixels, up to a factor. To be called before
+    /// they are recorded for the last time.
+    void Expect(const POVRect& rect, const std::vector<float>& squared_errors);
 
     /// Records rendered pixels if they are in rows that count. If a pixel is recorded again, the
     /// last colour counts.
@@ -65,13 +74,25 @@ public:
 private:
     struct Noted
     {
-        std::uint64_t hash;
+        std::uint64_t hash = 0;
+        float expected = -1; ///< its squared error, up to a factor; below 0: not known
+        integral::Light light{};
+    };
+
+    struct Candidate
+    {
+        int x, y;
         integral::Light light;
+        std::uint64_t hash;
+        double expected; ///< its squared error, up to a factor
     };
 
     void Note_One(int x, int y, const Colour& colour);
     void Thin_Out();
     void Choose();
+    std::vector<Candidate> Candidates() const;
+    void Take_Any(std::vector<Candidate> candidates, std::size_t number);
+    void Take_By_Errors(std::vector<Candidate> candidates, std::size_t number);
     bool Write_Picture() const;
 
     std::shared_ptr<const integral::IntegralCamera> optics;
