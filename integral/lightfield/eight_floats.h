@@ -67,7 +67,11 @@ template <> INTEGRAL_INLINE TwiceFourFloats eight_of(float x)
     return {FourFloats{} + x, FourFloats{} + x};
 }
 
+/// One float, for functions that work on one number as on eight.
+template <> INTEGRAL_INLINE float eight_of(float x) { return x; }
+
 /// a where a comparison holds, b elsewhere.
+INTEGRAL_INLINE float chosen(bool where, float a, float b) { return where ? a : b; }
 INTEGRAL_INLINE FourFloats chosen(FourIntegers where, FourFloats a, FourFloats b)
 {
     return where ? a : b;

@@ -8,7 +8,6 @@
 #include "integral/lightfield/beam_patch.h"
 #include "integral/lightfield/eight_floats.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace integral {
@@ -61,26 +60,18 @@ public:
     /// Sets the depth (mm) of the places in the patch at which open() is asked.
     void look_from(const BeamPatch& patch, float depth);
 
-    /// How much of the light from a place in the patch the layers let through. The scale is
-    /// arbitrary, only the ratio between places counts.
-    float open(float x, float y) const
+    /// How much of the light from a place in the patch the layers let through, for eight places or
+    /// one (Number: as above). The scale is arbitrary, only the ratio between places counts.
+    template <class Number> INTEGRAL_INLINE Number open(Number x, Number y) const
     {
-        float part = 1;
-        for (const Cover& cover : covers_)
-            part *= std::clamp(half_open - steepness * covered(cover, x, y), little, 1.0f);
-        return part;
-    }
-    /// The same for eight places.
-    template <class Floats> INTEGRAL_INLINE Floats open(Floats x, Floats y) const
-    {
-        const Floats one = eight_of<Floats>(1);
-        Floats part = one;
+        const Number one = eight_of<Number>(1);
+        Number part = one;
         for (const Cover& cover : covers_) {
-            const Floats covered = eight_of<Floats>(cover.at) +
-                                   eight_of<Floats>(cover.by_x * cover.scale_x) * x +
-                                   eight_of<Floats>(cover.by_y * cover.scale_y) * y,
-                         open = eight_of<Floats>(half_open) - eight_of<Floats>(steepness) * covered;
-            part = part * most(least(open, one), eight_of<Floats>(little));
+            const Number covered = eight_of<Number>(cover.at) +
+                                   eight_of<Number>(cover.by_x * cover.scale_x) * x +
+                                   eight_of<Number>(cover.by_y * cover.scale_y) * y,
+                         open = eight_of<Number>(half_open) - eight_of<Number>(steepness) * covered;
+            part = part * most(least(open, one), eight_of<Number>(little));
         }
         return part;
     }
@@ -95,10 +86,6 @@ private:
         float at = 0, by_x = 0, by_y = 0; ///< the part in the middle, and its slopes
         float scale_x = 1, scale_y = 1;   ///< from the depth of the places asked for
     };
-    static float covered(const Cover& cover, float x, float y)
-    {
-        return cover.at + cover.by_x * cover.scale_x * x + cover.by_y * cover.scale_y * y;
-    }
     std::vector<Cover> covers_;
 };
 
