@@ -2,8 +2,9 @@
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
-#include "backend/render/integralsampling.h"
 #include "backend/render/integralaudit.h"
+#include "backend/render/integralcolours.h"
+#include "backend/render/integralsampling.h"
 #include "backend/lighting/radiosity.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -22,29 +23,6 @@ namespace pov
 
 namespace
 {
-
-/// Converts a colour to the encoding in which anti-aliasing compares colours.
-class ComparedEncoding
-{
-public:
-    explicit ComparedEncoding(const GammaCurvePtr& gamma)
-        : curve([&](float value) { return GammaCurve::Encode(gamma, value); })
-    {
-    }
-    integral::ComparedColour operator()(const Colour& colour) const
-    {
-        return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
-    }
-    const integral::TabulatedCurve& Curve() const { return curve; }
-
-private:
-    integral::TabulatedCurve curve;
-};
-
-integral::LinearColour Linear(const Colour& colour)
-{
-    return {colour.red(), colour.green(), colour.blue(), colour.transm()};
-}
 
 /// What the tracer's last sample saw.
 integral::BeamSamples::Seen Last_Seen(ViewData& view, TracePixel& trace, const Colour& colour)
