@@ -73,9 +73,10 @@ struct Reconstruction::Difference {
     float smooth_square = 0, smooth_noise = 0, rest_square = 0, noise = 0;
 };
 
-/// A pixel's own mean, less what is smooth, as it counts beside its layers.
+/// The mean of a pixel's own samples, and how much of what it shows beside the layers and their
+/// smooth difference is more than noise.
 struct Reconstruction::Own {
-    float signal = 0; ///< the square of what would be left without noise
+    float signal = 0; ///< the square that such differences have without noise
     float noise = 0;  ///< the variance of the mean
     LinearColour light{};
     SamplesTaken samples;
