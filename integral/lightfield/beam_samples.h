@@ -101,8 +101,9 @@ public:
         for (unsigned left = which; left != 0; left &= left - 1) {
             const int k = __builtin_ctz(left);
             const Pixel& pixel = pixels_[index + k];
-            found |= unsigned((pixel.lens[0] == lens[0]) & (pixel.lens[1] == lens[1]) & pixel.lends)
-                     << k;
+            const unsigned is_behind = unsigned(pixel.lens[0] == lens[0]) &
+                                       unsigned(pixel.lens[1] == lens[1]);
+            found |= (is_behind & unsigned(pixel.lends)) << k;
         }
         return found;
     }
