@@ -197,12 +197,8 @@ INTEGRAL_INLINE void LendingPixels::find_nearness(int axis, const BeamPatch& pat
 /// from 0 to `number` - 1.
 inline unsigned inside(int first, int number)
 {
-    unsigned which = 0xff;
-    if (first < 0)
-        which = first > -8 ? which << -first : 0;
-    if (number - first < 8)
-        which &= number > first ? 0xffu >> (8 - (number - first)) : 0;
-    return which & 0xff;
+    const int before = std::clamp(-first, 0, 8), after = std::clamp(first + 8 - number, 0, 8);
+    return (0xffu << before) & (0xffu >> after);
 }
 
 template <class Floats>

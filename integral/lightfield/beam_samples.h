@@ -91,6 +91,7 @@ public:
     void forget_above(int row);
 
     const Pixel& pixel(std::size_t index) const { return pixels_[index]; }
+    const Pixel& pixel(int x, int y) const { return pixels_[std::size_t(y) * width_ + x]; }
 
     /// Of some of eight pixels, those at `index` + k for which bit k of `which` is set: the bits of
     /// those that are behind a lens and lend their samples. Without branches, which the processor
@@ -107,7 +108,6 @@ public:
         }
         return found;
     }
-    const Pixel& pixel(int x, int y) const { return pixels_[std::size_t(y) * width_ + x]; }
 
     /// The units of Sample::point (mm) and Sample::slope.
     float point_unit() const { return point_unit_; }

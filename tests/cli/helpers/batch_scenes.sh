@@ -6,8 +6,8 @@
 #   starts OUTPUT           how often steps were begun, in all
 #   state OUTPUT STEP       a step's state by its record
 #   frame_words FRAME       what a PNG frame says of itself, but for the seconds that it took,
-#                           and for its error, for which a frame that was continued is audited in
-#                           other pixels
+#                           and for its error's figures, since a frame that was continued is
+#                           audited in other pixels
 
 batch_scenes() {
     mkdir -p scenes
@@ -35,4 +35,5 @@ POV
 
 starts() { cat "$1"/.integral-batch/steps/*.json | sed -n 's/^ "starts": \([0-9]*\),$/\1/p' | awk '{ sum += $1 } END { print sum + 0 }'; }
 state() { sed -n 's/^ "state": "\(.*\)",$/\1/p' "$1/.integral-batch/steps/$2.json"; }
-frame_words() { strings -n 20 "$1" | sed -n -e 's/"seconds":[^,}]*//g' -e 's/"error":{[^}]*}//' -e '/^{"sheet"/,/}}$/p'; }
+frame_words() { strings -n 20 "$1" | sed -n -e 's/"seconds":[^,}]*//g' -e '/^{"sheet"/,/}}$/p' |
+    sed -e ':next' -e 's/\("error":{[^}]*\)"\(rms\|low\|high\|pixels\)":[^,}]*,/\1/;t next'; }
