@@ -110,8 +110,8 @@ public:
     void measure(const std::function<void(const std::string&)>& say)
     {
         std::vector<Setting> settings = brute_force_settings();
-        const std::vector<Setting>& more = antialias_settings();
-        settings.insert(settings.end(), more.begin(), more.end());
+        for (const auto* more : {&antialias_settings(), &settings_without_reconstruction()})
+            settings.insert(settings.end(), more->begin(), more->end());
         for (const Setting& setting : settings) {
             if (table_.find(key_, setting.full_name()))
                 continue;

@@ -22,6 +22,9 @@ struct StrangersRow {
     std::optional<ErrorEstimate> estimate; ///< the program's, of `error`
 };
 
+/// One scene behind one sheet: its frames, by their settings' full names.
+using StrangersPanel = std::map<std::string, StrangersRow>;
+
 /// Everything measured so far, in a file that grows by a line for each frame, so that a run that
 /// was ended goes on where it was.
 class StrangersTable {
@@ -43,7 +46,7 @@ public:
     const std::string* kind(const std::string& scene) const;
     void set_kind(const std::string& scene, const std::string& kind);
 
-    const std::map<Key, std::map<std::string, StrangersRow>>& panels() const { return panels_; }
+    const std::map<Key, StrangersPanel>& panels() const { return panels_; }
     const std::map<std::string, std::string>& left_out() const { return left_out_; }
 
 private:
@@ -51,7 +54,7 @@ private:
     void read_line(const std::string& line);
 
     std::string file_;
-    std::map<Key, std::map<std::string, StrangersRow>> panels_;
+    std::map<Key, StrangersPanel> panels_;
     std::map<std::string, std::string> left_out_, kinds_;
 };
 
@@ -59,12 +62,17 @@ private:
 const std::vector<Setting>& brute_force_settings();
 /// +A in the light field by falling threshold.
 const std::vector<Setting>& antialias_settings();
+/// The same without reconstruction.
+const std::vector<Setting>& settings_without_reconstruction();
 
 /// How often the time of +A brute force takes for the same error: above 1, +A is the faster. Where
 /// +A errs more than a single ray it is that ray's time. Nothing where a frame is missing, where
 /// the error is less than the reference's own, or less than brute force's least.
-std::optional<double> speed_up(const std::map<std::string, StrangersRow>& panel,
-                               const Setting& setting);
+std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting);
+/// The time of +A by that of +A without reconstruction for the same error: below 1, reconstruction
+/// pays. Nothing where a frame is missing, where the error is less than the reference's own, or not
+/// between those without reconstruction.
+std::optional<double> time_by_that_without(const StrangersPanel& panel, const Setting& setting);
 
 /// The page, in Markdown: the distribution over all scenes and sheets, then each of them.
 std::string strangers_page(const StrangersTable& table);

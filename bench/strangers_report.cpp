@@ -42,21 +42,44 @@ Setting light_field(const std::string& threshold)
     return {Family::light_field, threshold, "", {"+A" + threshold, "+R5", "+AM2"}};
 }
 
-/// Speed-ups at one threshold over all scenes and sheets, in rising order; `kind`: over those of
-/// one kind.
-std::vector<double> speed_ups(const StrangersTable& table, const Setting& setting,
-                              const std::string& kind = {})
+/// speed_up or time_by_that_without.
+using Figure = std::optional<double>(const StrangersPanel& panel, const Setting& setting);
+
+/// A figure at one threshold over all scenes and sheets, in rising order; `kind`: over those of one
+/// kind.
+std::vector<double> figures(const StrangersTable& table, const Setting& setting, Figure figure,
+                            const std::string& kind = {})
 {
     std::vector<double> all;
     for (const auto& [key, panel] : table.panels()) {
         const std::string* of_scene = table.kind(key.first);
         if (!kind.empty() && (!of_scene || *of_scene != kind))
             continue;
-        if (const auto value = speed_up(panel, setting))
+        if (const auto value = figure(panel, setting))
             all.push_back(*value);
     }
     std::sort(all.begin(), all.end());
     return all;
+}
+
+/// The seconds in which the best of some settings reaches an error; nothing if all of them err
+/// more, or all less.
+std::optional<double> seconds_of_best(const StrangersPanel& panel,
+                                      const std::vector<Setting>& settings, double error)
+{
+    Panel rungs;
+    Sampler families;
+    for (const Setting& each : settings) {
+        const auto measured = panel.find(each.full_name());
+        if (measured == panel.end())
+            continue;
+        families.push_back(each.family);
+        Measurement& rung = rungs.rungs.emplace_back();
+        rung.setting = each;
+        rung.own_error = measured->second.error;
+        rung.cost.cpu_seconds = measured->second.cpu_seconds;
+    }
+    return seconds_at(rungs, families, error);
 }
 
 double geometric_mean(const std::vector<double>& values)
@@ -72,7 +95,7 @@ void add_distribution(std::ostringstream& text, const StrangersTable& table)
     text << "| threshold | frames | least | a tenth below | median | a tenth above | most | "
             "geometric mean | under 1 |\n|---|---|---|---|---|---|---|---|---|\n";
     for (const Setting& setting : antialias_settings()) {
-        const std::vector<double> all = speed_ups(table, setting);
+        const std::vector<double> all = figures(table, setting, speed_up);
         if (all.empty())
             continue;
         const auto at = [&](double part) {
@@ -85,25 +108,27 @@ void add_distribution(std::ostringstream& text, const StrangersTable& table)
     }
 }
 
-void add_kinds(std::ostringstream& text, const StrangersTable& table)
+/// A table of geometric means, and of the least or the most, by what a scene's light needs.
+void add_kinds(std::ostringstream& text, const StrangersTable& table, Figure figure, bool least)
 {
     std::set<std::string> kinds;
     for (const auto& [key, panel] : table.panels())
         if (const std::string* kind = table.kind(key.first))
             kinds.insert(*kind);
-    text << "Geometric means (in brackets: the least) by what the light needs:\n\n| kind |";
+    text << "Geometric means (in brackets: the " << (least ? "least" : "most")
+         << ") by what the light needs:\n\n| kind |";
     for (const Setting& setting : antialias_settings())
         text << " +A" << setting.name << " |";
     text << "\n|---|---|---|---|---|---|\n";
     for (const std::string& kind : kinds) {
         text << "| " << kind << " |";
         for (const Setting& setting : antialias_settings()) {
-            const std::vector<double> all = speed_ups(table, setting, kind);
+            const std::vector<double> all = figures(table, setting, figure, kind);
             if (all.empty())
                 text << " |";
             else
-                text << ' ' << number(geometric_mean(all), "%.2f") << " (" << number(all[0], "%.2f")
-                     << ") |";
+                text << ' ' << number(geometric_mean(all), "%.2f") << " ("
+                     << number(least ? all.front() : all.back(), "%.2f") << ") |";
         }
         text << '\n';
     }
@@ -281,8 +306,20 @@ const std::vector<Setting>& antialias_settings()
     return settings;
 }
 
-std::optional<double> speed_up(const std::map<std::string, StrangersRow>& panel,
-                               const Setting& setting)
+const std::vector<Setting>& settings_without_reconstruction()
+{
+    static const std::vector<Setting> settings = [] {
+        std::vector<Setting> all;
+        for (const char* threshold : {"0.5", "0.3", "0.1", "0.03", "0.01"}) {
+            all.push_back(light_field(threshold));
+            all.back().options.push_back("Integral_Reconstruction=off");
+        }
+        return all;
+    }();
+    return settings;
+}
+
+std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting)
 {
     const auto found = panel.find(setting.full_name());
     const auto one = panel.find(brute_force_settings()[0].full_name());
@@ -291,20 +328,22 @@ std::optional<double> speed_up(const std::map<std::string, StrangersRow>& panel,
     const StrangersRow& row = found->second;
     if (row.error >= one->second.error)
         return one->second.cpu_seconds / row.cpu_seconds;
-    Panel rungs;
-    for (const Setting& each : brute_force_settings()) {
-        const auto measured = panel.find(each.full_name());
-        if (measured == panel.end())
-            continue;
-        Measurement& rung = rungs.rungs.emplace_back();
-        rung.setting = each;
-        rung.own_error = measured->second.error;
-        rung.cost.cpu_seconds = measured->second.cpu_seconds;
-    }
-    const auto seconds = seconds_at(rungs, brute_force(), row.error);
+    const auto seconds = seconds_of_best(panel, brute_force_settings(), row.error);
     if (!seconds)
         return std::nullopt;
     return *seconds / row.cpu_seconds;
+}
+
+std::optional<double> time_by_that_without(const StrangersPanel& panel, const Setting& setting)
+{
+    const auto found = panel.find(setting.full_name());
+    if (found == panel.end() || found->second.error < found->second.floor)
+        return std::nullopt;
+    const auto seconds = seconds_of_best(panel, settings_without_reconstruction(),
+                                         found->second.error);
+    if (!seconds)
+        return std::nullopt;
+    return found->second.cpu_seconds / *seconds;
 }
 
 std::string strangers_page(const StrangersTable& table)
@@ -316,7 +355,10 @@ std::string strangers_page(const StrangersTable& table)
            "faster.\nWhere +A errs more than a single ray it is the single ray's time by +A's.\n\n";
     add_distribution(text, table);
     text << '\n';
-    add_kinds(text, table);
+    add_kinds(text, table, speed_up, true);
+    text << "\nThe processor time of +A by that of +A without reconstruction, at equal error: below "
+            "1, it pays.\n";
+    add_kinds(text, table, time_by_that_without, false);
     text << '\n';
     add_honesty(text, table);
     text << '\n';
@@ -336,7 +378,7 @@ void write_strangers_plot(const StrangersTable& table, const std::string& folder
     plot.y.label = "brute force's time by +A's";
     plot.y.logarithmic = true;
     for (const Setting& setting : antialias_settings()) {
-        const std::vector<double> all = speed_ups(table, setting);
+        const std::vector<double> all = figures(table, setting, speed_up);
         PlotSeries series;
         series.label = "+A" + setting.name;
         for (std::size_t k = 0; k < all.size(); ++k) {
