@@ -108,8 +108,8 @@ error-against-time: all build/bench/error_against_time
 EXTRA_PROGRAMS += build/bench/strangers
 build_bench_strangers_SOURCES = bench/error_against_time.h bench/error_against_time_ladder.cpp \
   bench/error_against_time_measure.cpp bench/error_against_time_renderer.cpp bench/pictures.cpp \
-  bench/pictures.h bench/program.h bench/strangers.cpp bench/strangers.h bench/strangers_report.cpp \
-  bench/views.cpp bench/views.h
+  bench/pictures.h bench/program.h bench/strangers.cpp bench/strangers.h bench/strangers_figures.cpp \
+  bench/strangers_report.cpp bench/strangers_table.cpp bench/views.cpp bench/views.h
 build_bench_strangers_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
 .PHONY: strangers

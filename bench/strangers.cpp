@@ -2,8 +2,8 @@
 // Anti-aliasing against brute force on scenes that nobody here made: every sample scene of
 // POV-Ray's that renders in reasonable time, unedited, behind two sheets put on with
 // Integral_Camera. Each frame is measured against two converged ones of independent samples. A run
-// that is ended goes on where it was; `strangers -o FOLDER` writes FOLDER/strangers.csv, .md, .svg
-// and .png.
+// that is ended goes on where it was, and tries again what it left out; `strangers -o FOLDER` writes
+// strangers.csv, .md, .svg and .png to a folder in FOLDER, which is named after the frames' size.
 #include "bench/strangers.h"
 
 #include "bench/program.h"
@@ -29,7 +29,7 @@ options::options_description make_options()
     options::options_description all("Options");
     all.add_options()("output,o", options::value<std::string>()->value_name("FOLDER"),
                       "where tables, plot and frames are written, and found again")(
-        "size", options::value<std::string>()->value_name("WxH")->default_value("120x80"),
+        "size", options::value<std::string>()->value_name("WxH")->default_value("240x160"),
         "pixels of the frames, at 300 dpi")(
         "only", options::value<std::vector<std::string>>()->value_name("TEXT"),
         "only scenes whose path has this text in it; may be given again")(
@@ -209,11 +209,9 @@ int run(const options::variables_map& arguments)
                                                        : usual.string())
             .lexically_normal();
     };
-    const std::string folder = files::absolute(arguments["output"].as<std::string>()).string();
     Renderer renderer;
     renderer.program = path("renderer", own_folder() / "../bin/povray-integral").string();
     renderer.scene_folder = path("scenes", own_folder() / "../povray/distribution/scenes").string();
-    renderer.work_folder = folder + "/frames";
     const std::string size = arguments["size"].as<std::string>();
     if (std::sscanf(size.c_str(), "%5dx%5d", &renderer.width, &renderer.height) != 2 ||
         renderer.width < 40 || renderer.height < 40)
@@ -226,6 +224,9 @@ int run(const options::variables_map& arguments)
         throw UsageError("--longest " + std::to_string(longest) +
                          ": at least 1 second is expected");
 
+    const std::string folder =
+        files::absolute(arguments["output"].as<std::string>()).string() + "/" + size;
+    renderer.work_folder = folder + "/frames";
     files::create_directories(renderer.work_folder);
     StrangersTable table(folder + "/strangers.csv");
     const auto only = arguments.count("only") ? arguments["only"].as<std::vector<std::string>>()
@@ -234,8 +235,8 @@ int run(const options::variables_map& arguments)
     // Scenes that write files write them here.
     files::current_path(renderer.work_folder);
     for (const std::string& scene : scenes_in(renderer.scene_folder, only)) {
-        if (arguments.count("report") || table.reason(scene))
-            continue;
+        if (arguments.count("report"))
+            break;
         try {
             for (const Sheet& sheet : sheets()) {
                 Stranger stranger(renderer, scene, sheet, longest, table);

@@ -38,8 +38,8 @@ public:
     const StrangersRow* find(const Key& panel, const std::string& setting) const;
     void add(const Key& panel, const std::string& setting, const StrangersRow& row);
 
-    /// Why a scene is not judged: the renderer refuses it, or it takes too long.
-    const std::string* reason(const std::string& scene) const;
+    /// Says why a scene is not judged: the renderer refuses it, or it takes too long. It is judged
+    /// all the same if rows are added later.
     void leave_out(const std::string& scene, const std::string& reason);
 
     /// What its light needs ("matte under point lights"); null: not known.
@@ -65,14 +65,14 @@ const std::vector<Setting>& antialias_settings();
 /// The same without reconstruction.
 const std::vector<Setting>& settings_without_reconstruction();
 
-/// How often the time of +A brute force takes for the same error: above 1, +A is the faster. Where
-/// +A errs more than a single ray it is that ray's time. Nothing where a frame is missing, where
+/// The time of brute force for the same error, divided by that of +A: above 1, +A is the faster.
+/// Where +A errs more than a single ray, that ray's time stands for brute force's. Nothing where a frame is missing, where
 /// the error is less than the reference's own, or less than brute force's least.
 std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting);
-/// The time of +A by that of +A without reconstruction for the same error: below 1, reconstruction
-/// pays. Nothing where a frame is missing, where the error is less than the reference's own, or not
+/// The time of +A, divided by that of +A without reconstruction for the same error: below 1,
+/// reconstruction pays. Nothing where a frame is missing, where the error is less than the reference's own, or not
 /// between those without reconstruction.
-std::optional<double> time_by_that_without(const StrangersPanel& panel, const Setting& setting);
+std::optional<double> time_to_that_without(const StrangersPanel& panel, const Setting& setting);
 
 /// The page, in Markdown: the distribution over all scenes and sheets, then each of them.
 std::string strangers_page(const StrangersTable& table);

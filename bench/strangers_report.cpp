@@ -7,42 +7,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 namespace integral::bench {
 
 namespace {
 
-/// In the table, words about a scene stand in the place of a sheet and a setting: why it is left
-/// out, and what kind it is of.
-constexpr const char *left_out_mark = "left out", *kind_mark = "kind";
-
-/// Without what would end a field or a line.
-std::string plain(std::string text)
-{
-    for (char& c : text)
-        if (c == ',' || c == '\n' || c == '\r' || c == '|')
-            c = ' ';
-    return text;
-}
-
-std::string number(double value, const char* format = "%.6g")
+std::string number(double value, const char* format)
 {
     char text[40];
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
 
-Setting light_field(const std::string& threshold)
-{
-    return {Family::light_field, threshold, "", {"+A" + threshold, "+R5", "+AM2"}};
-}
-
-/// speed_up or time_by_that_without.
+/// speed_up or time_to_that_without.
 using Figure = std::optional<double>(const StrangersPanel& panel, const Setting& setting);
 
 /// A figure at one threshold over all scenes and sheets, in rising order; `kind`: over those of one
@@ -60,26 +39,6 @@ std::vector<double> figures(const StrangersTable& table, const Setting& setting,
     }
     std::sort(all.begin(), all.end());
     return all;
-}
-
-/// The seconds in which the best of some settings reaches an error; nothing if all of them err
-/// more, or all less.
-std::optional<double> seconds_of_best(const StrangersPanel& panel,
-                                      const std::vector<Setting>& settings, double error)
-{
-    Panel rungs;
-    Sampler families;
-    for (const Setting& each : settings) {
-        const auto measured = panel.find(each.full_name());
-        if (measured == panel.end())
-            continue;
-        families.push_back(each.family);
-        Measurement& rung = rungs.rungs.emplace_back();
-        rung.setting = each;
-        rung.own_error = measured->second.error;
-        rung.cost.cpu_seconds = measured->second.cpu_seconds;
-    }
-    return seconds_at(rungs, families, error);
 }
 
 double geometric_mean(const std::vector<double>& values)
@@ -178,193 +137,26 @@ void add_panels(std::ostringstream& text, const StrangersTable& table)
 
 } // namespace
 
-StrangersTable::StrangersTable(const std::string& file) : file_(file)
-{
-    if (!std::filesystem::exists(file)) {
-        append("scene,sheet,setting,cpu_seconds,error,reference_error,estimate,low,high");
-        return;
-    }
-    std::istringstream lines(read_file(file));
-    std::string line;
-    std::getline(lines, line);
-    while (std::getline(lines, line))
-        read_line(line);
-}
-
-void StrangersTable::read_line(const std::string& line)
-{
-    std::vector<std::string> fields(1);
-    for (const char c : line) {
-        if (c == ',')
-            fields.emplace_back();
-        else
-            fields.back() += c;
-    }
-    if (fields.size() == 3 && fields[1] == left_out_mark) {
-        left_out_[fields[0]] = fields[2];
-        return;
-    }
-    if (fields.size() == 3 && fields[1] == kind_mark) {
-        kinds_[fields[0]] = fields[2];
-        return;
-    }
-    try {
-        const auto value = [&](std::size_t k) { return std::stod(fields.at(k)); };
-        StrangersRow row{value(3), value(4), value(5), std::nullopt};
-        if (!fields.at(6).empty()) {
-            row.estimate.emplace();
-            row.estimate->rms = value(6);
-            row.estimate->low = value(7);
-            row.estimate->high = value(8);
-        }
-        panels_[{fields[0], fields[1]}][fields[2]] = row;
-    } catch (const std::logic_error&) {
-        throw std::runtime_error(file_ + ": not a line of this program: " + line);
-    }
-}
-
-void StrangersTable::append(const std::string& line) const
-{
-    std::ofstream to(file_, std::ios::app);
-    to << line << '\n';
-    if (!to.flush())
-        throw OutputError(file_ + ": cannot be written");
-}
-
-const StrangersRow* StrangersTable::find(const Key& panel, const std::string& setting) const
-{
-    const auto rows = panels_.find(panel);
-    if (rows == panels_.end())
-        return nullptr;
-    const auto row = rows->second.find(setting);
-    return row == rows->second.end() ? nullptr : &row->second;
-}
-
-void StrangersTable::add(const Key& panel, const std::string& setting, const StrangersRow& row)
-{
-    std::string estimate = ",,";
-    if (row.estimate)
-        estimate = number(row.estimate->rms) + "," + number(row.estimate->low) + "," +
-                   number(row.estimate->high);
-    append(panel.first + "," + panel.second + "," + setting + "," + number(row.cpu_seconds) + "," +
-           number(row.error) + "," + number(row.floor) + "," + estimate);
-    panels_[panel][setting] = row;
-}
-
-const std::string* StrangersTable::reason(const std::string& scene) const
-{
-    const auto found = left_out_.find(scene);
-    return found == left_out_.end() ? nullptr : &found->second;
-}
-
-const std::string* StrangersTable::kind(const std::string& scene) const
-{
-    const auto found = kinds_.find(scene);
-    return found == kinds_.end() ? nullptr : &found->second;
-}
-
-void StrangersTable::set_kind(const std::string& scene, const std::string& kind)
-{
-    kinds_[scene] = plain(kind);
-    append(scene + "," + kind_mark + "," + kinds_[scene]);
-}
-
-void StrangersTable::leave_out(const std::string& scene, const std::string& reason)
-{
-    std::string words = plain(reason);
-    constexpr std::size_t most = 300;
-    if (words.size() > most)
-        words = "... " + words.substr(words.size() - most);
-    append(scene + "," + left_out_mark + "," + words);
-    left_out_[scene] = words;
-}
-
-const std::vector<Setting>& brute_force_settings()
-{
-    static const auto both = [](int pixel, int beam) {
-        const std::string p = std::to_string(pixel), b = std::to_string(beam);
-        return Setting{Family::both, p + "x" + b, "pixel_samples " + p + " beam_samples " + b, {}};
-    };
-    static const std::vector<Setting> settings = {
-        {Family::one_ray, "auto", "lens_mapping auto", {}},
-        {Family::beam, "2", "beam_samples 2", {}},
-        {Family::beam, "4", "beam_samples 4", {}},
-        both(2, 2),
-        both(2, 4),
-        both(4, 4),
-        both(4, 8),
-        both(8, 8),
-        both(8, 16)};
-    return settings;
-}
-
-const std::vector<Setting>& antialias_settings()
-{
-    static const std::vector<Setting> settings = {light_field("0.3"), light_field("0.1"),
-                                                  light_field("0.05"), light_field("0.03"),
-                                                  light_field("0.02")};
-    return settings;
-}
-
-const std::vector<Setting>& settings_without_reconstruction()
-{
-    static const std::vector<Setting> settings = [] {
-        std::vector<Setting> all;
-        for (const char* threshold : {"0.5", "0.3", "0.1", "0.03", "0.01"}) {
-            all.push_back(light_field(threshold));
-            all.back().options.push_back("Integral_Reconstruction=off");
-        }
-        return all;
-    }();
-    return settings;
-}
-
-std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting)
-{
-    const auto found = panel.find(setting.full_name());
-    const auto one = panel.find(brute_force_settings()[0].full_name());
-    if (found == panel.end() || one == panel.end() || found->second.error < found->second.floor)
-        return std::nullopt;
-    const StrangersRow& row = found->second;
-    if (row.error >= one->second.error)
-        return one->second.cpu_seconds / row.cpu_seconds;
-    const auto seconds = seconds_of_best(panel, brute_force_settings(), row.error);
-    if (!seconds)
-        return std::nullopt;
-    return *seconds / row.cpu_seconds;
-}
-
-std::optional<double> time_by_that_without(const StrangersPanel& panel, const Setting& setting)
-{
-    const auto found = panel.find(setting.full_name());
-    if (found == panel.end() || found->second.error < found->second.floor)
-        return std::nullopt;
-    const auto seconds = seconds_of_best(panel, settings_without_reconstruction(),
-                                         found->second.error);
-    if (!seconds)
-        return std::nullopt;
-    return found->second.cpu_seconds / *seconds;
-}
-
 std::string strangers_page(const StrangersTable& table)
 {
     std::ostringstream text;
     text
         << "# +A against brute force, on scenes of POV-Ray's\n\n"
-           "Brute force's processor time by +A's, at equal error of the frame: above 1, +A is the "
-           "faster.\nWhere +A errs more than a single ray it is the single ray's time by +A's.\n\n";
+           "Brute force's processor time, divided by +A's, at equal error of the frame: above 1, +A "
+           "is the\nfaster. Where +A errs more than a single ray, that ray's time stands for brute "
+           "force's.\n\n";
     add_distribution(text, table);
     text << '\n';
     add_kinds(text, table, speed_up, true);
-    text << "\nThe processor time of +A by that of +A without reconstruction, at equal error: below "
-            "1, it pays.\n";
-    add_kinds(text, table, time_by_that_without, false);
+    text << "\nThe processor time of +A, divided by that of +A without reconstruction, at equal "
+            "error: below 1,\nit pays.\n";
+    add_kinds(text, table, time_to_that_without, false);
     text << '\n';
     add_honesty(text, table);
     text << '\n';
     add_panels(text, table);
-    text << "\nA dash: missing, or one of the two errs less than the other or the converged ones "
-            "can tell.\n\nLeft out:\n\n";
+    text << "\nA dash: missing, or the other method has no frame with so small, or so large, an "
+            "error, or\nthe error is smaller than that of the converged frames.\n\nLeft out:\n\n";
     for (const auto& [scene, reason] : table.left_out())
         text << "- " << scene << ": " << reason << '\n';
     return text.str();

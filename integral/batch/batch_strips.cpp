@@ -97,9 +97,7 @@ StripPlan new_plan(const BatchStep& frame, const std::string& inputs, int number
     const std::string said = render_in_folder(frame, words, scratch);
     const Frame rows = read_frame_with_metadata(picture);
     const std::string given = value_of_option(frame.words, "render_block_size", "bs");
-    const int side = given.empty()
-                         ? usual_block_side
-                         : std::max(4, std::atoi(given.c_str())); // the renderer takes no less
+    const int side = given.empty() ? usual_block_side : block_side_of(std::atoi(given.c_str()));
     const int reach = is_on(said, "Antialiasing")
                           ? rows_antialiased_from(rows.metadata->sheet, rows.metadata->film, side)
                           : 0;

@@ -173,7 +173,9 @@ INTEGRAL_INLINE void LendingPixels::find_nearness(int axis, const BeamPatch& pat
     std::vector<Eight>& nearness = scratch.nearness[axis];
     nearness.resize(steps_[axis].size());
     const BeamPatch::Axis& widths = patch.axis(axis);
-    // The distance of two centres is linear in the depth, and what it may be is so from 0 on.
+    // On either side of the sheet, the distance of two centres and the patch's width are linear in
+    // the depth. So their ratio is least at an end of the range, at the sheet, or where the centres
+    // meet.
     const bool crosses_sheet = nearest < 0 && furthest > 0;
     const Floats by_nearest = eight_of<Floats>(0.5f / widths.reach(nearest)),
                  by_furthest = eight_of<Floats>(0.5f / widths.reach(furthest)),

@@ -24,28 +24,12 @@ StoredColour stored_colour(const ComparedColour& colour)
     return stored;
 }
 
-ComparedColour colour_of(const StoredColour& stored)
-{
-    ComparedColour colour;
-    for (std::size_t k = 0; k < stored.size(); ++k)
-        colour[k] = stored[k] / colour_levels;
-    return colour;
-}
-
 std::shared_ptr<void> zeroed_memory(std::size_t bytes)
 {
     std::shared_ptr<void> memory(std::calloc(std::max<std::size_t>(1, bytes), 1), std::free);
     if (!memory)
         throw std::bad_alloc();
     return memory;
-}
-
-double colour_distance(const ComparedColour& a, const ComparedColour& b)
-{
-    double sum = 0;
-    for (std::size_t k = 0; k < a.size(); ++k)
-        sum += std::fabs(a[k] - b[k]);
-    return sum;
 }
 
 int rows_looked_at(const LensSheet& sheet, const Film& film)

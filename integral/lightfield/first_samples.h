@@ -26,13 +26,9 @@ using ComparedColour = std::array<double, 4>;
 using StoredColour = std::array<std::uint16_t, 4>;
 constexpr double colour_levels = 8192;
 StoredColour stored_colour(const ComparedColour& colour);
-ComparedColour colour_of(const StoredColour& stored);
 
 /// Memory of that many bytes, all 0. Throws std::bad_alloc.
 std::shared_ptr<void> zeroed_memory(std::size_t bytes);
-
-/// The sum of the four absolute differences, as POV-Ray computes it: 3 between black and white.
-double colour_distance(const ComparedColour& a, const ComparedColour& b);
 
 /// The greatest distance in rows between a pixel and its neighbours.
 int rows_looked_at(const LensSheet& sheet, const Film& film);
@@ -63,9 +59,7 @@ public:
     using StoredLens = std::array<std::uint16_t, 2>;
     std::optional<StoredLens> lens(int x, int y) const;
 
-    /// Whether (x, y) is a pixel of the frame behind that lens, and not empty.
-    bool is_behind(int x, int y, StoredLens lens) const { return at(x, y, lens[0], lens[1]); }
-    /// The same for the pixel at an index, which counts row by row from the top.
+    /// Whether a pixel is behind that lens, and not empty. `index`: row by row from the top.
     bool is_behind(std::size_t index, StoredLens lens) const
     {
         const Entry& entry = entries_[index];
@@ -73,9 +67,10 @@ public:
     }
 
     /// How much a pixel differs from its neighbours: the largest value over the axes of the light
-    /// field. Along one axis the value is the colour_distance between twice the pixel's colour and
-    /// the sum of its two neighbours' (a second difference, so that an even gradient counts as 0),
-    /// or, with one neighbour, the distance to it. A neighbour is missing if it is empty or is not
+    /// field. Along one axis the value is the difference between twice the pixel's colour and the
+    /// sum of its two neighbours' (a second difference, so that an even gradient counts as 0), or,
+    /// with one neighbour, the difference to it: the sum of the components' absolute differences,
+    /// as POV-Ray has it (3 between black and white). A neighbour is missing if it is empty or is not
     /// behind the expected lens. Infinite if all neighbours are missing; -1 for an empty pixel.
     double contrast(int x, int y) const;
 

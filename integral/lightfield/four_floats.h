@@ -17,7 +17,6 @@ typedef float FourFloats __attribute__((vector_size(16)));
 typedef std::int32_t FourIntegers __attribute__((vector_size(16)));
 
 inline FourFloats magnitude(FourFloats x) { return FourFloats(FourIntegers(x) & 0x7fffffff); }
-inline FourFloats least(FourFloats a, FourFloats b) { return a < b ? a : b; }
 inline FourFloats most(FourFloats a, FourFloats b) { return a > b ? a : b; }
 /// Whether a comparison holds for one of the four at least.
 inline bool any(FourIntegers x)

@@ -6,12 +6,17 @@
 #ifndef INTEGRAL_LIGHTFIELD_PASS_SCHEDULE_H
 #define INTEGRAL_LIGHTFIELD_PASS_SCHEDULE_H
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace integral {
+
+/// The width and height of a renderer's blocks, pixels, if Render_Block_Size is `wanted`: at least
+/// 4, as in POV-Ray, and not more than sums of a few have room for, which is more than frames have.
+inline int block_side_of(int wanted) { return std::clamp(wanted, 4, 1 << 24); }
 
 /// A part of a picture, in pixels; right and bottom are inclusive.
 struct PictureBlock {

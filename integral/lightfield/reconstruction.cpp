@@ -12,10 +12,10 @@ namespace integral {
 
 namespace {
 
-// The halves of pixels' samples show by how much their expected squared error differs from what the
-// variance of the samples says. For a pixel that is known from those around, as far as they are
-// more than this many; else from all in its block, as far as those are more than this many; else it
-// is the usual. Found by trying on sample scenes of POV-Ray's.
+// The squared error that the halves of a pixel's samples show, divided by the one that the variance
+// of the samples lets expect, is averaged over the pixels around, where the ratio of the whole block
+// counts as this many pixels; and that over the block, where the usual one counts as as many. Found
+// by trying on sample scenes of POV-Ray's.
 constexpr float enough_halves = 8, usual_excess = 1.5f;
 
 // What is left of a pixel's difference beside the mean of those around is partly signal, partly
@@ -25,7 +25,7 @@ constexpr float enough_halves = 8, usual_excess = 1.5f;
 // Found by trying on sample scenes of POV-Ray's.
 constexpr float margin_of_rest = 2, noise_in_rest = 1.5f;
 
-// The squared error of what others' samples tell, in terms of that of pixels' own means. Found by
+// The squared error of what others' samples tell, divided by that of pixels' own means. Found by
 // comparing frames of sample scenes of POV-Ray's with converged ones.
 constexpr float left_by_others = 0.1f;
 
@@ -41,9 +41,10 @@ float likeness(float noise, float other)
 /// expect.
 class Excess {
 public:
+    /// Either is below 0 where it is not known.
     void add(float variance, float of_halves)
     {
-        if (of_halves < 0)
+        if (!(variance >= 0 && of_halves >= 0))
             return;
         expected_ += variance;
         seen_ += of_halves;
@@ -77,7 +78,7 @@ struct Reconstruction::Difference {
 /// smooth difference is more than noise.
 struct Reconstruction::Own {
     float signal = 0; ///< the square that such differences have without noise
-    float noise = 0;  ///< the variance of the mean
+    float noise = 0;  ///< the variance of such a difference that comes of the mean's noise
     LinearColour light{};
     SamplesTaken samples;
 
@@ -157,7 +158,7 @@ void Reconstruction::set(int x, int y, const LinearColour& mean, double variance
     Pixel& pixel = pixels_[index(x, y)];
     pixel.mean = StoredLight(mean);
     pixel.variance = StoredLight::holds(mean) && variance >= 0 ? float(variance) : -1;
-    pixel.of_halves = float(of_halves);
+    pixel.of_halves = of_halves >= 0 ? float(of_halves) : -1;
     pixel.tried = std::uint16_t(std::min(samples.tried, SamplesTaken::most));
     pixel.taken = std::uint16_t(std::min(samples.taken, SamplesTaken::most));
 }
@@ -181,8 +182,8 @@ float Reconstruction::excess_of(const PictureBlock& block) const
     Excess excess;
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x)
-            excess.add(std::max<float>(0, pixels_[index(x, y)].variance),
-                       pixels_[index(x, y)].of_halves);
+            if (first_.lens(x, y))
+                excess.add(pixels_[index(x, y)].variance, pixels_[index(x, y)].of_halves);
     return excess.ratio(usual_excess);
 }
 
@@ -196,8 +197,8 @@ float Reconstruction::smooth_variance(int x, int y, float usual) const
     int number = 0;
     Excess excess;
     for_each_around(x, y, reach_around, [&](int i, int j, std::size_t at) {
-        const float variance = std::max<float>(0, pixels_[at].variance);
-        if (std::abs(i - x) <= 1 && std::abs(j - y) <= 1) {
+        const float variance = pixels_[at].variance;
+        if (variance >= 0 && std::abs(i - x) <= 1 && std::abs(j - y) <= 1) {
             sum_of_one += variance * samples_.pixel(at).number;
             ++number;
         }

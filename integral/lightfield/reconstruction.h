@@ -32,16 +32,17 @@
 
 namespace integral {
 
-/// The distance in rows of the refined pixels on which the layers of a pixel depend, and of the
-/// estimated ones on which a reconstructed pixel depends.
+/// How many rows away refined pixels may be on which a pixel's layers depend.
 int rows_estimated_from(const LensSheet& sheet, const Film& film);
+
+/// How many rows away pixels may be on whose layers a reconstructed pixel depends.
 int rows_finished_from();
 
-/// The distance in rows of the refined pixels on which a reconstructed pixel depends.
+/// How many rows away refined pixels may be on which a reconstructed pixel depends.
 int rows_reconstructed_from(const LensSheet& sheet, const Film& film);
 
-/// The distance in rows of all samples on which an anti-aliased row of blocks depends. Refinement
-/// works on whole blocks of `block_side` x `block_side` pixels.
+/// How many rows away samples may be on which a row of blocks depends. Refinement works on whole
+/// blocks of `block_side` x `block_side` pixels.
 int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side);
 
 /// Different threads may work on different pixels in the same step.
@@ -59,8 +60,8 @@ public:
     static constexpr int reach_around = 2;
 
     /// Whether frames of a camera can be reconstructed: not those of subpixels, whose channels have
-    /// beams of their own, nor where the camera has several rays a pixel or other beams than a
-    /// lens's cell and a pixel's area.
+    /// beams of their own, nor where the camera has several rays a pixel, a projection lens, or
+    /// other beams than a lens's cell and a pixel's area.
     static bool possible(const IntegralCamera& camera);
 
     static constexpr std::size_t bytes_a_pixel = 28;
@@ -68,7 +69,7 @@ public:
     /// The mean light of the pixel's samples, and the squared error expected of it in the encoding
     /// of comparison, summed over the colour's components: by the samples' variance
     /// (Refinement::squared_error), and as the halves of the samples show it (-1: not at all). A
-    /// pixel of more than 64 is left alone.
+    /// pixel that StoredLight does not hold is left alone.
     void set(int x, int y, const LinearColour& mean, double variance, double of_halves = -1,
              SamplesTaken samples = {});
 

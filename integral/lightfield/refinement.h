@@ -11,7 +11,8 @@ namespace integral {
 /// The settings of the options +AM, +A and +R.
 struct RefinementRule {
     int method = 1; ///< 1: depth^2 samples at once. 2: 4, 8, 16, ... up to 4^depth, as long as the
-                    ///< benefit of another sample (worth) is at least threshold/3
+                    ///< benefit of another sample (worth) is at least threshold/3, or with `lent`
+                    ///< twice the threshold
     double threshold = 0.3; ///< see least_contrast
     int depth = 3;          ///< 1 to 9
     bool lent = false;      ///< other pixels' samples will count, too (reconstruction.h): fewer are
@@ -35,13 +36,13 @@ struct SamplesTaken {
 };
 
 /// The number of samples to try next in a pixel of a reconstructed frame, whose light takes
-/// `own_part` (0 to 1) of the mean of its own samples, and the rest of other pixels' (0: no further
-/// one is worth it). `squared_error`: that of the mean, summed over the colour's components. None
-/// with method 1.
+/// `own_part` (0 to 1) of the mean of its own samples, and the rest of other pixels'; 0: no further
+/// one is worth it. `squared_error`: that of what its own mean adds to the rest, summed over the
+/// colour's components. With method 1 always 0.
 int further_samples(const RefinementRule& rule, const SamplesTaken& samples, double squared_error,
                     double own_part);
 
-/// The squared error of the mean of taken + more samples, in terms of that of `taken` ones.
+/// The squared error of the mean of taken + more samples, divided by that of `taken` ones.
 double squared_error_falls(int taken, int more);
 
 /// The refinement of one pixel. The caller adds wanted() samples and asks again until it returns 0.

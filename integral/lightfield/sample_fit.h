@@ -17,7 +17,7 @@ constexpr float level_samples = 8, square_of_place = 0.2f, variance_of_square = 
 
 class SampleFit {
 public:
-    /// `place`: x and y in terms of half the patch's width, and their squares less the means of
+    /// `place`: x and y divided by half the patch's width, and their squares less the means of
     /// those over the beam.
     void add(float weight, FourFloats place, FourFloats light)
     {
@@ -31,9 +31,6 @@ public:
             light_by_place_[k] += place[k] * weighted_light;
         }
     }
-
-    /// The sum of the samples' light by weight.
-    FourFloats light_sum() const { return light_; }
 
     /// The beam's mean light. The sum of weights must be above 0.
     FourFloats mean_of_beam() const;

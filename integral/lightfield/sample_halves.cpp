@@ -3,13 +3,18 @@
 
 namespace integral {
 
-void SampleHalves::add(const LinearColour& light)
+void SampleHalves::try_one()
 {
     if ((tried_ & (tried_ - 1)) == 0) { // each power of two of samples is evenly distributed
         half_ = sum_;
         half_taken_ = taken_;
     }
     ++tried_;
+}
+
+void SampleHalves::add(const LinearColour& light)
+{
+    try_one();
     ++taken_;
     for (std::size_t k = 0; k < light.size(); ++k)
         sum_[k] += light[k];

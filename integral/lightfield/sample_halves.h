@@ -14,7 +14,7 @@ public:
     void add(const LinearColour& light);
 
     /// Records a sample that was tried but belongs to another lens than the pixel's.
-    void add_none() { ++tried_; }
+    void add_none() { try_one(); }
 
     /// An estimate of the squared error of the samples' mean, summed over the colour's components
     /// in the encoding of comparison, with one degree of freedom a component: from the difference
@@ -27,6 +27,8 @@ public:
     double squared_error(const TabulatedCurve& encode) const;
 
 private:
+    void try_one();
+
     int tried_ = 0, taken_ = 0, half_taken_ = 0;
     LinearColour sum_{}, half_{}; ///< half: before the last doubling
 };

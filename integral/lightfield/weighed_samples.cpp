@@ -42,13 +42,8 @@ void WeighedSamples::begin(const BeamPatch& patch, const SightSlope& centre,
 {
     centre_ = FourFloats{centre.point[0], centre.point[1], centre.slope[0], centre.slope[1]};
     for (int k = 0; k < 2; ++k) {
-        const BeamPatch::Axis& axis = patch.axis(k);
-        numbers_[k] = {axis.cell_at_sheet,
-                       axis.cell_slope,
-                       axis.pixel_at_sheet,
-                       axis.pixel_slope,
-                       std::max(axis.lent_slope, 0.5f * axis.pixel_slope),
-                       axis.lent_way};
+        axes_[k] = patch.axis(k);
+        axes_[k].lent_slope = std::max(axes_[k].lent_slope, 0.5f * axes_[k].pixel_slope);
     }
     point_unit_ = samples.point_unit();
     slope_unit_ = samples.slope_unit();
@@ -102,11 +97,11 @@ INTEGRAL_INLINE WeighedSamples::Density<Floats> WeighedSamples::density(const Gr
                  one = eight_of<Floats>(1), none = eight_of<Floats>(0), two = eight_of<Floats>(2);
     Floats places[2], value = one;
     for (int k = 0; k < 2; ++k) {
-        const Numbers& numbers = numbers_[k];
-        const Floats cell = eight_of<Floats>(numbers.cell) +
-                            eight_of<Floats>(numbers.cell_slope) * far,
-                     pixel = magnitude(eight_of<Floats>(numbers.pixel) +
-                                       eight_of<Floats>(numbers.pixel_slope) * depth),
+        const BeamPatch::Axis& axis = axes_[k];
+        const Floats cell = eight_of<Floats>(axis.cell_at_sheet) +
+                            eight_of<Floats>(axis.cell_slope) * far,
+                     pixel = magnitude(eight_of<Floats>(axis.pixel_at_sheet) +
+                                       eight_of<Floats>(axis.pixel_slope) * depth),
                      place = loaded<Floats>(group.lines[k]) +
                              depth * loaded<Floats>(group.lines[k + 2]),
                      both = cell + pixel,
@@ -119,8 +114,8 @@ INTEGRAL_INLINE WeighedSamples::Density<Floats> WeighedSamples::density(const Gr
     return {places[0], places[1], value};
 }
 
-/// The area in which each sample's surface is seen from the pixel's slopes, in terms of that from
-/// all slopes whose samples count: below 1 for surfaces that are seen nearly edge-on, as a floor
+/// The area in which each sample's surface is seen from the pixel's slopes, divided by that from all
+/// slopes whose samples count: below 1 for surfaces that are seen nearly edge-on, as a floor
 /// far away, which few samples meet at the horizon; 0 for the side that the pixel does not see.
 /// Sets the group's areas.
 template <class Floats>
@@ -131,7 +126,7 @@ INTEGRAL_INLINE Floats WeighedSamples::seen_part(Group& group, Floats (&tilts)[2
     for (int k = 0; k < 2; ++k) {
         middle = middle - tilts[k] * loaded<Floats>(group.lines[k + 2]);
         tilts[k] = magnitude(tilts[k]);
-        most_off = most_off + tilts[k] * eight_of<Floats>(numbers_[k].lent_slope);
+        most_off = most_off + tilts[k] * eight_of<Floats>(axes_[k].lent_slope);
     }
     store(group.areas, middle);
     if (!any(middle < most_off))
@@ -139,10 +134,10 @@ INTEGRAL_INLINE Floats WeighedSamples::seen_part(Group& group, Floats (&tilts)[2
     const Floats far = most(magnitude(loaded<Floats>(group.depths)), eight_of<Floats>(1e-3f));
     Floats own = little, all = little;
     for (int k = 0; k < 2; ++k) {
-        const Numbers& numbers = numbers_[k];
-        const Floats slope = eight_of<Floats>(0.5f * numbers.pixel_slope),
-                     lent = least(eight_of<Floats>(numbers.lent_slope),
-                                  eight_of<Floats>(numbers.lent_way) / far);
+        const BeamPatch::Axis& axis = axes_[k];
+        const Floats slope = eight_of<Floats>(0.5f * axis.pixel_slope),
+                     lent = least(eight_of<Floats>(axis.lent_slope),
+                                  eight_of<Floats>(axis.lent_way) / far);
         own = own + tilts[k] * slope;
         all = all + tilts[k] * most(lent, slope);
     }

@@ -40,10 +40,11 @@ public:
         /// Their lines, less the centre's: point x, y (mm), slope x, y.
         Eight lines[4];
         Eight depths;  ///< mm
-        Eight areas;   ///< in which the samples' surfaces are seen from the pixel's direction, in
-                       ///< terms of those from the samples' own; below 0: the other side
+        Eight areas;   ///< in which the samples' surfaces are seen from the pixel's direction,
+                       ///< divided by those from the samples' own; below 0: the other side
         Eight shares;  ///< as which the samples count inside the beam
-        Eight weights; ///< the shares times the beam's density where the samples ended
+        Eight weights; ///< the shares times the beam's density where the samples ended, times the
+                       ///< part of their surfaces that the pixel sees
     };
     Range<const Group> groups() const { return {groups_.data(), groups_.data() + group_number_}; }
 
@@ -67,8 +68,8 @@ public:
 
     const BeamPatch& patch() const { return patch_; }
 
-    /// Where samples are, in terms of half the patch's width along both axes, and the beam's
-    /// density there, in terms of the greatest. Floats: see eight_floats.h.
+    /// Where samples are, divided by half the patch's width along both axes, and the beam's
+    /// density there, divided by the greatest. Floats: see eight_floats.h.
     template <class Floats> struct Density {
         Floats x, y, value;
     };
@@ -90,11 +91,7 @@ private:
     static const Shares shares_;
 
     BeamPatch patch_;
-    /// Numbers of patch_, along both axes.
-    struct Numbers {
-        float cell, cell_slope, pixel, pixel_slope, lent_slope, lent_way;
-    };
-    Numbers numbers_[2] = {};
+    BeamPatch::Axis axes_[2]; ///< those of patch_, but lent_slope is at least half a pixel's slopes
     FourFloats centre_{};
     float point_unit_ = 0, slope_unit_ = 0, tilt_unit_ = 0;
     /// The pixels that were added, and their samples, each with the number of its pixel.
@@ -127,7 +124,7 @@ inline void WeighedSamples::add(const BeamSamples::Pixel& pixel, float part, boo
         lenders_.resize(2 * lender_number_);
     if (added_.size() < end)
         added_.resize(2 * end);
-    Lender& lender = lenders_[number]; // set in its place: a copy of both would wait for the share
+    Lender& lender = lenders_[number]; // filled in there: to copy a whole one would wait for share
     lender.start = line - centre_;
     lender.share = part * shares_[pixel.number];
     if (is_own) {

@@ -10,6 +10,7 @@
 #include "base/povmsgid.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
+#include "integral/lightfield/pass_schedule.h"
 #include "integral/lightfield/refinement.h"
 
 #include <algorithm>
@@ -239,8 +240,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     result.light_field = Read_Antialiasing(word(kIntegralAttrib_Antialiasing));
     result.threshold = options.TryGetFloat(kPOVAttrib_AntialiasThreshold, float(result.threshold));
     result.reconstruct = Read_Reconstruction(word(kIntegralAttrib_Reconstruction));
-    result.block_side = std::max(4, options.TryGetInt(kPOVAttrib_RenderBlockSize,
-                                                      result.block_side)); // POV-Ray's minimum
+    result.block_side = integral::block_side_of(
+        options.TryGetInt(kPOVAttrib_RenderBlockSize, result.block_side));
     if (const int megabytes = options.TryGetInt(kPOVAttrib_MaxImageBufferMem, 128); megabytes > 0)
         result.most_memory = std::size_t(megabytes) << 20;
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&

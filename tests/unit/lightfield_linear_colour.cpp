@@ -57,6 +57,22 @@ BOOST_AUTO_TEST_CASE(halves_of_the_samples_show_their_error)
     BOOST_TEST(std::abs(sum / runs - truth) < 0.05 * truth);
 }
 
+BOOST_AUTO_TEST_CASE(halves_begin_at_powers_of_two_whatever_was_tried)
+{
+    // Eight samples, of which the fifth belongs to another lens: halves of four and of three.
+    const TabulatedCurve as_it_is([](float x) { return x; });
+    SampleHalves samples;
+    for (int k = 0; k < 8; ++k) {
+        if (k == 4)
+            samples.add_none();
+        else
+            samples.add(grey_light(k < 4 ? 0.2 : 0.6));
+    }
+    const double difference = 0.4, parts = 4.0 / 7 * 3 / 7;
+    BOOST_TEST(std::abs(samples.squared_error(as_it_is) - 3 * difference * difference * parts) <
+               1e-6);
+}
+
 BOOST_AUTO_TEST_CASE(halves_show_that_a_rare_highlight_is_encoded_after_averaging)
 {
     // One sample in 100 meets a light of 4, the others meet 0.01; 8 samples a pixel. The error of

@@ -77,6 +77,30 @@ BOOST_AUTO_TEST_CASE(negative_light_counts)
     BOOST_TEST(ratio(sheet(Arrangement::square), scene, 4) < 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(light_that_cannot_be_stored_tells_nothing_of_noise)
+{
+    // One pixel of a sun, or without a colour at all: the others are reconstructed as before.
+    const Scene scene = chequers(6, 3);
+    for (const double halves : {100.0, double(NAN), double(INFINITY)}) {
+        Sampled frame(sheet(Arrangement::square), scene, 4);
+        const auto before = frame.pixels();
+        const int x = 24, y = 21;
+        frame.put(x, y, 1000, 1, halves);
+        const auto after = frame.pixels();
+        double change = 0;
+        for (int j = 0; j < height; ++j)
+            for (int i = 0; i < width; ++i)
+                if (std::max(std::abs(i - x), std::abs(j - y)) > 4 &&
+                    before[Sampled::at(i, j)].light) {
+                    BOOST_TEST_REQUIRE(after[Sampled::at(i, j)].light.has_value());
+                    change = std::fmax(change,
+                                       std::fabs((*after[Sampled::at(i, j)].light)[0] -
+                                                 (*before[Sampled::at(i, j)].light)[0]));
+                }
+        BOOST_TEST(change < 0.002, "halves " << halves << ": " << change);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(slanted_surfaces_become_clear)
 {
     for (double rise : {-1.5, 0.8, 3.0})

@@ -209,7 +209,7 @@ void IntegralAudit::Take_By_Errors(std::vector<Candidate> candidates, std::size_
         next += steps * step;
     }
     for (Pixel& pixel : pixels)
-        pixel.share *= double(pixels.size()) / double(number);
+        pixel.weight *= double(pixels.size()) / double(number);
 }
 
 IntegralAudit::Pixel *IntegralAudit::Next()
@@ -225,7 +225,7 @@ std::optional<integral::ErrorEstimate> IntegralAudit::Result()
     std::lock_guard<std::mutex> lock(mutex);
     integral::ErrorSums sums;
     for (const Pixel& pixel : pixels)
-        sums.add(pixel.share * pixel.squared_error);
+        sums.add(pixel.weight * pixel.squared_error);
     auto error = integral::estimate(sums, integral::ErrorMethod::audit);
     if (!error)
         return error;

@@ -41,7 +41,7 @@ public:
     {
         int x, y;
         integral::Light rendered;
-        double share; ///< as how much its error counts in the frame's mean
+        double weight; ///< as how much its error counts in the frame's mean
         double squared_error = 0;
     };
 

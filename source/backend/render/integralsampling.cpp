@@ -101,9 +101,12 @@ void IntegralSampling::Done(int pass, const integral::PictureBlock& block)
     memory->Used(Bytes_A_Pixel() * (block.right - block.left + 1) * (block.bottom - block.top + 1));
     if (!lent || pass != Last_Pass())
         return;
+    unsigned int serial;
+    if (!Is_Wanted(block, serial))
+        return;
     std::lock_guard<std::mutex> lock(mutex);
     const auto row = rows_left.find(block.top);
-    if (row != rows_left.end() && --row->second == 0)
+    if (--row->second == 0)
         rows_left.erase(row);
     // Blocks are at most `side` rows high.
     lent->forget_above((rows_left.empty() ? height : rows_left.begin()->first) - halo - side);

@@ -103,7 +103,7 @@ private:
     std::unique_ptr<integral::Reconstruction> reconstructor;
     Colour *colours;
     std::mutex mutex;             ///< of Begin and of rows_left
-    std::map<int, int> rows_left; ///< unfinished blocks of the last pass, by their first row
+    std::map<int, int> rows_left; ///< unfinished blocks to be rendered, by their first row
     POVRect area;                 ///< the rendered part of the frame
     std::map<std::pair<int, int>, unsigned int> serials; ///< of the blocks to be rendered, by left
                                                          ///< and top

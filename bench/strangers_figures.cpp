@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "bench/strangers.h"
+
+namespace integral::bench {
+
+namespace {
+
+Setting light_field(const std::string& threshold)
+{
+    return {Family::light_field, threshold, "", {"+A" + threshold, "+R5", "+AM2"}};
+}
+
+/// The seconds in which the best of some settings reaches an error; nothing if all of them err
+/// more, or all less.
+std::optional<double> seconds_of_best(const StrangersPanel& panel,
+                                      const std::vector<Setting>& settings, double error)
+{
+    Panel rungs;
+    Sampler families;
+    for (const Setting& each : settings) {
+        const auto measured = panel.find(each.full_name());
+        if (measured == panel.end())
+            continue;
+        families.push_back(each.family);
+        Measurement& rung = rungs.rungs.emplace_back();
+        rung.setting = each;
+        rung.own_error = measured->second.error;
+        rung.cost.cpu_seconds = measured->second.cpu_seconds;
+    }
+    return seconds_at(rungs, families, error);
+}
+
+} // namespace
+
+const std::vector<Setting>& brute_force_settings()
+{
+    static const auto both = [](int pixel, int beam) {
+        const std::string p = std::to_string(pixel), b = std::to_string(beam);
+        return Setting{Family::both, p + "x" + b, "pixel_samples " + p + " beam_samples " + b, {}};
+    };
+    static const std::vector<Setting> settings = {
+        {Family::one_ray, "auto", "lens_mapping auto", {}},
+        {Family::beam, "2", "beam_samples 2", {}},
+        {Family::beam, "4", "beam_samples 4", {}},
+        both(2, 2),
+        both(2, 4),
+        both(4, 4),
+        both(4, 8),
+        both(8, 8),
+        both(8, 16)};
+    return settings;
+}
+
+const std::vector<Setting>& antialias_settings()
+{
+    static const std::vector<Setting> settings = {light_field("0.3"), light_field("0.1"),
+                                                  light_field("0.05"), light_field("0.03"),
+                                                  light_field("0.02")};
+    return settings;
+}
+
+const std::vector<Setting>& settings_without_reconstruction()
+{
+    static const std::vector<Setting> settings = [] {
+        std::vector<Setting> all;
+        for (const char* threshold : {"0.5", "0.3", "0.1", "0.03", "0.01"}) {
+            all.push_back(light_field(threshold));
+            all.back().options.push_back("Integral_Reconstruction=off");
+        }
+        return all;
+    }();
+    return settings;
+}
+
+std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting)
+{
+    const auto found = panel.find(setting.full_name());
+    const auto one = panel.find(brute_force_settings()[0].full_name());
+    if (found == panel.end() || one == panel.end() || found->second.error < found->second.floor)
+        return std::nullopt;
+    const StrangersRow& row = found->second;
+    if (row.error >= one->second.error)
+        return one->second.cpu_seconds / row.cpu_seconds;
+    const auto seconds = seconds_of_best(panel, brute_force_settings(), row.error);
+    if (!seconds)
+        return std::nullopt;
+    return *seconds / row.cpu_seconds;
+}
+
+std::optional<double> time_to_that_without(const StrangersPanel& panel, const Setting& setting)
+{
+    const auto found = panel.find(setting.full_name());
+    if (found == panel.end() || found->second.error < found->second.floor)
+        return std::nullopt;
+    const auto seconds = seconds_of_best(panel, settings_without_reconstruction(),
+                                         found->second.error);
+    if (!seconds)
+        return std::nullopt;
+    return found->second.cpu_seconds / *seconds;
+}
+
+} // namespace integral::bench
