@@ -2,8 +2,9 @@
 // Anti-aliasing against brute force on scenes that nobody here made: every sample scene of
 // POV-Ray's that renders in reasonable time, unedited, behind two sheets put on with
 // Integral_Camera. Each frame is measured against two converged ones of independent samples. A run
-// that is ended goes on where it was, and tries again what it left out; `strangers -o FOLDER` writes
-// strangers.csv, .md, .svg and .png to a folder in FOLDER, which is named after the frames' size.
+// that is ended goes on where it was, and tries again what it left out. `strangers -o FOLDER`
+// writes strangers.csv, .md, .svg and .png to a folder in FOLDER that is named after the frames'
+// size.
 #include "bench/strangers.h"
 
 #include "bench/program.h"

@@ -66,12 +66,13 @@ const std::vector<Setting>& antialias_settings();
 const std::vector<Setting>& settings_without_reconstruction();
 
 /// The time of brute force for the same error, divided by that of +A: above 1, +A is the faster.
-/// Where +A errs more than a single ray, that ray's time stands for brute force's. Nothing where a frame is missing, where
-/// the error is less than the reference's own, or less than brute force's least.
+/// Where +A errs more than a single ray, that ray's time stands for brute force's. Nothing where a
+/// frame is missing, where the error is less than the reference's own, or less than brute force's
+/// least.
 std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting);
 /// The time of +A, divided by that of +A without reconstruction for the same error: below 1,
-/// reconstruction pays. Nothing where a frame is missing, where the error is less than the reference's own, or not
-/// between those without reconstruction.
+/// reconstruction pays. Nothing where a frame is missing, where the error is less than the
+/// reference's own, or not between those without reconstruction.
 std::optional<double> time_to_that_without(const StrangersPanel& panel, const Setting& setting);
 
 /// The page, in Markdown: the distribution over all scenes and sheets, then each of them.

@@ -142,9 +142,9 @@ std::string strangers_page(const StrangersTable& table)
     std::ostringstream text;
     text
         << "# +A against brute force, on scenes of POV-Ray's\n\n"
-           "Brute force's processor time, divided by +A's, at equal error of the frame: above 1, +A "
-           "is the\nfaster. Where +A errs more than a single ray, that ray's time stands for brute "
-           "force's.\n\n";
+           "Brute force's processor time, divided by +A's, at equal error of the frame: above 1, "
+           "+A is\nthe faster. Where +A errs more than a single ray, that ray's time stands for "
+           "brute force's.\n\n";
     add_distribution(text, table);
     text << '\n';
     add_kinds(text, table, speed_up, true);

@@ -15,7 +15,8 @@
 namespace integral {
 
 /// The width and height of a renderer's blocks, pixels, if Render_Block_Size is `wanted`: at least
-/// 4, as in POV-Ray, and not more than sums of a few have room for, which is more than frames have.
+/// 4, as in POV-Ray. The greatest is larger than any frame, and a few of it can be added up without
+/// overflow.
 inline int block_side_of(int wanted) { return std::clamp(wanted, 4, 1 << 24); }
 
 /// A part of a picture, in pixels; right and bottom are inclusive.

@@ -114,8 +114,8 @@ INTEGRAL_INLINE WeighedSamples::Density<Floats> WeighedSamples::density(const Gr
     return {places[0], places[1], value};
 }
 
-/// The area in which each sample's surface is seen from the pixel's slopes, divided by that from all
-/// slopes whose samples count: below 1 for surfaces that are seen nearly edge-on, as a floor
+/// The area in which each sample's surface is seen from the pixel's slopes, divided by that from
+/// all slopes whose samples count: below 1 for surfaces that are seen nearly edge-on, as a floor
 /// far away, which few samples meet at the horizon; 0 for the side that the pixel does not see.
 /// Sets the group's areas.
 template <class Floats>

@@ -124,7 +124,8 @@ inline void WeighedSamples::add(const BeamSamples::Pixel& pixel, float part, boo
         lenders_.resize(2 * lender_number_);
     if (added_.size() < end)
         added_.resize(2 * end);
-    Lender& lender = lenders_[number]; // filled in there: to copy a whole one would wait for share
+    // Written where it lies: to copy a finished one would stall until its share is known.
+    Lender& lender = lenders_[number];
     lender.start = line - centre_;
     lender.share = part * shares_[pixel.number];
     if (is_own) {
