@@ -30,20 +30,25 @@ SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray)
     return {along_axes(point), along_axes(slope)};
 }
 
+BeamSamples::Units BeamSamples::units(const IntegralCamera& camera)
+{
+    constexpr double most = 32767;
+    const LensSheet& sheet = camera.optics.sheet();
+    const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y),
+                 pixel_slope = sheet.ior * pixel / sheet.thickness;
+    // A sample is at most a lens's cell and a pixel away from the centre; four times that is room.
+    // So is room for surfaces that are seen edge-on from a hundredth of a pixel beside the sample.
+    return {float(4 * std::max(sheet.pitch, pixel) / most), float(16 * pixel_slope / most),
+            float(100 / pixel_slope / most)};
+}
+
 BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
     : width_(camera.film.width),
+      units_(units(camera)),
       memory_(memory ? std::move(memory)
                      : zeroed_memory(bytes_a_pixel * camera.film.width * camera.film.height)),
       pixels_(static_cast<Pixel*>(memory_.get()))
 {
-    // A sample is at most a lens's cell and a pixel away from the centre; four times that is room.
-    const LensSheet& sheet = camera.optics.sheet();
-    const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y);
-    point_unit_ = float(4 * std::max(sheet.pitch, pixel) / 32767);
-    const double pixel_slope = sheet.ior * pixel / sheet.thickness;
-    slope_unit_ = float(16 * pixel_slope / 32767);
-    // Room for surfaces that are seen edge-on from a hundredth of a pixel beside the sample.
-    tilt_unit_ = float(100 / pixel_slope / 32767);
 }
 
 BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& seen) const
@@ -52,9 +57,9 @@ BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& se
     // fmin makes the furthest depth of NaN.
     sample.depth = std::fmax(-furthest_depth, std::fmin(float(seen.depth), furthest_depth));
     for (int k = 0; k < 2; ++k) {
-        sample.point[k] = rounded((seen.line.point[k] - centre.point[k]) / point_unit_);
-        sample.slope[k] = rounded((seen.line.slope[k] - centre.slope[k]) / slope_unit_);
-        sample.tilt[k] = rounded(seen.tilt[k] / tilt_unit_);
+        sample.point[k] = rounded((seen.line.point[k] - centre.point[k]) / units_.point);
+        sample.slope[k] = rounded((seen.line.slope[k] - centre.slope[k]) / units_.slope);
+        sample.tilt[k] = rounded(seen.tilt[k] / units_.tilt);
     }
     sample.light = StoredLight(seen.light);
     return sample;

@@ -38,6 +38,13 @@ public:
     };
     static constexpr float furthest_depth = 1e5f;
 
+    /// The units of a camera's samples: of Sample::point (mm), slope and tilt.
+    struct Units {
+        float point = 0, slope = 0, tilt = 0;
+    };
+    static Units units(const IntegralCamera& camera);
+    const Units& units() const { return units_; }
+
     struct Pixel {
         SightSlope centre;
         Sample first;
@@ -109,17 +116,12 @@ public:
         return found;
     }
 
-    /// The units of Sample::point (mm) and Sample::slope.
-    float point_unit() const { return point_unit_; }
-    float slope_unit() const { return slope_unit_; }
-    /// The unit of Sample::tilt.
-    float tilt_unit() const { return tilt_unit_; }
 
 private:
     Sample stored(const SightSlope& centre, const Seen& seen) const;
 
     int width_;
-    float point_unit_, slope_unit_, tilt_unit_;
+    Units units_;
     std::shared_ptr<void> memory_;
     Pixel* pixels_;
     std::mutex mutex_;

@@ -45,9 +45,7 @@ void WeighedSamples::begin(const BeamPatch& patch, const SightSlope& centre,
         axes_[k] = patch.axis(k);
         axes_[k].lent_slope = std::max(axes_[k].lent_slope, 0.5f * axes_[k].pixel_slope);
     }
-    point_unit_ = samples.point_unit();
-    slope_unit_ = samples.slope_unit();
-    tilt_unit_ = samples.tilt_unit();
+    units_ = samples.units();
     number_ = own_begin_ = own_end_ = 0;
     lender_number_ = 0;
     patch_ = patch;
@@ -83,9 +81,9 @@ INTEGRAL_INLINE void WeighedSamples::read(Group& group, Floats (&tilts)[2], std:
     split_pairs(numbers[2], slopes[0], slopes[1]);
     split_pairs(numbers[3], pairs[0], pairs[1]);
     for (int k = 0; k < 2; ++k) {
-        store(group.lines[k], starts[k] + eight_of<Floats>(point_unit_) * points[k]);
-        store(group.lines[k + 2], starts[k + 2] + eight_of<Floats>(slope_unit_) * slopes[k]);
-        tilts[k] = eight_of<Floats>(tilt_unit_) * pairs[k];
+        store(group.lines[k], starts[k] + eight_of<Floats>(units_.point) * points[k]);
+        store(group.lines[k + 2], starts[k + 2] + eight_of<Floats>(units_.slope) * slopes[k]);
+        tilts[k] = eight_of<Floats>(units_.tilt) * pairs[k];
     }
 }
 

@@ -93,7 +93,7 @@ private:
     BeamPatch patch_;
     BeamPatch::Axis axes_[2]; ///< those of patch_, but lent_slope is at least half a pixel's slopes
     FourFloats centre_{};
-    float point_unit_ = 0, slope_unit_ = 0, tilt_unit_ = 0;
+    BeamSamples::Units units_;
     /// The pixels that were added, and their samples, each with the number of its pixel.
     struct Lender {
         FourFloats start{}; ///< its centre's line, less the pixel's own

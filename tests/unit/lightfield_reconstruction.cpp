@@ -32,9 +32,9 @@ BOOST_AUTO_TEST_CASE(lines_are_stored)
                                                 frame.sampler.first_sample(centre, *pole, false));
             for (int k = 0; k < 2; ++k) {
                 const double point = pixel.centre.point[k] +
-                                     frame.samples.point_unit() * pixel.first.point[k],
+                                     frame.samples.units().point * pixel.first.point[k],
                              slope = pixel.centre.slope[k] +
-                                     frame.samples.slope_unit() * pixel.first.slope[k];
+                                     frame.samples.units().slope * pixel.first.slope[k];
                 furthest = std::max({furthest, std::fabs(point - line.point[k]),
                                      20 * std::fabs(slope - line.slope[k])});
             }
@@ -131,6 +131,21 @@ BOOST_AUTO_TEST_CASE(outlines_become_clear)
             const double found = ratio(sheet(arrangement), scene, 4);
             BOOST_TEST(found < 0.77, int(arrangement) << ", " << back << " mm: " << found);
         }
+}
+
+BOOST_AUTO_TEST_CASE(what_stands_beside_the_eye_hides_its_part)
+{
+    // Behind a lenticular sheet all rays of a pixel cross the plane of the eye at one height.
+    const CameraParameters parameters = sheet(Arrangement::lenticular);
+    const double eye = -camera_of(parameters, 8, 8).optics.aperture().distance;
+    for (double before : {0.02, 1.0, 20.0}) {
+        const Scene scene = [&](const BeamRay& ray) {
+            const double x = place_at(ray, eye + before).x / 31;
+            return x - std::floor(x) < 0.4 ? Look{0.2, eye + before} : Look{0.8, 20};
+        };
+        const double found = ratio(parameters, scene, 16);
+        BOOST_TEST(found < 0.85, before << " mm before the eye: " << found);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(near_depths_are_told_apart)
