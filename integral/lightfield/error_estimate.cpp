@@ -89,29 +89,29 @@ double not_below_zero(const Mean& mean)
     return mean.value + mean.deviation * density / above;
 }
 
-Mean mean_of(const ErrorSums& sums, ErrorMethod method)
+Mean mean_of(const ErrorSums& sums, ErrorMethod method, double unsure)
 {
-    constexpr double two_sided_95 = 1.959963984540054, bias = 0.1; // bias: fraction of the mean
+    constexpr double two_sided_95 = 1.959963984540054;
     const double n = sums.pixels, mean = sums.sum / n;
     double variance = std::max(0.0, (sums.sum_of_squares - n * mean * mean) / (n - 1)) /
                       n; // of the mean
     if (method == ErrorMethod::split_halves)
         variance *= 2;
     const double deviation = std::sqrt(variance);
-    return {mean, deviation, std::hypot(two_sided_95 * deviation, bias * mean)};
+    return {mean, deviation, std::hypot(two_sided_95 * deviation, unsure * mean)};
 }
 
 } // namespace
 
-std::optional<ErrorEstimate> estimate(const ErrorSums& sums, ErrorMethod method)
+std::optional<ErrorEstimate> estimate(const ErrorSums& sums, ErrorMethod method, double unsure)
 {
     if (sums.pixels < 2)
         return std::nullopt;
-    const Mean mean = mean_of(sums, method);
+    const Mean mean = mean_of(sums, method, unsure);
     ErrorSums once_more = sums;
     if (sums.largest > 0)
         once_more.add(sums.largest);
-    const Mean upper = mean_of(once_more, method);
+    const Mean upper = mean_of(once_more, method, unsure);
 
     ErrorEstimate result;
     result.method = method;
@@ -124,6 +124,14 @@ std::optional<ErrorEstimate> estimate(const ErrorSums& sums, ErrorMethod method)
         result.high = std::sqrt(std::max(0.0, upper.value + (std::exp(1.0) - 1) * upper.reach));
     result.rms = std::min(std::sqrt(not_below_zero(mean)), result.high);
     return result;
+}
+
+void add_independent(ErrorEstimate& error, const ErrorEstimate& other)
+{
+    error.rms = std::hypot(error.rms, other.rms);
+    error.low = std::hypot(error.low, other.low);
+    error.high = std::hypot(error.high, other.high);
+    error.seconds += other.seconds;
 }
 
 } // namespace integral

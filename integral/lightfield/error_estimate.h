@@ -72,6 +72,9 @@ struct ErrorSums {
     void add(const ErrorSums& other);
 };
 
+/// The bias that the estimators have at hard edges, as a part of the mean square.
+constexpr double bias_at_edges = 0.1;
+
 /// Sets rms, its interval, the method and the number of pixels; the caller sets the other fields.
 /// Returns nothing for fewer than 2 pixels.
 ///
@@ -84,10 +87,16 @@ struct ErrorSums {
 /// - upwards, as if one more pixel had the largest error: most of a frame's error is in few pixels,
 ///   a small sample tends to miss them, and then it underestimates the variance as well;
 /// - for split halves, by the variance of the true error about its expectation;
-/// - by the bias that the estimators have at hard edges, 10% of the mean square.
+/// - by `unsure`, the part of the mean square by which all pixels' squared errors may be wrong
+///   alike.
 /// Errors in so few pixels that about 3 or fewer of `pixels` random pixels would have them may be
 /// missed entirely; the interval does not account for them.
-std::optional<ErrorEstimate> estimate(const ErrorSums& sums, ErrorMethod method);
+std::optional<ErrorEstimate> estimate(const ErrorSums& sums, ErrorMethod method,
+                                      double unsure = bias_at_edges);
+
+/// Adds another error of the same frame, which is independent of this one: their squares are added.
+/// So are those of the bounds, which makes the interval wider than it need be.
+void add_independent(ErrorEstimate& error, const ErrorEstimate& other);
 
 } // namespace integral
 

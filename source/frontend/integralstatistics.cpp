@@ -44,7 +44,7 @@ static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
         out->printf("  by the two halves of the %d samples of each of %.0f lit pixels\n", samples,
                     pixels);
     if (statistics.TryGetLong(kPOVAttrib_RadGatherCount, 0) > 0)
-        out->printf("  without the error of radiosity's interpolation, which all samples share\n");
+        out->printf("  with the noise of radiosity's points, but for those of the pretrace\n");
     if (statistics.Exist(kIntegralAttrib_ErrorPicture))
         out->printf("Warning: the error picture could not be written to %s.\n",
                     statistics.GetString(kIntegralAttrib_ErrorPicture).c_str());

@@ -416,6 +416,15 @@ BOOST_AUTO_TEST_CASE(estimates_of_odd_sums)
         BOOST_TEST(estimate(sums, ErrorMethod::audit)->rms == 0.5);
     }
 
+    // Independent errors of 0.3 and 0.4 are one of 0.5; so are the bounds.
+    ErrorEstimate both{0.3, 0.15, 0.6, 0.95, ErrorMethod::split_halves, 1000, 1000, 16, 0};
+    add_independent(both, {0.4, 0.2, 0.8, 0.95, ErrorMethod::audit, 150, 1000, 32, 2});
+    for (const auto& [told, expected] : {std::pair(both.rms, 0.5), std::pair(both.low, 0.25),
+                                         std::pair(both.high, 1.0), std::pair(both.seconds, 2.0)})
+        BOOST_TEST(told == expected, boost::test_tools::tolerance(1e-12));
+    BOOST_CHECK(both.method == ErrorMethod::split_halves);
+    BOOST_TEST(both.pixels == 1000);
+
     // Light of any kind, even none.
     for (const double a : {0.5, -3.0, 1e308, infinity, -infinity, nan_value})
         for (const double b : {0.25, 1e308, -1e308, infinity, nan_value}) {

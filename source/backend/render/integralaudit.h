@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Audits a rendered frame: renders a random subset of its lit pixels again with independent samples
 // of pixel area and lens cell, and estimates from them the frame's error against the converged 4-D
-// reference.
+// reference. With radiosity the noise of the points that it gathered counts, too
+// (backend/lighting/integralambientnoise.h). If the error of the frame's samples is known from their
+// halves, the audit looks for that noise alone.
 #ifndef POVRAY_BACKEND_INTEGRALAUDIT_H
 #define POVRAY_BACKEND_INTEGRALAUDIT_H
 
@@ -61,6 +63,9 @@ public:
     /// first call of Next.
     int Samples() const { return samples; }
 
+    /// Whether only the noise of radiosity's points is looked for.
+    bool Of_Ambient_Noise() const { return of_ambient_noise; }
+
     /// The curve from a rendered pixel's light to its values in the picture file.
     const integral::OutputCurve& Output() const { return output; }
 
@@ -98,6 +103,7 @@ private:
     std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const IntegralCounts> counts;
     integral::OutputCurve output;
+    bool radiosity, of_ambient_noise;
     double share;
     std::string picture;
     pov_base::IntegralRows rows;

@@ -28,7 +28,7 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     if (!active)
         return;
     containers.Choose(*view->optics, scene, thread);
-    counts_error = view->error.wanted && !view->audit;
+    counts_error = view->error.by_halves;
     quilt = view->quilt != nullptr;
     one_ray = quilt || view->sampler->gives_one_ray();
     run_y = last_y = -1;

@@ -94,7 +94,6 @@ static constexpr double least_error_of_threshold = 0.01;
 static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width, int height)
 {
     view.quilt = std::make_shared<integral::QuiltSampler>(*view.optics, tiles, width, height);
-    view.error.wanted = false;
 }
 
 static void Begin(Camera& camera, const std::shared_ptr<const IntegralView>& view)
@@ -105,7 +104,8 @@ static void Begin(Camera& camera, const std::shared_ptr<const IntegralView>& vie
     pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft);
 }
 
-void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options)
+void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int height,
+                         POVMS_Object& options)
 {
     camera.Integral_View.reset();
     if (!camera.Integral || !camera.Integral->integral)
@@ -132,7 +132,11 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
         }
         view->rows = given.rows;
         view->seed = given.seed;
-        view->error = {given.audit, given.audit_share, given.output, given.error_picture};
+        // The two halves do not include anti-aliasing's samples and cannot make an error picture.
+        const bool by_halves = given.audit && !given.antialias && given.error_picture.empty() &&
+                               view->sampler->halves_tell_error();
+        view->error = {by_halves, scene.radiositySettings.radiosityEnabled, given.audit_share,
+                       given.output, given.error_picture};
         // What is shared and reconstructed takes the aperture for the eyes' place.
         if (given.antialias && given.light_field && !projects)
             view->sampling = std::make_shared<IntegralSampling>(
@@ -147,9 +151,8 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
                 *view->optics, Patches_In_Beam(*view->optics, given));
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
-        // The two halves do not include anti-aliasing's samples and cannot make an error picture.
-        if (given.audit && (given.antialias || !given.error_picture.empty() ||
-                            !view->sampler->halves_tell_error()))
+        // The noise of radiosity's points is in both halves.
+        if (given.audit && (!by_halves || view->error.radiosity))
             view->audit = std::make_shared<IntegralAudit>(*view, given.seed);
     }
     catch (const std::invalid_argument& problem)
@@ -162,8 +165,8 @@ void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& op
 /// The error estimate of the frame; nothing if none was requested or none is possible.
 static std::optional<integral::ErrorEstimate> Error_Of(const IntegralView& view)
 {
-    if (view.audit)
-        return view.audit->Result();
+    if (!view.error.by_halves)
+        return view.audit ? view.audit->Result() : std::nullopt;
     integral::ErrorSums sums;
     for (const IntegralTally& tally : view.counts->tallies)
         sums.add(tally.errors);
@@ -173,6 +176,8 @@ static std::optional<integral::ErrorEstimate> Error_Of(const IntegralView& view)
         error->lit_pixels = sums.pixels;
         error->samples = view.optics->pixel_samples * view.optics->beam_samples;
     }
+    if (const auto ambient = error && view.audit ? view.audit->Result() : std::nullopt)
+        integral::add_independent(*error, *ambient);
     return error;
 }
 

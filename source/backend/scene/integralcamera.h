@@ -71,7 +71,8 @@ struct IntegralCounts
 /// The options of the error estimate.
 struct IntegralErrorOptions
 {
-    bool wanted = true;
+    bool by_halves = false; ///< estimate it from the two halves of all pixels' samples
+    bool radiosity = false; ///< whether the noise of radiosity's points is part of it
     double share = 0; ///< fraction of the lit pixels to audit; 0: the default, by the frame's rays
                       ///< (integralaudit.cpp); 0.05 with an error picture
     integral::OutputCurve output;
@@ -126,7 +127,8 @@ void Choose_Integral_Bounding(SceneData& scene);
 /// Gives a view's camera its optics, its sampler and new counts, and passes the geometry to the
 /// code that writes the picture. Call it when the camera and the size are final. No effect on other
 /// cameras.
-void Start_Integral_View(Camera& camera, int width, int height, POVMS_Object& options);
+void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int height,
+                         POVMS_Object& options);
 
 /// The number of tasks that a view must run after rendering: `threads` for a depth frame and
 /// `threads` for an audit.
