@@ -11,6 +11,11 @@ namespace {
 constexpr int search_limit = 64; // random points tried until one belongs to the lens; the last is
                                  // the centre
 
+// What a beam needs to know the pole rays of, in parts of the pixel from its centre: the centre,
+// the corners, and the middles of the right and of the upper edge. The last place fills a run.
+constexpr RayRun<Vec2> beam_places{
+    {{0, 0}, {-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.5, 0}, {0, 0.5}, {0, 0}}};
+
 } // namespace
 
 PixelOutcome outcome_of(const MappedPoint& mapped)
@@ -264,8 +269,10 @@ bool PixelSampler::append_random_ray(Vec2 centre, std::uint64_t set, std::uint32
 }
 
 /// Sets how far the point seen at `depth` moves with the position on the pixel and with the
-/// position on the lens's cell. `pole_ray`: of the pixel's centre.
-void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const
+/// position on the lens's cell. The pole rays of the pixel's centre, and of the middles of its
+/// right and of its upper edge.
+void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& centre, const LensRay& right,
+                       const LensRay& up, double depth) const
 {
     const Lattice& lattice = camera_.optics.lattice();
     const bool lenticular = lattice.arrangement() == Arrangement::lenticular;
@@ -274,13 +281,8 @@ void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& pole_ray, double 
     const auto seen = [&](const LensRay& ray) {
         return ray.pole + (z / ray.direction.z) * Vec2{ray.direction.x, ray.direction.y};
     };
-    const auto right = camera_.optics.ray_through(own.film_centre + Vec2{0.5 * area_.x, 0},
-                                                  own.lens);
-    const auto up = camera_.optics.ray_through(own.film_centre + Vec2{0, 0.5 * area_.y}, own.lens);
-    if (!right || !up)
-        return;
-    const Vec2 by_width = 2 * (seen(*right) - seen(pole_ray)),
-               by_height = 2 * (seen(*up) - seen(pole_ray));
+    const Vec2 by_width = 2 * (seen(right) - seen(centre)),
+               by_height = 2 * (seen(up) - seen(centre));
     const Vec2 across{dot(by_width, lattice.across()), dot(by_height, lattice.across())};
     const Vec2 along{dot(by_width, lattice.along()), dot(by_height, lattice.along())};
     own.turned = std::fabs(across.y) > std::fabs(across.x);
@@ -288,7 +290,7 @@ void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& pole_ray, double 
     own.across = SumSplit(mirrored * (own.turned ? across.y : across.x) / lattice.pitch());
     const double by_pixel = own.turned ? along.x : along.y;
     const double by_slit = -z / camera_.optics.aperture().distance *
-                           camera_.slit_height(pole_ray.aperture_point);
+                           camera_.slit_height(centre.aperture_point);
     own.along = SumSplit(lenticular ? by_pixel / by_slit
                                     : mirrored * by_pixel / lattice.row_spacing());
 }
@@ -315,23 +317,31 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
     for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0);
          ++channel) {
         const Vec2 film_centre = channel_centre(centre, channel);
-        const auto lens_at = [&](double x, double y) {
-            return camera_.optics.map(moved(film_centre, {x, y}), camera_.mapping).ray;
-        };
-        const auto pole_ray = lens_at(0.5, 0.5);
+        RayRun<Vec2> film_points;
+        for (int k = 0; k < run_length; ++k)
+            film_points[k] = film_centre +
+                             Vec2{beam_places[k].x * area_.x, beam_places[k].y * area_.y};
+        RayRun<MappedPoint> mapped;
+        camera_.optics.map_run(film_points, camera_.mapping, mapped);
+        const auto& pole_ray = mapped[0].ray;
         if (!pole_ray)
             continue;
-        const auto has = [&](double x, double y) {
-            const auto ray = lens_at(x, y);
-            return ray && ray->lens == pole_ray->lens;
+        const auto has = [&](int k) {
+            return mapped[k].ray && mapped[k].ray->lens == pole_ray->lens;
+        };
+        const auto own_ray = [&](int k) {
+            return has(k) ? mapped[k].ray
+                          : camera_.optics.ray_through(film_points[k], pole_ray->lens);
         };
         PixelBeam::Channel& own = beam.channels[beam.number++];
         own.channel = channel;
         own.film_centre = film_centre;
         own.lens = pole_ray->lens;
-        own.whole = camera_.display_prefilter || (has(0, 0) && has(0, 1) && has(1, 0) && has(1, 1));
+        own.whole = camera_.display_prefilter || (has(1) && has(2) && has(3) && has(4));
         own.seeds = beam_seeds(centre, channel, alike);
-        aim(own, *pole_ray, depth);
+        const auto right = own_ray(5), up = own_ray(6);
+        if (right && up)
+            aim(own, *pole_ray, *right, *up, depth);
     }
     return beam;
 }

@@ -121,7 +121,8 @@ private:
     Vec2 moved(Vec2 film_point, Vec2 unit) const;
     std::optional<LensRay> sample_ray(Vec2 film_point, LensIndex lens) const;
     PointSeeds beam_seeds(Vec2 centre, int channel, bool alike) const;
-    void aim(PixelBeam::Channel& own, const LensRay& pole_ray, double depth) const;
+    void aim(PixelBeam::Channel& own, const LensRay& centre, const LensRay& right,
+             const LensRay& up, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;
     std::optional<BeamRay> beam_sample(const PixelBeam::Channel& own, Vec2 film_point,
                                        Vec2 unit) const;
