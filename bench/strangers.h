@@ -67,8 +67,8 @@ const std::vector<Setting>& settings_without_reconstruction();
 
 /// The time of brute force for the same error, divided by that of +A: above 1, +A is the faster.
 /// Where +A errs more than a single ray, that ray's time stands for brute force's. Nothing where a
-/// frame is missing, where the error is less than the reference's own, or less than brute force's
-/// least.
+/// frame is missing, where one ray a pixel errs by less than 0.001, and where the error is less than
+/// the reference's own, or less than brute force's least.
 std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting);
 /// The time of +A, divided by that of +A without reconstruction for the same error: below 1,
 /// reconstruction pays. Nothing where a frame is missing, where the error is less than the

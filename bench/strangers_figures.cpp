@@ -5,6 +5,10 @@ namespace integral::bench {
 
 namespace {
 
+// A frame of one ray a pixel that errs by less than a quarter of a step of 8 bits shows nothing
+// that could be anti-aliased.
+constexpr double least_error_of_one_ray = 0.001;
+
 Setting light_field(const std::string& threshold)
 {
     return {Family::light_field, threshold, "", {"+A" + threshold, "+R5", "+AM2"}};
@@ -76,7 +80,8 @@ std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setti
 {
     const auto found = panel.find(setting.full_name());
     const auto one = panel.find(brute_force_settings()[0].full_name());
-    if (found == panel.end() || one == panel.end() || found->second.error < found->second.floor)
+    if (found == panel.end() || one == panel.end() || one->second.error < least_error_of_one_ray ||
+        found->second.error < found->second.floor)
         return std::nullopt;
     const StrangersRow& row = found->second;
     if (row.error >= one->second.error)

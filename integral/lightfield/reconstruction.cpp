@@ -13,9 +13,9 @@ namespace integral {
 namespace {
 
 // The squared error that the halves of a pixel's samples show, divided by the one that the variance
-// of the samples lets expect, is averaged over the pixels around, where the ratio of the whole block
-// counts as this many pixels; and that over the block, where the usual one counts as as many. Found
-// by trying on sample scenes of POV-Ray's.
+// of the samples lets expect, is averaged over the pixels around, where the ratio of the whole
+// block counts as this many pixels; and that over the block, where the usual one counts as as many.
+// Found by trying on sample scenes of POV-Ray's.
 constexpr float enough_halves = 8, usual_excess = 1.5f;
 
 // What is left of a pixel's difference beside the mean of those around is partly signal, partly
@@ -35,6 +35,13 @@ float likeness(float noise, float other)
 {
     constexpr float little = 1e-9f; // as little noise as nobody sees
     return (std::min(noise, other) + little) / (std::max(noise, other) + little);
+}
+
+/// A tent over the pixels around, of which the variance of independent values' mean follows.
+constexpr float tent(int i, int j)
+{
+    constexpr int width = Reconstruction::reach_around + 1;
+    return float((width - std::abs(i)) * (width - std::abs(j)));
 }
 
 /// By how much more the halves of pixels' samples differ than the variance of the samples lets
@@ -97,10 +104,29 @@ struct Reconstruction::Own {
     }
 };
 
+/// The differences of a block's pixels and of those around.
+struct Reconstruction::Differences {
+    PictureBlock pixels;
+    std::vector<Difference> row_by_row;
+
+    const Difference& at(int x, int y) const
+    {
+        const std::size_t width = pixels.right - pixels.left + 1;
+        return row_by_row[(y - pixels.top) * width + (x - pixels.left)];
+    }
+};
+
+/// What the differences of the pixels around tell of that of a pixel.
+struct Reconstruction::Surroundings {
+    float smooth_part = 0; ///< as how much the smooth difference counts (Wiener's filter)
+    float signal = 0;      ///< the square that the rest has without noise
+    float noise = 0;       ///< the mean variance of a rest
+};
+
 struct Reconstruction::Scratch {
     LendingPixels::Scratch lending;
     SampleLayers layers;
-    std::vector<Difference> differences;
+    Differences differences;
 };
 
 void Reconstruction::FreeScratch::operator()(Scratch* scratch) const { delete scratch; }
@@ -266,13 +292,6 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
         }
 }
 
-/// A tent over the pixels around, of which the variance of independent values' mean follows.
-constexpr float tent(int i, int j)
-{
-    constexpr int width = Reconstruction::reach_around + 1;
-    return float((width - std::abs(i)) * (width - std::abs(j)));
-}
-
 Reconstruction::Difference Reconstruction::difference(int x, int y,
                                                       const TabulatedCurve& encode) const
 {
@@ -316,57 +335,68 @@ void Reconstruction::take_further(int x, int y, const Further& further, Own& own
     }
 }
 
+/// Works out the differences of a block's pixels and of those around.
+void Reconstruction::find_differences(const PictureBlock& block, const TabulatedCurve& encode,
+                                      Differences& differences) const
+{
+    const PictureBlock pixels{std::max(0, block.left - reach_around),
+                              std::max(0, block.top - reach_around),
+                              std::min(width_ - 1, block.right + reach_around),
+                              std::min(height_ - 1, block.bottom + reach_around)};
+    differences.pixels = pixels;
+    differences.row_by_row.clear();
+    for (int y = pixels.top; y <= pixels.bottom; ++y)
+        for (int x = pixels.left; x <= pixels.right; ++x)
+            differences.row_by_row.push_back(difference(x, y, encode));
+}
+
+/// Of a pixel that has a difference.
+Reconstruction::Surroundings Reconstruction::surroundings(int x, int y,
+                                                          const Differences& differences) const
+{
+    const float own_noise = differences.at(x, y).noise;
+    float smooth = 0, smooth_noise = 0, signal = 0, weight = 0, noise = 0;
+    int number = 0;
+    for_each_around(x, y, reach_around, [&](int i, int j, std::size_t) {
+        const Difference& other = differences.at(i, j);
+        if (!other.any)
+            return;
+        smooth += other.smooth_square;
+        smooth_noise += other.smooth_noise;
+        const float like = likeness(own_noise, other.noise);
+        signal += like * (other.rest_square - margin_of_rest * other.noise);
+        weight += like;
+        noise += other.noise;
+        ++number;
+    });
+    return {smooth > smooth_noise ? 1 - smooth_noise / smooth : 0, std::max(0.0f, signal / weight),
+            noise / number};
+}
+
 void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve& encode,
                                  Scratch& scratch, std::vector<Result>& pixels,
                                  const Further* further) const
 {
-    constexpr int around = reach_around;
-    const int x0 = std::max(0, block.left - around), y0 = std::max(0, block.top - around),
-              x1 = std::min(width_ - 1, block.right + around),
-              y1 = std::min(height_ - 1, block.bottom + around);
-    scratch.differences.clear();
-    for (int y = y0; y <= y1; ++y)
-        for (int x = x0; x <= x1; ++x)
-            scratch.differences.push_back(difference(x, y, encode));
-    const auto difference_at = [&](int x, int y) -> const Difference& {
-        return scratch.differences[std::size_t(y - y0) * (x1 - x0 + 1) + (x - x0)];
-    };
+    find_differences(block, encode, scratch.differences);
     pixels.clear();
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x) {
             const Pixel& pixel = pixels_[index(x, y)];
             pixels.push_back({{}, std::max<float>(0, pixel.variance)});
-            const Difference& own = difference_at(x, y);
-            if (!own.any)
+            const Difference& difference = scratch.differences.at(x, y);
+            if (!difference.any)
                 continue;
-            float smooth = 0, smooth_noise = 0, signal = 0, weight = 0, noise = 0;
-            int number = 0;
-            for_each_around(x, y, around, [&](int i, int j, std::size_t) {
-                const Difference& other = difference_at(i, j);
-                if (!other.any)
-                    return;
-                smooth += other.smooth_square;
-                smooth_noise += other.smooth_noise;
-                const float like = likeness(own.noise, other.noise);
-                signal += like * (other.rest_square - margin_of_rest * other.noise);
-                weight += like;
-                noise += other.noise;
-                ++number;
-            });
-            const float smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0;
-            Own mean{std::max(0.0f, signal / weight),
-                     own.noise,
-                     pixel.mean.light(),
-                     {pixel.tried, pixel.taken}};
+            const Surroundings around = surroundings(x, y, scratch.differences);
+            Own own{
+                around.signal, difference.noise, pixel.mean.light(), {pixel.tried, pixel.taken}};
             if (further)
-                take_further(x, y, *further, mean);
-            const float rest_part = mean.part();
+                take_further(x, y, *further, own);
+            const float part = own.part();
             LinearColour light = pixel.layers.light();
             for (std::size_t k = 0; k < light.size(); ++k)
-                light[k] += smooth_part * own.smooth[k] +
-                            rest_part * (mean.light[k] - light[k] - own.smooth[k]);
-            pixels.back() = {light,
-                             rest_part * rest_part * mean.noise + left_by_others * noise / number};
+                light[k] += around.smooth_part * difference.smooth[k] +
+                            part * (own.light[k] - light[k] - difference.smooth[k]);
+            pixels.back() = {light, part * part * own.noise + left_by_others * around.noise};
         }
 }
 

@@ -140,6 +140,8 @@ private:
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
     struct Difference;
+    struct Differences;
+    struct Surroundings;
     struct Own;
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
@@ -149,6 +151,9 @@ private:
     template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
     void gather(int x, int y, Scratch& scratch) const;
     Difference difference(int x, int y, const TabulatedCurve& encode) const;
+    void find_differences(const PictureBlock& block, const TabulatedCurve& encode,
+                          Differences& differences) const;
+    Surroundings surroundings(int x, int y, const Differences& differences) const;
     void take_further(int x, int y, const Further& further, Own& own) const;
 
     const IntegralCamera& camera_;
