@@ -74,7 +74,8 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
     axes_[1].pixel_slope = float(height / d);
     axes_[1].cell_slope = float(camera.slit_height({0, 0}) / d +
                                 axes_[0].pixel_slope * std::fabs(dot(slit, lattice.along())));
-    // In the plane of the eye they all meet, so that only the rounding of stored samples is left.
+    // In the plane of the eye all of them are at one height: there the patch is as high as the
+    // rounding of stored samples makes it.
     const BeamSamples::Units rounding = BeamSamples::units(camera);
     axes_[1].cell_at_sheet = rounding.point;
     axes_[1].cell_slope += rounding.slope;
