@@ -19,6 +19,13 @@ render() {
     [ -s "$output" ] || { echo "$program $* writes no $output"; return 1; }
 }
 
+# told FILE: the error in a frame's own metadata: rms low high pixels lit_pixels method (audit or
+# split-halves); nothing if there is none.
+told() {
+    grep -ao '"error":{[^}]*}' "$1" | tr ',{}' '\n' | awk -F: '{ gsub(/"/, ""); gsub(/ /, "-"); v[$1] = $2 }
+        END { if ("rms" in v) print v["rms"], v["low"], v["high"], v["pixels"], v["lit_pixels"], v["method"] }'
+}
+
 # oracle_frame OUTPUT MESH-CAMERA WIDTHxHEIGHT OPTION...: the unmodified program's frame of those
 # rays (one row higher: see frames.h). The scene includes camera.inc, which is taken from the folder
 # that is made here. oracle_options: for the oracle alone.

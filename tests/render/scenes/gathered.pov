@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A box lit by indirect light alone, about a sheet at z = 0, millimetres. Few rays are gathered at
-// each point, so that the points are noisy. The camera is in camera.inc.
+// A box lit by indirect light alone, about a sheet at z = 0, millimetres. Each point gathers few
+// rays, so that it is noisy. The camera is in camera.inc.
 #version 3.7;
 global_settings { assumed_gamma 1
   radiosity { count 35 nearest_count 5 error_bound 0.3 recursion_limit 1 low_error_factor 0.8
