@@ -38,7 +38,8 @@ Vec2 slit_direction(const Lattice& lattice)
 
 } // namespace
 
-BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
+BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre,
+                     const BeamSamples::Units& units)
 {
     const Lattice& lattice = camera.optics.lattice();
     const Medium& medium = camera.optics.medium();
@@ -76,9 +77,8 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
                                 axes_[0].pixel_slope * std::fabs(dot(slit, lattice.along())));
     // In the plane of the eye all of them are at one height: there the patch is as high as the
     // rounding of stored samples makes it.
-    const BeamSamples::Units rounding = BeamSamples::units(camera);
-    axes_[1].cell_at_sheet = rounding.point;
-    axes_[1].cell_slope += rounding.slope;
+    axes_[1].cell_at_sheet = units.point;
+    axes_[1].cell_slope += units.slope;
 }
 
 LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)

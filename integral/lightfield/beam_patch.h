@@ -18,8 +18,9 @@ namespace integral {
 class BeamPatch {
 public:
     BeamPatch() = default;
-    /// `centre`: the pixel's line.
-    BeamPatch(const IntegralCamera& camera, const SightSlope& centre);
+    /// `centre`: the pixel's line. `units`: to which samples are rounded.
+    BeamPatch(const IntegralCamera& camera, const SightSlope& centre,
+              const BeamSamples::Units& units);
 
     /// The two widths of which a patch's density is made, along one axis, in mm at the depth z
     /// (mm): the lens's, cell_at_sheet + cell_slope |z|, and the pixel's, |pixel_at_sheet +

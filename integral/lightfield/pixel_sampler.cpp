@@ -11,8 +11,9 @@ namespace {
 constexpr int search_limit = 64; // random points tried until one belongs to the lens; the last is
                                  // the centre
 
-// What a beam needs to know the pole rays of, in parts of the pixel from its centre: the centre,
-// the corners, and the middles of the right and of the upper edge. The last place fills a run.
+// The places of a pixel whose pole rays its beam is worked out from: the centre, the corners, and
+// the middles of the right and of the upper edge. In parts of the pixel from its centre; the last
+// one fills the run.
 constexpr RayRun<Vec2> beam_places{
     {{0, 0}, {-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.5, 0}, {0, 0.5}, {0, 0}}};
 

@@ -237,7 +237,7 @@ float Reconstruction::smooth_variance(int x, int y, float usual) const
 void Reconstruction::gather(int x, int y, Scratch& scratch) const
 {
     const BeamSamples::Pixel& own = samples_.pixel(x, y);
-    const BeamPatch patch(camera_, own.centre);
+    const BeamPatch patch(camera_, own.centre, samples_.units());
     std::array<float, 2> depths = first_.depths_around(x, y);
     for (int k = 0; k + 1 < own.number; ++k)
         depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
@@ -350,7 +350,7 @@ void Reconstruction::find_differences(const PictureBlock& block, const Tabulated
             differences.row_by_row.push_back(difference(x, y, encode));
 }
 
-/// Of a pixel that has a difference.
+/// What the differences around a pixel tell, if it has one itself.
 Reconstruction::Surroundings Reconstruction::surroundings(int x, int y,
                                                           const Differences& differences) const
 {

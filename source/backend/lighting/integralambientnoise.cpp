@@ -36,7 +36,8 @@ void IntegralAmbientNoise::Add(const RGBColour& light, double weight, bool pretr
 
 void IntegralAmbientNoise::Disturb(RGBColour& mean) const
 {
-    // As many points of equal weights would have the same noise. One tells nothing of its noise.
+    // The mean is as noisy as that of so many points of equal weights. One point alone does not
+    // tell how noisy it is.
     const double number = weights * weights / squared_weights;
     constexpr double least_number = 1.001;
     if (!(number > least_number))

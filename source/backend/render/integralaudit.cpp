@@ -37,8 +37,8 @@ constexpr double expected_anywhere = 0.5;
 // which is great where there is one ray a pixel. A picture shows single pixels.
 constexpr int samples_after_one_ray = 8, usual_samples = 32;
 
-// The noise of radiosity's points is known so well, as a part of the mean square: found by comparing
-// frames of POV-Ray's scenes and of a test with converged ones.
+// The noise of radiosity's points is known so well, as a part of the mean square: found by
+// comparing frames of POV-Ray's scenes and of a test with converged ones.
 constexpr double unsure_with_radiosity = 0.6;
 
 std::uint64_t Key(int x, int y)
@@ -305,7 +305,7 @@ void IntegralAuditTask::Run()
 {
     radiosity.BeforeTile(0);
     trace.integralShading = NULL; // the error that shared shading causes counts too
-    IntegralAmbientNoise noise; // and that of radiosity's points
+    IntegralAmbientNoise noise;   // and that of radiosity's points
     radiosity.integralAmbientNoise = &noise;
     while (IntegralAudit::Pixel *pixel = audit->Next())
     {
@@ -327,10 +327,11 @@ void IntegralAuditTask::Run()
                 Cooperate();
             }
         }
-        pixel->squared_error =
-            audit->Of_Ambient_Noise()
-                ? integral::halves_error(audit->Output(), halves[0], halves[1], 1, 1)
-                : integral::audited_error(audit->Output(), pixel->rendered, halves[0], halves[1]);
+        pixel->squared_error = audit->Of_Ambient_Noise()
+                                   ? integral::halves_error(audit->Output(), halves[0], halves[1],
+                                                            1, 1)
+                                   : integral::audited_error(audit->Output(), pixel->rendered,
+                                                             halves[0], halves[1]);
     }
     radiosity.integralAmbientNoise = NULL;
     radiosity.AfterTile();
