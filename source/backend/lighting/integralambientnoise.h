@@ -6,10 +6,10 @@
 // error, as the differences between the points show it: upwards or downwards, the same for all
 // samples of a pixel. So the noise counts in the error that the audit finds.
 //
-// Only the points that were gathered while the frame was rendered count. Those of the pretrace are
-// taken as exact: renders of one scene have many of them in common, and with their differences
-// dense frames would be told up to 1.45 times their error. Where the pretrace differs as well, as
-// with other samples, the error is told too low, by a quarter in tests/render/radiosity_noise.test.
+// Only the points that were gathered while the frame was rendered count; those of the pretrace are
+// taken as exact. If they counted, too, dense frames of POV-Ray's scene radiosity3 would be told up
+// to 1.45 times their error. As they do not, other errors are told too low: by a quarter in
+// tests/render/radiosity_noise.test.
 #ifndef POVRAY_BACKEND_INTEGRALAMBIENTNOISE_H
 #define POVRAY_BACKEND_INTEGRALAMBIENTNOISE_H
 
