@@ -8,6 +8,10 @@ namespace integral {
 
 namespace {
 
+// The sequences that the pixels behind a lens share: one for the shifted points, and one for the
+// first points of each square of pixels.
+constexpr std::uint64_t shifted_points = 0, first_points = 1;
+
 constexpr int search_limit = 64; // random points tried until one belongs to the lens; the last is
                                  // the centre
 
@@ -111,9 +115,9 @@ LensPoint PixelSampler::lens_point(Vec2 unit, const LensRay& pole_ray) const
 
 /// Sample `index` of a channel. The samples form two independent sets (`half` 0 and 1), each well
 /// distributed over the sampled dimensions.
-PixelSampler::UnitPoint PixelSampler::even_point(std::uint64_t key, int index, int& half) const
+PixelSampler::PixelPoint PixelSampler::even_point(std::uint64_t key, int index, int& half) const
 {
-    UnitPoint point;
+    PixelPoint point;
     half = 0;
     const int dimensions = film_dimensions_ + lens_dimensions_;
     if (dimensions == 0)
@@ -178,7 +182,7 @@ void PixelSampler::append_channel(Vec2 centre, int channel, std::uint64_t key,
         for (int index = 0; index < samples; ++index) {
             PixelRay ray;
             ray.channel = channel;
-            const UnitPoint unit = even_point(channel_key, index, ray.half);
+            const PixelPoint unit = even_point(channel_key, index, ray.half);
             const Vec2 film_point = over_area ? moved(film_centre, unit.pixel) : film_centre;
             const auto at = over_area ? sample_ray(film_point, mapped.ray->lens) : mapped.ray;
             if (!at)
@@ -296,15 +300,39 @@ void PixelSampler::aim(PixelBeam::Channel& own, const LensRay& centre, const Len
                                     : mirrored * by_pixel / lattice.row_spacing());
 }
 
-PointSeeds PixelSampler::beam_seeds(Vec2 centre, int channel, bool alike) const
+/// The seeds of one of the sequences that pixels behind a lens share.
+PointSeeds PixelSampler::lens_seeds(LensIndex lens, int channel, std::uint64_t sequence) const
 {
-    return point_seeds(random_bits(alike ? seed_ : pixel_key(centre), std::uint64_t(channel + 1)));
+    const std::uint64_t key = random_bits(seed_,
+                                          std::uint64_t(lens.i) << 32 ^ std::uint32_t(lens.j));
+    return point_seeds(random_bits(key, sequence << 2 | std::uint64_t(channel + 1)));
+}
+
+/// The coordinates of a pixel's first sample: two on the cell, then two on the pixel's area. Those
+/// of neighbouring pixels are next to each other in one sequence, so that they fill each other's
+/// gaps. `alike`: they are the same for all pixels.
+UnitPoint PixelSampler::first_point(Vec2 film_centre, LensIndex lens, int channel, bool alike) const
+{
+    if (alike)
+        return scrambled_point(lens_seeds({}, channel, first_points), 0);
+    const Vec2 pitch = camera_.film.pixel_pitch,
+               from_pole = film_centre - camera_.optics.lattice().pole(lens);
+    // Poles often lie in the middle or at the edge of a pixel. A quarter keeps away from both, so
+    // that rounding does not give two pixels the same place.
+    const auto place = [](double pixels) {
+        return std::uint32_t(std::int64_t(std::floor(pixels + 0.25)) + curve_side / 2);
+    };
+    const std::uint32_t x = place(from_pole.x / pitch.x), y = place(from_pole.y / pitch.y);
+    const std::uint64_t square = std::uint64_t(x / curve_side) << 32 | y / curve_side;
+    return scrambled_point(lens_seeds(lens, channel, first_points + square),
+                           place_on_curve(x % curve_side, y % curve_side));
 }
 
 BeamRay PixelSampler::first_sample(Vec2 centre, const LensRay& pole_ray, bool alike) const
 {
-    const auto unit = scrambled_point(beam_seeds(centre, PixelRay::all_channels, alike), 0);
-    const Vec2 film_point = moved(film_from_pixel(camera_.film, centre), {unit[2], unit[3]});
+    const Vec2 film_centre = film_from_pixel(camera_.film, centre);
+    const UnitPoint unit = first_point(film_centre, pole_ray.lens, PixelRay::all_channels, alike);
+    const Vec2 film_point = moved(film_centre, {unit[2], unit[3]});
     std::optional<BeamRay> beam;
     if (const auto ray = sample_ray(film_point, pole_ray.lens))
         beam = ray_at(film_point, *ray, lens_point({unit[0], unit[1]}, *ray));
@@ -339,10 +367,15 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
         own.film_centre = film_centre;
         own.lens = pole_ray->lens;
         own.whole = camera_.display_prefilter || (has(1) && has(2) && has(3) && has(4));
-        own.seeds = beam_seeds(centre, channel, alike);
         const auto right = own_ray(5), up = own_ray(6);
         if (right && up)
             aim(own, *pole_ray, *right, *up, depth);
+        const UnitPoint first = first_point(film_centre, own.lens, channel, alike);
+        const auto across = own.across.inverse({first[0], first[own.turned ? 3 : 2]}),
+                   along = own.along.inverse({first[1], first[own.turned ? 2 : 3]});
+        own.points = ShiftedPoints(
+            lens_seeds(alike ? LensIndex{} : own.lens, channel, shifted_points),
+            {across.first, along.first, across.second, along.second});
     }
     return beam;
 }
@@ -366,7 +399,7 @@ void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index,
 {
     for (int k = 0; k < beam.number; ++k) {
         const PixelBeam::Channel& own = beam.channels[k];
-        const auto unit = scrambled_point(own.seeds, index);
+        const UnitPoint unit = own.points(index);
         const SumSplit::Parts across = own.across(unit[0], unit[2]),
                               along = own.along(unit[1], unit[3]);
         const Vec2 pixel = own.turned ? Vec2{along.second, across.second}

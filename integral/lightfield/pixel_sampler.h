@@ -43,8 +43,8 @@ struct PixelBeam {
         int channel;      ///< as in PixelRay
         Vec2 film_centre; ///< mm
         LensIndex lens;
-        bool whole; ///< the lens images all of the pixel's area
-        PointSeeds seeds;
+        bool whole;           ///< the lens images all of the pixel's area
+        ShiftedPoints points; ///< over what the beam covers at its depth
         SumSplit across,
             along;           ///< across and along the lens: how the position on the cell (first)
                              ///< and on the pixel (second) move the point seen at the beam's depth
@@ -78,8 +78,10 @@ public:
     std::optional<BeamRay> pole_ray(Vec2 centre) const;
 
     /// The first sample of the beam of a pixel that has one film point: sample 0 of beam() and
-    /// append_sample, but for how it is spread over cell and area. `pole_ray`: of the pixel's
-    /// centre. The pole ray itself if the sample belongs to another lens, or no light gets through.
+    /// append_sample, for which no depth is needed. The first samples of the pixels behind a lens
+    /// are well distributed over cell and area together: those of 2^k x 2^k pixels are like 4^k
+    /// samples of one. `pole_ray`: of the pixel's centre. The pole ray itself if the sample belongs
+    /// to another lens, or no light gets through.
     BeamRay first_sample(Vec2 centre, const LensRay& pole_ray, bool alike) const;
 
     /// Appends one ray per channel of the same pixel, at a random point of its area and of the
@@ -92,7 +94,8 @@ public:
                            std::vector<PixelRay>& rays) const;
 
     /// The beam of the pixel with the given centre. `alike`: use the same sample pattern in every
-    /// pixel; otherwise each pixel has its own. `depth`: distance of the surface that the pixel
+    /// pixel; otherwise the pixels behind a lens share a sequence, which is shifted for each so
+    /// that it begins with its first sample. `depth`: distance of the surface that the pixel
     /// shows, mm from the sheet away from the viewer; may be infinite. The samples are well
     /// distributed over the patch that the beam covers at that depth: at the sheet this is the
     /// lens's cell, far away the pixel's area, and between a combination of both. At any depth the
@@ -111,16 +114,17 @@ public:
     bool halves_tell_error() const;
 
 private:
-    struct UnitPoint {
+    struct PixelPoint {
         Vec2 pixel{0.5, 0.5}, lens{0.5, 0.5};
     };
-    UnitPoint even_point(std::uint64_t key, int index, int& half) const;
+    PixelPoint even_point(std::uint64_t key, int index, int& half) const;
     std::uint64_t pixel_key(Vec2 centre) const;
     double random_shift(std::uint64_t key, std::uint64_t index, int dimension) const; // in [0, 1)
     Vec2 channel_centre(Vec2 centre, int channel) const;
     Vec2 moved(Vec2 film_point, Vec2 unit) const;
     std::optional<LensRay> sample_ray(Vec2 film_point, LensIndex lens) const;
-    PointSeeds beam_seeds(Vec2 centre, int channel, bool alike) const;
+    PointSeeds lens_seeds(LensIndex lens, int channel, std::uint64_t sequence) const;
+    UnitPoint first_point(Vec2 film_centre, LensIndex lens, int channel, bool alike) const;
     void aim(PixelBeam::Channel& own, const LensRay& centre, const LensRay& right,
              const LensRay& up, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;

@@ -91,6 +91,25 @@ std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed)
     return x ^ x * 0x53a22864u;
 }
 
+/// The bits of a point's coordinates, highest first.
+using PointBits = std::array<std::uint32_t, point_dimensions>;
+
+PointBits scrambled_bits(const PointSeeds& seeds, std::uint32_t index)
+{
+    PointBits bits = index < first_points.size() ? first_points[index] : sobol_point(index);
+    for (int k = 0; k < point_dimensions; ++k)
+        bits[k] = reversed(scrambled_upwards(bits[k], seeds[k]));
+    return bits;
+}
+
+UnitPoint point_of(const PointBits& bits)
+{
+    UnitPoint point;
+    for (int k = 0; k < point_dimensions; ++k)
+        point[k] = (bits[k] + 0.5) * 0x1p-32;
+    return point;
+}
+
 } // namespace
 
 std::uint64_t random_bits(std::uint64_t seed, std::uint64_t value)
@@ -104,13 +123,33 @@ PointSeeds point_seeds(std::uint64_t key)
     return {std::uint32_t(a), std::uint32_t(a >> 32), std::uint32_t(b), std::uint32_t(b >> 32)};
 }
 
-std::array<double, point_dimensions> scrambled_point(const PointSeeds& seeds, std::uint32_t index)
+UnitPoint scrambled_point(const PointSeeds& seeds, std::uint32_t index)
 {
-    const SobolPoint bits = index < first_points.size() ? first_points[index] : sobol_point(index);
-    std::array<double, point_dimensions> point;
+    return point_of(scrambled_bits(seeds, index));
+}
+
+ShiftedPoints::ShiftedPoints(const PointSeeds& seeds, const UnitPoint& first) : seeds_(seeds)
+{
+    const PointBits begins = scrambled_bits(seeds, 0);
     for (int k = 0; k < point_dimensions; ++k)
-        point[k] = (reversed(scrambled_upwards(bits[k], seeds[k])) + 0.5) * 0x1p-32;
-    return point;
+        flipped_[k] = begins[k] ^ std::uint32_t(std::min(first[k] * 0x1p32, 0x1p32 - 1));
+}
+
+UnitPoint ShiftedPoints::operator()(std::uint32_t index) const
+{
+    PointBits bits = scrambled_bits(seeds_, index);
+    for (int k = 0; k < point_dimensions; ++k)
+        bits[k] ^= flipped_[k];
+    return point_of(bits);
+}
+
+std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y)
+{
+    const auto apart = [](std::uint32_t bits) {
+        bits = (bits | bits << 2) & 0x33;
+        return (bits | bits << 1) & 0x55;
+    };
+    return apart(x) | apart(y) << 1;
 }
 
 std::uint32_t shuffled_index(std::uint32_t seed, std::uint32_t index)
@@ -144,6 +183,19 @@ SumSplit::Parts SumSplit::operator()(double u, double v) const
     const double narrow = k > 0 ? std::min(0.5, std::max(-0.5, part * of_narrow_)) + 0.5 : v;
     const double wide = std::min(1.0, std::max(0.0, sum - part + 0.5));
     return second_is_wide_ ? Parts{narrow, wide} : Parts{wide, narrow};
+}
+
+SumSplit::Parts SumSplit::inverse(const Parts& parts) const
+{
+    const double k = std::fabs(narrow_);
+    const double wide = second_is_wide_ ? parts.second : parts.first,
+                 narrow = second_is_wide_ ? parts.first : parts.second;
+    const double part = narrow_ * (narrow - 0.5), sum = wide - 0.5 + part;
+    const double inside = std::max(0.0, 0.5 * (1 + k) - std::fabs(sum)); // from the trapezium's end
+    const double outer = inside < k ? inside * inside / (2 * k) : inside - 0.5 * k;
+    const double least = std::max(-0.5 * k, sum - 0.5), most = std::min(0.5 * k, sum + 0.5);
+    const double v = most > least ? (part - least) / (most - least) : narrow;
+    return {sum < 0 ? outer : 1 - outer, std::min(1.0, std::max(0.0, v))};
 }
 
 } // namespace integral

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Sample points for a pixel's light: random bits, a low-discrepancy sequence in four dimensions,
-// and a mapping to two coordinates with a well distributed weighted sum.
+// and a mapping, with its inverse, to two coordinates with a well distributed weighted sum.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_POINTS_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_POINTS_H
 
@@ -22,7 +22,28 @@ PointSeeds point_seeds(std::uint64_t key);
 /// depends on the bits above it). Coordinates are in (0, 1). Among 4^k consecutive points that
 /// begin at a multiple of 4^k, each coordinate falls once into each of 4^k equal intervals, and the
 /// first two coordinates fall once into each square of side 2^-k.
-std::array<double, point_dimensions> scrambled_point(const PointSeeds& seeds, std::uint32_t index);
+using UnitPoint = std::array<double, point_dimensions>;
+UnitPoint scrambled_point(const PointSeeds& seeds, std::uint32_t index);
+
+/// Such a sequence, moved so that it begins at a given point: the bits in which the two differ are
+/// flipped in all points (a digital shift), which leaves them as evenly distributed.
+class ShiftedPoints {
+public:
+    ShiftedPoints() = default;
+    /// Coordinates of `first` are in [0, 1].
+    ShiftedPoints(const PointSeeds& seeds, const UnitPoint& first);
+
+    UnitPoint operator()(std::uint32_t index) const;
+
+private:
+    PointSeeds seeds_{};
+    std::array<std::uint32_t, point_dimensions> flipped_{};
+};
+
+/// The place of (x, y), each from 0 to 15, on a curve that fills each aligned square of 2^k x 2^k
+/// places before it leaves it (Morton 1966).
+std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y);
+constexpr int curve_side = 16;
 
 /// Another order of a sequence's points, so that two sequences with the same indices are
 /// independent: a random bijection that takes each run of 2^k indices that begins at a multiple of
@@ -42,6 +63,10 @@ public:
     explicit SumSplit(double ratio = 0);
 
     Parts operator()(double u, double v) const;
+
+    /// The (u, v), in [0, 1]^2, that are mapped to `parts`; at the ends of the sums' range, where
+    /// all v are, one of them.
+    Parts inverse(const Parts& parts) const;
 
 private:
     bool second_is_wide_;

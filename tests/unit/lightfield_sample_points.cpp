@@ -45,6 +45,41 @@ BOOST_AUTO_TEST_CASE(points_are_a_digital_net)
             }
 }
 
+BOOST_AUTO_TEST_CASE(shifted_points_begin_where_they_are_asked_to_and_are_a_net)
+{
+    for (const UnitPoint first : {UnitPoint{0.1, 0.9, 0.5, 0.3}, UnitPoint{0, 1, 0.25, 1e-12}}) {
+        const ShiftedPoints points(point_seeds(7), first);
+        for (int k = 0; k < point_dimensions; ++k)
+            BOOST_TEST(std::fabs(points(0)[k] - first[k]) <= 0x1p-32);
+        for (const int count : {4, 16, 64}) {
+            const int side = int(std::sqrt(count));
+            std::vector<int> alone(point_dimensions * count), together(count);
+            for (int index = 0; index < count; ++index) {
+                const UnitPoint point = points(index);
+                for (int k = 0; k < point_dimensions; ++k)
+                    ++alone[k * count + part(point[k], count)];
+                ++together[part(point[0], side) * side + part(point[1], side)];
+            }
+            BOOST_TEST((std::count(alone.begin(), alone.end(), 1) == point_dimensions * count));
+            BOOST_TEST((std::count(together.begin(), together.end(), 1) == count));
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_fills_one_square_after_the_other)
+{
+    std::vector<int> places(curve_side * curve_side);
+    for (std::uint32_t y = 0; y < curve_side; ++y)
+        for (std::uint32_t x = 0; x < curve_side; ++x) {
+            const std::uint32_t place = place_on_curve(x, y);
+            ++places.at(place);
+            for (const std::uint32_t side : {2u, 4u, 8u})
+                BOOST_TEST(place / (side * side) ==
+                           place_on_curve(x / side * side, y / side * side) / (side * side));
+        }
+    BOOST_TEST((std::count(places.begin(), places.end(), 1) == curve_side * curve_side));
+}
+
 BOOST_AUTO_TEST_CASE(shuffled_indices_fill_the_same_runs)
 {
     // Each run of 2^k indices goes to a run of 2^k, and the first index to all places alike.
@@ -146,6 +181,28 @@ BOOST_AUTO_TEST_CASE(a_split_sum_follows_from_the_first_coordinate)
             for (const double v : {0.0, 0.001, 0.3, 0.999})
                 BOOST_TEST(std::fabs(sum(u, v) - sum(u, 0.5)) < 1e-14 * size);
         }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_split_sum_has_an_inverse)
+{
+    for (const double ratio :
+         {0.0, 1e-300, 0.1, -0.5, 1.0, -1.0, 3.0, -20.0, 1e300, infinity, -infinity}) {
+        const SumSplit split(ratio);
+        for (double u = 0.01; u < 1; u += 0.01)
+            for (double v = 0.005; v < 1; v += 0.01) {
+                const auto back = split.inverse(split(u, v));
+                BOOST_TEST_REQUIRE(std::fabs(back.first - u) < 1e-10, ratio << ": " << u);
+                // A ratio like 1e-300 leaves nothing of v in the sum.
+                if (const double size = std::fabs(ratio);
+                    size == 0 || std::isinf(size) || (size > 1e-9 && size < 1e9))
+                    BOOST_TEST_REQUIRE(std::fabs(back.second - v) < 1e-10, ratio << ": " << v);
+            }
+        for (const double x : {0.0, 0.5, 1.0})
+            for (const double y : {0.0, 0.5, 1.0}) {
+                const auto at = split.inverse({x, y});
+                BOOST_TEST((at.first >= 0 && at.first <= 1 && at.second >= 0 && at.second <= 1));
+            }
     }
 }
 
