@@ -18,11 +18,13 @@ constexpr int point_dimensions = 4;
 using PointSeeds = std::array<std::uint32_t, point_dimensions>;
 PointSeeds point_seeds(std::uint64_t key);
 
+/// A point of the unit hypercube.
+using UnitPoint = std::array<double, point_dimensions>;
+
 /// Point `index` of the Sobol sequence with Owen scrambling (Owen 1995: whether a bit is flipped
 /// depends on the bits above it). Coordinates are in (0, 1). Among 4^k consecutive points that
 /// begin at a multiple of 4^k, each coordinate falls once into each of 4^k equal intervals, and the
 /// first two coordinates fall once into each square of side 2^-k.
-using UnitPoint = std::array<double, point_dimensions>;
 UnitPoint scrambled_point(const PointSeeds& seeds, std::uint32_t index);
 
 /// Such a sequence, moved so that it begins at a given point: the bits in which the two differ are

@@ -19,6 +19,24 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 int part(double x, int parts) { return std::min(parts - 1, int(x * parts)); }
 
+/// Checks that each coordinate of `count` points falls once into each of as many equal parts, and
+/// the first two together once into each of as many squares.
+template <class PointAt> void check_net(int count, const PointAt& point_at)
+{
+    const int side = int(std::sqrt(count));
+    std::vector<int> alone(point_dimensions * count), together(count);
+    for (int index = 0; index < count; ++index) {
+        const UnitPoint point = point_at(index);
+        for (int k = 0; k < point_dimensions; ++k) {
+            BOOST_TEST_REQUIRE((point[k] > 0 && point[k] < 1));
+            ++alone[k * count + part(point[k], count)];
+        }
+        ++together[part(point[0], side) * side + part(point[1], side)];
+    }
+    BOOST_TEST((std::count(alone.begin(), alone.end(), 1) == point_dimensions * count), count);
+    BOOST_TEST((std::count(together.begin(), together.end(), 1) == count), count);
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(lightfield_sample_points)
@@ -27,22 +45,10 @@ BOOST_AUTO_TEST_CASE(points_are_a_digital_net)
 {
     for (const std::uint64_t key : {0ull, 1ull, 12345ull, ~0ull})
         for (const int count : {4, 16, 64, 256, 1024}) // beyond 256 they are not from a table
-            for (const std::uint32_t start : {0, 1, 5}) {
-                const int side = int(std::sqrt(count));
-                std::vector<int> alone(point_dimensions * count), together(count);
-                for (int k = 0; k < count; ++k) {
-                    const auto point = scrambled_point(point_seeds(key), start * count + k);
-                    for (int dimension = 0; dimension < point_dimensions; ++dimension) {
-                        BOOST_TEST_REQUIRE((point[dimension] > 0 && point[dimension] < 1));
-                        ++alone[dimension * count + part(point[dimension], count)];
-                    }
-                    ++together[part(point[0], side) * side + part(point[1], side)];
-                }
-                BOOST_TEST((std::count(alone.begin(), alone.end(), 1) == point_dimensions * count),
-                           count << " from " << start);
-                BOOST_TEST((std::count(together.begin(), together.end(), 1) == count),
-                           count << " from " << start);
-            }
+            for (const std::uint32_t start : {0, 1, 5})
+                check_net(count, [&](std::uint32_t k) {
+                    return scrambled_point(point_seeds(key), start * count + k);
+                });
 }
 
 BOOST_AUTO_TEST_CASE(shifted_points_begin_where_they_are_asked_to_and_are_a_net)
@@ -51,18 +57,8 @@ BOOST_AUTO_TEST_CASE(shifted_points_begin_where_they_are_asked_to_and_are_a_net)
         const ShiftedPoints points(point_seeds(7), first);
         for (int k = 0; k < point_dimensions; ++k)
             BOOST_TEST(std::fabs(points(0)[k] - first[k]) <= 0x1p-32);
-        for (const int count : {4, 16, 64}) {
-            const int side = int(std::sqrt(count));
-            std::vector<int> alone(point_dimensions * count), together(count);
-            for (int index = 0; index < count; ++index) {
-                const UnitPoint point = points(index);
-                for (int k = 0; k < point_dimensions; ++k)
-                    ++alone[k * count + part(point[k], count)];
-                ++together[part(point[0], side) * side + part(point[1], side)];
-            }
-            BOOST_TEST((std::count(alone.begin(), alone.end(), 1) == point_dimensions * count));
-            BOOST_TEST((std::count(together.begin(), together.end(), 1) == count));
-        }
+        for (const int count : {4, 16, 64})
+            check_net(count, points);
     }
 }
 
