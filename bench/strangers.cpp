@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <regex>
+#include <zlib.h>
 
 namespace {
 
@@ -34,6 +35,8 @@ options::options_description make_options()
         "pixels of the frames, at 300 dpi")(
         "only", options::value<std::vector<std::string>>()->value_name("TEXT"),
         "only scenes whose path has this text in it; may be given again")(
+        "one-in", options::value<int>()->value_name("N")->default_value(1),
+        "only about one in N scenes: those whose path's CRC-32 is a multiple of N")(
         "longest", options::value<int>()->value_name("SECONDS")->default_value(120),
         "leave a scene out if its two converged frames would take longer than this")(
         "report", "measure nothing: write the page of what has been measured")(
@@ -44,8 +47,17 @@ options::options_description make_options()
     return all;
 }
 
-/// All scenes of the folder but our own, as paths in it without the extension, in order.
-std::vector<std::string> scenes_in(const files::path& folder, const std::vector<std::string>& only)
+/// Whether a scene is one of the sample of about one in `number` scenes. The paths choose them, so
+/// that nobody does, and everybody gets the same ones.
+bool is_in_sample(const std::string& scene, int number)
+{
+    const auto* bytes = reinterpret_cast<const Bytef*>(scene.data());
+    return crc32(0, bytes, uInt(scene.size())) % uLong(number) == 0;
+}
+
+/// The scenes of the folder but our own, as paths in it without the extension, in order.
+std::vector<std::string> scenes_in(const files::path& folder, const std::vector<std::string>& only,
+                                   int one_in)
 {
     std::vector<std::string> scenes;
     for (const auto& entry : files::recursive_directory_iterator(folder)) {
@@ -56,7 +68,8 @@ std::vector<std::string> scenes_in(const files::path& folder, const std::vector<
         const auto is_in_name = [&](const std::string& text) {
             return name.find(text) != std::string::npos;
         };
-        if (only.empty() || std::any_of(only.begin(), only.end(), is_in_name))
+        if ((only.empty() || std::any_of(only.begin(), only.end(), is_in_name)) &&
+            is_in_sample(name, one_in))
             scenes.push_back(name);
     }
     std::sort(scenes.begin(), scenes.end());
@@ -224,9 +237,12 @@ int run(const options::variables_map& arguments)
     if (longest < 1)
         throw UsageError("--longest " + std::to_string(longest) +
                          ": at least 1 second is expected");
+    const int one_in = arguments["one-in"].as<int>();
+    if (one_in < 1)
+        throw UsageError("--one-in " + std::to_string(one_in) + ": at least 1 is expected");
 
-    const std::string folder =
-        files::absolute(arguments["output"].as<std::string>()).string() + "/" + size;
+    const std::string folder = files::absolute(arguments["output"].as<std::string>()).string() +
+                               "/" + size;
     renderer.work_folder = folder + "/frames";
     files::create_directories(renderer.work_folder);
     StrangersTable table(folder + "/strangers.csv");
@@ -235,7 +251,7 @@ int run(const options::variables_map& arguments)
     const auto say = [](const std::string& line) { std::cout << line << std::endl; };
     // Scenes that write files write them here.
     files::current_path(renderer.work_folder);
-    for (const std::string& scene : scenes_in(renderer.scene_folder, only)) {
+    for (const std::string& scene : scenes_in(renderer.scene_folder, only, one_in)) {
         if (arguments.count("report"))
             break;
         try {
@@ -265,8 +281,9 @@ int main(int count, char** words)
         const options::variables_map arguments = parsed(count, words, all);
         if (!arguments.count("help"))
             return run(arguments);
-        std::cout << "strangers -o FOLDER [--size WxH] [--only TEXT] [--longest SECONDS]\n\n"
-                  << all;
+        std::cout
+            << "strangers -o FOLDER [--size WxH] [--only TEXT] [--one-in N] [--longest SECONDS]\n\n"
+            << all;
         return 0;
     });
 }
