@@ -18,9 +18,8 @@ namespace integral {
 class BeamPatch {
 public:
     BeamPatch() = default;
-    /// `centre`: the pixel's line. `units`: to which samples are rounded.
-    BeamPatch(const IntegralCamera& camera, const SightSlope& centre,
-              const BeamSamples::Units& units);
+    /// `centre`: the pixel's line.
+    BeamPatch(const IntegralCamera& camera, const SightSlope& centre);
 
     /// The two widths of which a patch's density is made, along one axis, in mm at the depth z
     /// (mm): the lens's, cell_at_sheet + cell_slope |z|, and the pixel's, |pixel_at_sheet +
@@ -53,7 +52,7 @@ public:
 
     /// Pixels beside each other that may lend their samples: some of eight.
     struct Found {
-        std::size_t index;             ///< of the first of the eight, row by row from the top
+        std::ptrdiff_t index;          ///< of the first of the eight, row by row from the top
         unsigned which;                ///< bit k is set: the pixel at index + k may lend
         FirstSamples::StoredLens lens; ///< behind which they are expected; one may be behind
                                        ///< another

@@ -8,11 +8,13 @@ namespace integral {
 
 namespace {
 
+constexpr float most_short = 32767;
+
 /// 0 for NaN. Comparisons in place of fmin and fmax, which are calls: every sample is stored by
 /// this function.
 std::int16_t rounded(float x)
 {
-    constexpr float most = 32767;
+    constexpr float most = most_short;
     const float within = x > most ? most : x > -most ? x : x <= -most ? -most : 0;
     return std::int16_t(std::lrint(within));
 }
@@ -30,37 +32,27 @@ SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray)
     return {along_axes(point), along_axes(slope)};
 }
 
-BeamSamples::Units BeamSamples::units(const IntegralCamera& camera)
-{
-    constexpr double most = 32767;
-    const LensSheet& sheet = camera.optics.sheet();
-    const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y),
-                 pixel_slope = sheet.ior * pixel / sheet.thickness;
-    // A sample is at most a lens's cell and a pixel away from the centre; four times that is room.
-    // So is room for surfaces that are seen edge-on from a hundredth of a pixel beside the sample.
-    return {float(4 * std::max(sheet.pitch, pixel) / most), float(16 * pixel_slope / most),
-            float(100 / pixel_slope / most)};
-}
-
 BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
     : width_(camera.film.width),
-      units_(units(camera)),
-      memory_(memory ? std::move(memory)
-                     : zeroed_memory(bytes_a_pixel * camera.film.width * camera.film.height)),
-      pixels_(static_cast<Pixel*>(memory_.get()))
+      size_(std::ptrdiff_t(camera.film.width) * camera.film.height),
+      memory_(memory ? std::move(memory) : zeroed_memory(bytes_a_pixel * size_)),
+      pixels_(static_cast<Pixel*>(memory_.get())),
+      lenders_(reinterpret_cast<std::uint32_t*>(pixels_ + size_))
 {
+    // Room for surfaces that are seen edge-on from a hundredth of a pixel beside the sample.
+    const LensSheet& sheet = camera.optics.sheet();
+    const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y);
+    tilt_unit_ = float(100 * sheet.thickness / (sheet.ior * pixel)) / most_short;
 }
 
-BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& seen) const
+BeamSamples::Sample BeamSamples::stored(const Seen& seen) const
 {
     Sample sample;
+    sample.line = seen.line;
     // fmin makes the furthest depth of NaN.
     sample.depth = std::fmax(-furthest_depth, std::fmin(float(seen.depth), furthest_depth));
-    for (int k = 0; k < 2; ++k) {
-        sample.point[k] = rounded((seen.line.point[k] - centre.point[k]) / units_.point);
-        sample.slope[k] = rounded((seen.line.slope[k] - centre.slope[k]) / units_.slope);
-        sample.tilt[k] = rounded(seen.tilt[k] / units_.tilt);
-    }
+    for (int k = 0; k < 2; ++k)
+        sample.tilt[k] = rounded(seen.tilt[k] / tilt_unit_);
     sample.light = StoredLight(seen.light);
     return sample;
 }
@@ -68,12 +60,13 @@ BeamSamples::Sample BeamSamples::stored(const SightSlope& centre, const Seen& se
 void BeamSamples::set_first(int x, int y, const SightSlope& centre, LensIndex lens,
                             const Seen& seen)
 {
-    Pixel& pixel = pixels_[std::size_t(y) * width_ + x];
+    Pixel& pixel = pixels_[index(x, y)];
     pixel.centre = centre;
-    pixel.first = stored(centre, seen);
+    pixel.first = stored(seen);
     pixel.number = 1;
-    pixel.lens = {std::uint16_t(lens.i), std::uint16_t(lens.j)};
-    pixel.lends = StoredLight::holds(seen.light);
+    lenders_[index(x, y)] = StoredLight::holds(seen.light)
+                                ? lender_behind({std::uint16_t(lens.i), std::uint16_t(lens.j)})
+                                : nobody;
 }
 
 void BeamSamples::Gathered::add(const BeamSamples& store, const Seen& seen)
@@ -81,7 +74,7 @@ void BeamSamples::Gathered::add(const BeamSamples& store, const Seen& seen)
     Begun& pixel = pixels_.back();
     pixel.lends = pixel.lends && StoredLight::holds(seen.light);
     if (samples_.size() - pixel.at < std::size_t(most_stored - 1))
-        samples_.push_back(store.stored(store.pixel(pixel.x, pixel.y).centre, seen));
+        samples_.push_back(store.stored(seen));
 }
 
 void BeamSamples::store(int top, Gathered& gathered)
@@ -91,10 +84,11 @@ void BeamSamples::store(int top, Gathered& gathered)
         std::copy(gathered.samples_.begin(), gathered.samples_.end(), samples.get());
         std::size_t end = gathered.samples_.size();
         for (auto begun = gathered.pixels_.rbegin(); begun != gathered.pixels_.rend(); ++begun) {
-            Pixel& pixel = pixels_[std::size_t(begun->y) * width_ + begun->x];
+            Pixel& pixel = pixels_[index(begun->x, begun->y)];
             pixel.more = samples.get() + begun->at;
             pixel.number = std::uint16_t(1 + end - begun->at);
-            pixel.lends = pixel.lends && begun->lends;
+            if (!begun->lends)
+                lenders_[index(begun->x, begun->y)] = nobody;
             end = begun->at;
         }
         std::lock_guard<std::mutex> lock(mutex_);

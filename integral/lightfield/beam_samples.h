@@ -4,6 +4,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_BEAM_SAMPLES_H
 #define INTEGRAL_LIGHTFIELD_BEAM_SAMPLES_H
 
+#include "integral/lightfield/eight_floats.h"
 #include "integral/lightfield/first_samples.h"
 #include "integral/lightfield/linear_colour.h"
 
@@ -29,33 +30,25 @@ class BeamSamples {
 public:
     static constexpr int most_stored = 16;
 
-    /// One sample. point, slope: relative to the line from its pixel's centre through the lens's
-    /// pole.
+    /// One sample. WeighedSamples reads it as two times four floats.
     struct Sample {
         float depth = 0; ///< mm from the sheet away from the viewer, at most furthest_depth
-        std::array<std::int16_t, 2> point{}, slope{}, tilt{};
+        SightSlope line;
+        std::array<std::int16_t, 2> tilt{}; ///< Seen::tilt, divided by tilt_unit()
         StoredLight light;
     };
     static constexpr float furthest_depth = 1e5f;
 
-    /// The units of a camera's samples: of Sample::point (mm), slope and tilt.
-    struct Units {
-        float point = 0, slope = 0, tilt = 0;
-    };
-    static Units units(const IntegralCamera& camera);
-    const Units& units() const { return units_; }
+    /// The unit of a camera's Sample::tilt.
+    float tilt_unit() const { return tilt_unit_; }
 
     struct Pixel {
-        SightSlope centre;
+        SightSlope centre; ///< the line from its centre through the lens's pole
         Sample first;
         const Sample* more = nullptr; ///< those after the first
         std::uint16_t number = 0;     ///< 0: the pixel is empty
-        FirstSamples::StoredLens lens{};
-        /// Whether other pixels may use the samples: if not, the pixel is empty, or the light of
-        /// one was too bright to be stored, or not a number.
-        bool lends = false;
     };
-    static constexpr std::size_t bytes_a_pixel = 56;
+    static constexpr std::size_t bytes_a_pixel = 68;
 
     /// `memory`: bytes_a_pixel for each of the film's pixels, all 0, aligned to 8; null: the object
     /// allocates its own.
@@ -98,36 +91,53 @@ public:
     void forget_above(int row);
 
     const Pixel& pixel(std::size_t index) const { return pixels_[index]; }
-    const Pixel& pixel(int x, int y) const { return pixels_[std::size_t(y) * width_ + x]; }
+    const Pixel& pixel(int x, int y) const { return pixels_[index(x, y)]; }
+
+    /// Whether samples of a pixel may be used: not if the pixel is empty, or if the light of one
+    /// sample was too bright to be stored, or not a number.
+    bool lends(std::size_t index) const { return lenders_[index] != nobody; }
 
     /// Of some of eight pixels, those at `index` + k for which bit k of `which` is set: the bits of
-    /// those that are behind a lens and lend their samples. Without branches, which the processor
-    /// could not predict.
-    unsigned lending(std::size_t index, unsigned which, FirstSamples::StoredLens lens) const
+    /// those that are behind a lens and lend their samples.
+    unsigned lending(std::ptrdiff_t index, unsigned which, FirstSamples::StoredLens lens) const
     {
+        const std::uint32_t lender = lender_behind(lens);
+        if (index >= 0 && index + 8 <= size_) {
+            TwiceFourIntegers lenders;
+            std::memcpy(&lenders, lenders_ + index, sizeof lenders);
+            const FourIntegers wanted = FourIntegers{} + std::int32_t(lender);
+            return which & bits(TwiceFourIntegers{lenders.low == wanted, lenders.high == wanted});
+        }
         unsigned found = 0;
         for (unsigned left = which; left != 0; left &= left - 1) {
             const int k = __builtin_ctz(left);
-            const Pixel& pixel = pixels_[index + k];
-            const unsigned is_behind = unsigned(pixel.lens[0] == lens[0]) &
-                                       unsigned(pixel.lens[1] == lens[1]);
-            found |= (is_behind & unsigned(pixel.lends)) << k;
+            found |= unsigned(lenders_[index + k] == lender) << k;
         }
         return found;
     }
 
-
 private:
-    Sample stored(const SightSlope& centre, const Seen& seen) const;
+    Sample stored(const Seen& seen) const;
+    std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
+
+    /// A pixel's lens in one number. That of a pixel that lends nothing is the number of a lens
+    /// that is 32768 steps away from those in the frame's middle.
+    static std::uint32_t lender_behind(FirstSamples::StoredLens lens)
+    {
+        return (std::uint32_t(lens[0]) << 16 | lens[1]) ^ 0x80008000u;
+    }
+    static constexpr std::uint32_t nobody = 0;
 
     int width_;
-    Units units_;
+    std::ptrdiff_t size_; ///< of the frame, pixels
+    float tilt_unit_;
     std::shared_ptr<void> memory_;
     Pixel* pixels_;
+    std::uint32_t* lenders_; ///< lender_behind of each pixel's lens, or nobody
     std::mutex mutex_;
     std::multimap<int, std::unique_ptr<Sample[]>> further_; ///< by the first row of their block
 };
-static_assert(sizeof(BeamSamples::Pixel) == BeamSamples::bytes_a_pixel);
+static_assert(sizeof(BeamSamples::Pixel) + sizeof(std::uint32_t) == BeamSamples::bytes_a_pixel);
 
 } // namespace integral
 

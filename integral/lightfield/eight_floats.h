@@ -10,12 +10,15 @@
 #include "integral/base/avx2.h"
 #include "integral/lightfield/four_floats.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace integral {
 
 #ifdef INTEGRAL_HAS_AVX2
 #define INTEGRAL_TARGET_AVX2 __attribute__((target("avx2")))
+// GCC knows the processor's own functions from the first declaration on that is compiled for it.
+INTEGRAL_TARGET_AVX2 void declared_for_avx2();
 #endif
 
 /// Eight floats in memory.
@@ -94,6 +97,7 @@ template <class Floats> INTEGRAL_INLINE Floats most(Floats a, Floats b)
     return chosen(a > b, a, b);
 }
 
+INTEGRAL_INLINE float magnitude(float x) { return std::fabs(x); }
 INTEGRAL_INLINE EightFloats magnitude(EightFloats x)
 {
     return EightFloats(EightIntegers(x) & 0x7fffffff);
@@ -103,30 +107,52 @@ INTEGRAL_INLINE TwiceFourFloats magnitude(TwiceFourFloats x)
     return {magnitude(x.low), magnitude(x.high)};
 }
 
-/// Whether a comparison holds for one of the eight at least.
-INTEGRAL_INLINE bool any(EightIntegers where)
+/// The bits of a number, read as an integer, as a number.
+INTEGRAL_INLINE float bits_as_number(float x)
 {
-    std::int64_t parts[4];
-    std::memcpy(parts, &where, sizeof where);
-    return ((parts[0] | parts[1]) | (parts[2] | parts[3])) != 0;
+    std::int32_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return float(bits);
 }
-INTEGRAL_INLINE bool any(TwiceFourIntegers where) { return any(where.low | where.high); }
+INTEGRAL_INLINE FourFloats bits_as_number(FourFloats x)
+{
+    return __builtin_convertvector(FourIntegers(x), FourFloats);
+}
+INTEGRAL_INLINE EightFloats bits_as_number(EightFloats x)
+{
+    return __builtin_convertvector(EightIntegers(x), EightFloats);
+}
+INTEGRAL_INLINE TwiceFourFloats bits_as_number(TwiceFourFloats x)
+{
+    return {bits_as_number(x.low), bits_as_number(x.high)};
+}
 
-/// For which of the eight a comparison holds: bit 0 for the first, bit 7 for the last.
+/// For which of the numbers a comparison holds: bit 0 for the first.
+INTEGRAL_INLINE unsigned bits(FourIntegers where)
+{
+#ifdef __SSE__
+    return unsigned(__builtin_ia32_movmskps(FourFloats(where)));
+#else
+    return (where[0] & 1) | (where[1] & 2) | (where[2] & 4) | (where[3] & 8);
+#endif
+}
 INTEGRAL_INLINE unsigned bits(TwiceFourIntegers where)
 {
-    const FourIntegers both = (where.low & FourIntegers{1, 2, 4, 8}) |
-                              (where.high & FourIntegers{16, 32, 64, 128});
-    std::uint64_t halves[2];
-    std::memcpy(halves, &both, sizeof both);
-    const std::uint64_t all = halves[0] | halves[1];
-    return unsigned(all | all >> 32) & 0xff;
+    return bits(where.low) | bits(where.high) << 4;
 }
 INTEGRAL_INLINE unsigned bits(EightIntegers where)
 {
-    return bits({__builtin_shufflevector(where, where, 0, 1, 2, 3),
-                 __builtin_shufflevector(where, where, 4, 5, 6, 7)});
+#if defined(INTEGRAL_HAS_AVX2) && !defined(__clang__)
+    return unsigned(__builtin_ia32_movmskps256(EightFloats(where)));
+#else
+    return bits(TwiceFourIntegers{__builtin_shufflevector(where, where, 0, 1, 2, 3),
+                                  __builtin_shufflevector(where, where, 4, 5, 6, 7)});
+#endif
 }
+
+/// Whether a comparison holds for one of the eight at least.
+INTEGRAL_INLINE bool any(EightIntegers where) { return bits(where) != 0; }
+INTEGRAL_INLINE bool any(TwiceFourIntegers where) { return any(where.low | where.high); }
 
 /// The first four, and the other four.
 INTEGRAL_INLINE FourFloats low_half(EightFloats x)
@@ -148,6 +174,49 @@ template <> INTEGRAL_INLINE TwiceFourFloats of_halves(FourFloats low, FourFloats
 {
     return {low, high};
 }
+/// In either half, those of the four numbers of a (0 to 3) and of the four of b (4 to 7).
+template <int i, int j, int k, int l>
+INTEGRAL_INLINE FourFloats shuffled_halves(FourFloats a, FourFloats b)
+{
+    return __builtin_shufflevector(a, b, i, j, k, l);
+}
+template <int i, int j, int k, int l>
+INTEGRAL_INLINE EightFloats shuffled_halves(EightFloats a, EightFloats b)
+{
+    constexpr int high = 4, second = 4; // b's numbers are the vectors' elements 8 to 15
+    return __builtin_shufflevector(a, b, i + i / 4 * second, j + j / 4 * second, k + k / 4 * second,
+                                   l + l / 4 * second, high + i + i / 4 * second,
+                                   high + j + j / 4 * second, high + k + k / 4 * second,
+                                   high + l + l / 4 * second);
+}
+template <int i, int j, int k, int l>
+INTEGRAL_INLINE TwiceFourFloats shuffled_halves(TwiceFourFloats a, TwiceFourFloats b)
+{
+    return {shuffled_halves<i, j, k, l>(a.low, b.low), shuffled_halves<i, j, k, l>(a.high, b.high)};
+}
+/// In either half, four times its number k.
+template <int k, class Floats> INTEGRAL_INLINE Floats repeated(Floats x)
+{
+    return shuffled_halves<k, k, k, k>(x, x);
+}
+
+/// Two times four 16-bit integers in memory as floats.
+template <class Floats> INTEGRAL_INLINE Floats floats_from(const void* low, const void* high);
+template <> INTEGRAL_INLINE EightFloats floats_from(const void* low, const void* high)
+{
+    typedef std::int16_t EightShorts __attribute__((vector_size(16)));
+    std::int64_t halves[2];
+    std::memcpy(&halves[0], low, 8);
+    std::memcpy(&halves[1], high, 8);
+    EightShorts narrow;
+    std::memcpy(&narrow, halves, sizeof narrow);
+    return __builtin_convertvector(__builtin_convertvector(narrow, EightIntegers), EightFloats);
+}
+template <> INTEGRAL_INLINE TwiceFourFloats floats_from(const void* low, const void* high)
+{
+    return {floats_from(low), floats_from(high)};
+}
+
 template <class Floats> INTEGRAL_INLINE float sum_of_eight(Floats x)
 {
     return sum_of(low_half(x) + high_half(x));

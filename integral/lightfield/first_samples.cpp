@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/first_samples.h"
 
+#include "integral/lightfield/four_floats.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +14,14 @@ namespace integral {
 namespace {
 
 int rounded(double x) { return int(std::lround(x)); }
+
+FourIntegers integers_from(const StoredColour& colour)
+{
+    typedef std::uint16_t FourUnsignedShorts __attribute__((vector_size(8)));
+    FourUnsignedShorts narrow;
+    std::memcpy(&narrow, colour.data(), sizeof narrow);
+    return __builtin_convertvector(narrow, FourIntegers);
+}
 
 } // namespace
 
@@ -58,6 +68,10 @@ FirstSamples::FirstSamples(const IntegralCamera& camera, std::shared_ptr<void> m
 {
     const Lattice& lattice = camera.optics.lattice();
     const Vec2 pixel = camera.film.pixel_pitch, pole = lattice.pole({0, 0});
+    const double least_step = lattice.arrangement() == Arrangement::lenticular
+                                  ? lattice.pitch()
+                                  : std::min(lattice.pitch(), lattice.row_spacing());
+    indices_are_whole_ = std::hypot(width_ * pixel.x, height_ * pixel.y) < 32000 * least_step;
     const auto add = [&](LensIndex forth_even, LensIndex forth_odd) {
         const Vec2 way = lattice.pole(forth_even) - pole; // (0, 0) is in an even row
         const int x = rounded(way.x / pixel.x), y = rounded(-way.y / pixel.y);
@@ -114,20 +128,33 @@ std::array<float, 2> FirstSamples::depths_around(int x, int y) const
     return range;
 }
 
+std::optional<LensIndex> FirstSamples::lens_around(int x, int y) const
+{
+    const Entry* own = at(x, y);
+    if (!own || !indices_are_whole_)
+        return {};
+    for (int j = y - 1; j <= y + 1; ++j)
+        for (int i = x - 1; i <= x + 1; ++i)
+            if (!at(i, j, own->i, own->j))
+                return {};
+    return LensIndex{std::int16_t(own->i), std::int16_t(own->j)};
+}
+
 double FirstSamples::contrast(int x, int y) const
 {
     const Entry* own = at(x, y);
     if (!own)
         return -1;
-    long most = -1;
+    const FourIntegers twice = 2 * integers_from(own->colour);
+    int most = -1;
     const auto compare = [&](const Entry* a, const Entry* b) {
         if (!a && !b)
             return;
         if (!a || !b)
             a = b = a ? a : b;
-        long sum = 0;
-        for (std::size_t k = 0; k < own->colour.size(); ++k)
-            sum += std::labs(2L * own->colour[k] - a->colour[k] - b->colour[k]);
+        const FourIntegers way = twice - integers_from(a->colour) - integers_from(b->colour),
+                           far = way > 0 ? way : -way;
+        const int sum = far[0] + far[1] + far[2] + far[3];
         most = std::max(most, a == b ? sum / 2 : sum);
     };
     for_each_axis(*own, x, y, compare);

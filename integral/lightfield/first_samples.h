@@ -59,20 +59,17 @@ public:
     using StoredLens = std::array<std::uint16_t, 2>;
     std::optional<StoredLens> lens(int x, int y) const;
 
-    /// Whether a pixel is behind that lens, and not empty. `index`: row by row from the top.
-    bool is_behind(std::size_t index, StoredLens lens) const
-    {
-        const Entry& entry = entries_[index];
-        return entry.i == lens[0] && entry.j == lens[1] && !empty(entry);
-    }
-
     /// How much a pixel differs from its neighbours: the largest value over the axes of the light
     /// field. Along one axis the value is the difference between twice the pixel's colour and the
     /// sum of its two neighbours' (a second difference, so that an even gradient counts as 0), or,
     /// with one neighbour, the difference to it: the sum of the components' absolute differences,
-    /// as POV-Ray has it (3 between black and white). A neighbour is missing if it is empty or is not
-    /// behind the expected lens. Infinite if all neighbours are missing; -1 for an empty pixel.
+    /// as POV-Ray has it (3 between black and white). A neighbour is missing if it is empty or is
+    /// not behind the expected lens. Infinite if all neighbours are missing; -1 for an empty pixel.
     double contrast(int x, int y) const;
+
+    /// The lens of a pixel, if all eight pixels around it are behind the same one, and its indices
+    /// fit in 16 bits.
+    std::optional<LensIndex> lens_around(int x, int y) const;
 
     /// Calls visit(x, y) for each neighbour that is not missing.
     template <class Visit> void for_each_neighbour(int x, int y, Visit visit) const;
@@ -117,6 +114,7 @@ private:
     template <class Visit> void for_each_axis(const Entry& own, int x, int y, Visit visit) const;
 
     int width_, height_;
+    bool indices_are_whole_; ///< not only modulo 2^16
     std::shared_ptr<void> memory_;
     Entry* entries_;
     std::vector<std::array<Step, 2>> axes_; ///< for each axis, the steps in both directions

@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_LINEAR_COLOUR_H
 #define INTEGRAL_LIGHTFIELD_LINEAR_COLOUR_H
 
+#include "integral/lightfield/four_floats.h"
 #include "integral/lightfield/tabulated_curve.h"
 
 #include <cmath>
@@ -34,6 +35,11 @@ public:
         for (std::size_t k = 0; k < light.size(); ++k)
             light[k] = float(roots_[k]) * std::fabs(float(roots_[k])) * of_squared_root;
         return light;
+    }
+    FourFloats four() const
+    {
+        const FourFloats roots = floats_from(&roots_);
+        return of_squared_root * roots * magnitude(roots);
     }
     /// Whether a light can be stored: all components are numbers from -64 to 64.
     static bool holds(const LinearColour& light);

@@ -6,6 +6,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/beam_patch.h \
   integral/lightfield/beam_samples.cpp \
   integral/lightfield/beam_samples.h \
+  integral/lightfield/block_window.h \
   integral/lightfield/camera_words.cpp \
   integral/lightfield/camera_words.h \
   integral/lightfield/depth_advice.cpp \

@@ -328,48 +328,95 @@ UnitPoint PixelSampler::first_point(Vec2 film_centre, LensIndex lens, int channe
                            place_on_curve(x % curve_side, y % curve_side));
 }
 
+/// The first sample at a film point and a place on the cell. `at`: the film point's ray.
+BeamRay PixelSampler::first_ray(const LensRay& pole_ray, Vec2 film_point, const UnitPoint& unit,
+                                const std::optional<LensRay>& at) const
+{
+    std::optional<BeamRay> beam;
+    if (at && at->lens == pole_ray.lens)
+        beam = ray_at(film_point, *at, lens_point({unit[0], unit[1]}, *at));
+    return beam ? *beam : pole_beam(pole_ray);
+}
+
 BeamRay PixelSampler::first_sample(Vec2 centre, const LensRay& pole_ray, bool alike) const
 {
     const Vec2 film_centre = film_from_pixel(camera_.film, centre);
     const UnitPoint unit = first_point(film_centre, pole_ray.lens, PixelRay::all_channels, alike);
     const Vec2 film_point = moved(film_centre, {unit[2], unit[3]});
-    std::optional<BeamRay> beam;
-    if (const auto ray = sample_ray(film_point, pole_ray.lens))
-        beam = ray_at(film_point, *ray, lens_point({unit[0], unit[1]}, *ray));
-    return beam ? *beam : pole_beam(pole_ray);
+    return first_ray(pole_ray, film_point, unit, sample_ray(film_point, pole_ray.lens));
 }
 
-PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth) const
+void PixelSampler::first_samples(Vec2 centre, const RayRun<MappedPoint>& mapped, bool alike,
+                                 RayRun<BeamRay>& samples) const
+{
+    RayRun<Vec2> film_points;
+    RayRun<UnitPoint> units;
+    for (int k = 0; k < run_length; ++k) {
+        film_points[k] = film_from_pixel(camera_.film, {centre.x + k, centre.y});
+        if (!mapped[k].ray)
+            continue;
+        units[k] = first_point(film_points[k], mapped[k].ray->lens, PixelRay::all_channels, alike);
+        film_points[k] = moved(film_points[k], {units[k][2], units[k][3]});
+    }
+    RayRun<MappedPoint> at;
+    camera_.optics.map_run(film_points, camera_.mapping, at);
+    for (int k = 0; k < run_length; ++k)
+        if (mapped[k].ray)
+            samples[k] = first_ray(*mapped[k].ray, film_points[k], units[k], at[k].ray);
+}
+
+/// Finds the lens of a pixel, whether it images all of the pixel, and its rays from the pixel's
+/// centre and from the middles of the right and of the upper edge.
+PixelSampler::BeamRays PixelSampler::beam_rays(Vec2 film_centre) const
+{
+    RayRun<Vec2> film_points;
+    for (int k = 0; k < run_length; ++k)
+        film_points[k] = film_centre + Vec2{beam_places[k].x * area_.x, beam_places[k].y * area_.y};
+    RayRun<MappedPoint> mapped;
+    camera_.optics.map_run(film_points, camera_.mapping, mapped);
+    BeamRays rays;
+    rays.centre = mapped[0].ray;
+    if (!rays.centre)
+        return rays;
+    const LensIndex lens = rays.centre->lens;
+    const auto has = [&](int k) { return mapped[k].ray && mapped[k].ray->lens == lens; };
+    const auto own_ray = [&](int k) {
+        return has(k) ? mapped[k].ray : camera_.optics.ray_through(film_points[k], lens);
+    };
+    rays.whole = camera_.display_prefilter || (has(1) && has(2) && has(3) && has(4));
+    rays.right = own_ray(5);
+    rays.up = own_ray(6);
+    return rays;
+}
+
+/// The same where a lens is known to image all of the pixel.
+PixelSampler::BeamRays PixelSampler::beam_rays_through(Vec2 film_centre, LensIndex lens) const
+{
+    const auto ray = [&](double x, double y) {
+        return camera_.optics.ray_through(film_centre + Vec2{x * area_.x, y * area_.y}, lens);
+    };
+    return {ray(0, 0), ray(0.5, 0), ray(0, 0.5), true};
+}
+
+PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth,
+                             std::optional<LensIndex> around) const
 {
     PixelBeam beam;
     const bool divided = camera_.film.subpixels != Subpixels::none;
     for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0);
          ++channel) {
         const Vec2 film_centre = channel_centre(centre, channel);
-        RayRun<Vec2> film_points;
-        for (int k = 0; k < run_length; ++k)
-            film_points[k] = film_centre +
-                             Vec2{beam_places[k].x * area_.x, beam_places[k].y * area_.y};
-        RayRun<MappedPoint> mapped;
-        camera_.optics.map_run(film_points, camera_.mapping, mapped);
-        const auto& pole_ray = mapped[0].ray;
-        if (!pole_ray)
+        const BeamRays rays = around ? beam_rays_through(film_centre, *around)
+                                     : beam_rays(film_centre);
+        if (!rays.centre)
             continue;
-        const auto has = [&](int k) {
-            return mapped[k].ray && mapped[k].ray->lens == pole_ray->lens;
-        };
-        const auto own_ray = [&](int k) {
-            return has(k) ? mapped[k].ray
-                          : camera_.optics.ray_through(film_points[k], pole_ray->lens);
-        };
         PixelBeam::Channel& own = beam.channels[beam.number++];
         own.channel = channel;
         own.film_centre = film_centre;
-        own.lens = pole_ray->lens;
-        own.whole = camera_.display_prefilter || (has(1) && has(2) && has(3) && has(4));
-        const auto right = own_ray(5), up = own_ray(6);
-        if (right && up)
-            aim(own, *pole_ray, *right, *up, depth);
+        own.lens = rays.centre->lens;
+        own.whole = rays.whole;
+        if (rays.right && rays.up)
+            aim(own, *rays.centre, *rays.right, *rays.up, depth);
         const UnitPoint first = first_point(film_centre, own.lens, channel, alike);
         const auto across = own.across.inverse({first[0], first[own.turned ? 3 : 2]}),
                    along = own.along.inverse({first[1], first[own.turned ? 2 : 3]});

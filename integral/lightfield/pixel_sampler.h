@@ -84,6 +84,12 @@ public:
     /// to another lens, or no light gets through.
     BeamRay first_sample(Vec2 centre, const LensRay& pole_ray, bool alike) const;
 
+    /// The first samples of run_length pixels of a row, from the left, as far as they are imaged:
+    /// the same as first_sample, bit for bit, but all film points are mapped at once. `centre`: of
+    /// the first pixel. `mapped`: the pixels' centres. Not with display_prefilter.
+    void first_samples(Vec2 centre, const RayRun<MappedPoint>& mapped, bool alike,
+                       RayRun<BeamRay>& samples) const;
+
     /// Appends one ray per channel of the same pixel, at a random point of its area and of the
     /// lens's cell: number `index` of a `set`. Those of one set are well distributed, different
     /// sets are independent. The mean over all is the converged 4-D reference. For hybrid the
@@ -99,8 +105,11 @@ public:
     /// shows, mm from the sheet away from the viewer; may be infinite. The samples are well
     /// distributed over the patch that the beam covers at that depth: at the sheet this is the
     /// lens's cell, far away the pixel's area, and between a combination of both. At any depth the
-    /// samples are uniform over cell and area.
-    PixelBeam beam(Vec2 centre, bool alike, double depth) const;
+    /// samples are uniform over cell and area. `around`: the lens, if it is known that it images
+    /// the pixel and all pixels around it (FirstSamples::lens_around); the beam is the same, but
+    /// need not be searched for. Not on a film of subpixels.
+    PixelBeam beam(Vec2 centre, bool alike, double depth,
+                   std::optional<LensIndex> around = {}) const;
 
     /// Appends one ray per channel of a beam: sample `index` of a sequence whose first 4^k points
     /// are well distributed. hybrid is sampled like full. Appends nothing if the sample belongs to
@@ -124,7 +133,16 @@ private:
     Vec2 moved(Vec2 film_point, Vec2 unit) const;
     std::optional<LensRay> sample_ray(Vec2 film_point, LensIndex lens) const;
     PointSeeds lens_seeds(LensIndex lens, int channel, std::uint64_t sequence) const;
+    BeamRay first_ray(const LensRay& pole_ray, Vec2 film_point, const UnitPoint& unit,
+                      const std::optional<LensRay>& at) const;
     UnitPoint first_point(Vec2 film_centre, LensIndex lens, int channel, bool alike) const;
+    /// Pole rays from which a beam is worked out.
+    struct BeamRays {
+        std::optional<LensRay> centre, right, up;
+        bool whole = false; ///< PixelBeam::Channel::whole
+    };
+    BeamRays beam_rays(Vec2 film_centre) const;
+    BeamRays beam_rays_through(Vec2 film_centre, LensIndex lens) const;
     void aim(PixelBeam::Channel& own, const LensRay& centre, const LensRay& right,
              const LensRay& up, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;

@@ -71,14 +71,42 @@ private:
     int number_ = 0;
 };
 
+/// A lens in one number, which is quick to compare.
+std::uint32_t lens_key(FirstSamples::StoredLens lens)
+{
+    return std::uint32_t(lens[0]) << 16 | lens[1];
+}
+
+LinearColour colour_of(FourFloats light)
+{
+    LinearColour colour;
+    std::memcpy(&colour, &light, sizeof colour);
+    return colour;
+}
+
 } // namespace
 
 /// By how much a pixel's own mean differs from its layers: smoothed over the pixels around, and the
 /// squares of that and of the rest in the encoding of comparison, with what noise lets expect.
 struct Reconstruction::Difference {
-    bool any = false;
-    LinearColour smooth{};
+    FourFloats smooth{};
     float smooth_square = 0, smooth_noise = 0, rest_square = 0, noise = 0;
+    std::uint32_t lens = 0; ///< lens_key
+    bool any = false;
+};
+
+/// What is known of the error of a pixel's mean; below 0: nothing. `of_one`: the variance of one
+/// sample.
+struct Reconstruction::Noise {
+    float variance = -1, of_halves = -1, of_one = 0;
+    std::uint32_t lens = 0; ///< lens_key
+};
+
+/// A pixel's own mean, less its layers; 0 where there are none.
+struct Reconstruction::BesideLayers {
+    FourFloats light{};
+    float any = 0;          ///< 1: it has layers
+    std::uint32_t lens = 0; ///< lens_key
 };
 
 /// The mean of a pixel's own samples, and how much of what it shows beside the layers and their
@@ -104,18 +132,6 @@ struct Reconstruction::Own {
     }
 };
 
-/// The differences of a block's pixels and of those around.
-struct Reconstruction::Differences {
-    PictureBlock pixels;
-    std::vector<Difference> row_by_row;
-
-    const Difference& at(int x, int y) const
-    {
-        const std::size_t width = pixels.right - pixels.left + 1;
-        return row_by_row[(y - pixels.top) * width + (x - pixels.left)];
-    }
-};
-
 /// What the differences of the pixels around tell of that of a pixel.
 struct Reconstruction::Surroundings {
     float smooth_part = 0; ///< as how much the smooth difference counts (Wiener's filter)
@@ -126,7 +142,9 @@ struct Reconstruction::Surroundings {
 struct Reconstruction::Scratch {
     LendingPixels::Scratch lending;
     SampleLayers layers;
-    Differences differences;
+    BlockWindow<Noise> noise;
+    BlockWindow<BesideLayers> beside;
+    BlockWindow<Difference> differences;
 };
 
 void Reconstruction::FreeScratch::operator()(Scratch* scratch) const { delete scratch; }
@@ -189,17 +207,21 @@ void Reconstruction::set(int x, int y, const LinearColour& mean, double variance
     pixel.taken = std::uint16_t(std::min(samples.taken, SamplesTaken::most));
 }
 
-/// Calls visit(x, y, index) for the pixels behind the same lens at most `reach` pixels away, itself
-/// included.
-template <class Visit>
-void Reconstruction::for_each_around(int x, int y, int reach, Visit visit) const
+/// Fills a window with what set(x, y, value) tells of the block's pixels and of those around,
+/// as far as they are behind a lens.
+template <class Value, class Set>
+void Reconstruction::fill(BlockWindow<Value>& window, const PictureBlock& block, int margin,
+                          Set set) const
 {
-    const auto lens = *first_.lens(x, y);
-    const int left = std::max(0, x - reach), right = std::min(width_ - 1, x + reach);
-    for (int j = std::max(0, y - reach); j <= std::min(height_ - 1, y + reach); ++j)
-        for (int i = left; i <= right; ++i)
-            if (first_.is_behind(index(i, j), lens))
-                visit(i, j, index(i, j));
+    window.begin(block, margin);
+    const PictureBlock& all = window.pixels();
+    for (int y = std::max(0, all.top); y <= std::min(height_ - 1, all.bottom); ++y)
+        for (int x = std::max(0, all.left); x <= std::min(width_ - 1, all.right); ++x)
+            if (const auto lens = first_.lens(x, y)) {
+                Value& value = window.at(x, y);
+                value.lens = lens_key(*lens);
+                set(x, y, value);
+            }
 }
 
 /// The ratio of squared errors that is usual in a block.
@@ -217,18 +239,22 @@ float Reconstruction::excess_of(const PictureBlock& block) const
 /// how much more the halves of the samples around differ than their variance lets expect. A pixel's
 /// own samples are not enough: it may have few because they happened to be alike. `usual`:
 /// excess_of() the block.
-float Reconstruction::smooth_variance(int x, int y, float usual) const
+float Reconstruction::smooth_variance(int x, int y, float usual,
+                                      const BlockWindow<Noise>& noise) const
 {
     float sum_of_one = 0;
     int number = 0;
     Excess excess;
-    for_each_around(x, y, reach_around, [&](int i, int j, std::size_t at) {
-        const float variance = pixels_[at].variance;
-        if (variance >= 0 && std::abs(i - x) <= 1 && std::abs(j - y) <= 1) {
-            sum_of_one += variance * samples_.pixel(at).number;
+    const std::uint32_t lens = noise.at(x, y).lens;
+    noise.for_each_around<1>(x, y, [&](int, int, const Noise& other) {
+        if (other.lens == lens && other.variance >= 0) {
+            sum_of_one += other.of_one;
             ++number;
         }
-        excess.add(variance, pixels_[at].of_halves);
+    });
+    noise.for_each_around<reach_around>(x, y, [&](int, int, const Noise& other) {
+        if (other.lens == lens)
+            excess.add(other.variance, other.of_halves);
     });
     return sum_of_one / number / samples_.pixel(x, y).number * excess.ratio(usual);
 }
@@ -237,32 +263,39 @@ float Reconstruction::smooth_variance(int x, int y, float usual) const
 void Reconstruction::gather(int x, int y, Scratch& scratch) const
 {
     const BeamSamples::Pixel& own = samples_.pixel(x, y);
-    const BeamPatch patch(camera_, own.centre, samples_.units());
+    const BeamPatch patch(camera_, own.centre);
     std::array<float, 2> depths = first_.depths_around(x, y);
     for (int k = 0; k + 1 < own.number; ++k)
         depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
     for (float& depth : depths)
         depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
     WeighedSamples& weighed = scratch.layers.samples();
+    const std::ptrdiff_t own_index = index(x, y);
     weighed.begin(patch, own.centre, samples_);
+    if (samples_.lends(own_index))
+        weighed.add_own(own);
     lending_.find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
-    for (const LendingPixels::Found& found : scratch.lending.found)
-        for (unsigned left = samples_.lending(found.index, found.which, found.lens); left != 0;
-             left &= left - 1) {
+    for (const LendingPixels::Found& found : scratch.lending.found) {
+        unsigned left = samples_.lending(found.index, found.which, found.lens);
+        if (const std::ptrdiff_t own_place = own_index - found.index;
+            own_place >= 0 && own_place < 8)
+            left &= ~(1u << own_place);
+        for (; left != 0; left &= left - 1) {
             const int k = __builtin_ctz(left);
-            const std::size_t lender = found.index + k;
-            weighed.add(samples_.pixel(lender), (*found.parts)[k], lender == index(x, y));
+            weighed.add(samples_.pixel(found.index + k), (*found.parts)[k]);
         }
+    }
 }
 
 /// Whether the pixel, of the given variance, or one around it has an error that counts. One sample
 /// tells nothing of its own error.
-bool Reconstruction::is_noisy(int x, int y, float variance) const
+bool Reconstruction::is_noisy(int x, int y, float variance, const BlockWindow<Noise>& noise) const
 {
     bool found = variance >= least_variance_;
+    const std::uint32_t lens = noise.at(x, y).lens;
     if (!found && samples_.pixel(x, y).number == 1)
-        for_each_around(x, y, reach_around, [&](int, int, std::size_t at) {
-            found = found || pixels_[at].variance >= least_variance_;
+        noise.for_each_around<reach_around>(x, y, [&](int, int, const Noise& other) {
+            found = found || (other.lens == lens && other.variance >= least_variance_);
         });
     return found;
 }
@@ -271,14 +304,20 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
                               Scratch& scratch)
 {
     const float usual = excess_of(block);
+    fill(scratch.noise, pixels, reach_around, [&](int x, int y, Noise& noise) {
+        const Pixel& pixel = pixels_[index(x, y)];
+        noise.variance = pixel.variance;
+        noise.of_halves = pixel.of_halves;
+        noise.of_one = noise.variance * samples_.pixel(x, y).number;
+    });
     for (int y = pixels.top; y <= pixels.bottom; ++y)
         for (int x = pixels.left; x <= pixels.right; ++x) {
             Pixel& pixel = pixels_[index(x, y)];
             pixel.others = 0;
-            if (!first_.lens(x, y) || pixel.variance < 0)
+            if (scratch.noise.at(x, y).variance < 0)
                 continue;
-            const float variance = smooth_variance(x, y, usual);
-            if (!is_noisy(x, y, variance))
+            const float variance = smooth_variance(x, y, usual, scratch.noise);
+            if (!is_noisy(x, y, variance, scratch.noise))
                 continue;
             gather(x, y, scratch);
             const auto light = scratch.layers.light();
@@ -292,36 +331,32 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
         }
 }
 
-Reconstruction::Difference Reconstruction::difference(int x, int y,
-                                                      const TabulatedCurve& encode) const
+/// `beside`: of this pixel and those around.
+Reconstruction::Difference Reconstruction::difference(int x, int y, const TabulatedCurve& encode,
+                                                      const BlockWindow<BesideLayers>& beside) const
 {
     Difference result;
-    const Pixel& own = pixels_[index(x, y)];
-    if (!(own.others > 0))
+    const BesideLayers& rest = beside.at(x, y);
+    if (!(rest.any > 0))
         return result;
     result.any = true;
+    result.lens = rest.lens;
     float weights = 0, squares = 0;
-    for_each_around(x, y, reach_around, [&](int i, int j, std::size_t at) {
-        if (!(pixels_[at].others > 0))
-            return;
-        const float weight = tent(i - x, j - y);
-        const LinearColour mean = pixels_[at].mean.light(), layers = pixels_[at].layers.light();
-        for (std::size_t k = 0; k < mean.size(); ++k)
-            result.smooth[k] += weight * (mean[k] - layers[k]);
+    beside.for_each_around<reach_around>(x, y, [&](int i, int j, const BesideLayers& other) {
+        const float weight = other.lens == rest.lens ? tent(i, j) * other.any : 0;
+        result.smooth += weight * other.light;
         weights += weight;
         squares += weight * weight;
     });
-    const LinearColour mean = own.mean.light(), layers = own.layers.light();
-    LinearColour smooth = layers;
-    for (std::size_t k = 0; k < smooth.size(); ++k) {
-        result.smooth[k] /= weights;
-        smooth[k] += result.smooth[k];
-    }
+    result.smooth /= weights;
+    const Pixel& own = pixels_[index(x, y)];
+    const FourFloats layers = own.layers.four();
+    const LinearColour smooth = colour_of(layers + result.smooth);
     const float all = own.others * own.noise, part = squares / (weights * weights);
-    result.smooth_square = squared_difference(encode, smooth, layers);
+    result.smooth_square = squared_difference(encode, smooth, colour_of(layers));
     result.smooth_noise = part * all;
     result.noise = (1 + part - 2 * tent(0, 0) / weights) * all;
-    result.rest_square = squared_difference(encode, mean, smooth);
+    result.rest_square = squared_difference(encode, own.mean.light(), smooth);
     return result;
 }
 
@@ -337,33 +372,32 @@ void Reconstruction::take_further(int x, int y, const Further& further, Own& own
 
 /// Works out the differences of a block's pixels and of those around.
 void Reconstruction::find_differences(const PictureBlock& block, const TabulatedCurve& encode,
-                                      Differences& differences) const
+                                      Scratch& scratch) const
 {
-    const PictureBlock pixels{std::max(0, block.left - reach_around),
-                              std::max(0, block.top - reach_around),
-                              std::min(width_ - 1, block.right + reach_around),
-                              std::min(height_ - 1, block.bottom + reach_around)};
-    differences.pixels = pixels;
-    differences.row_by_row.clear();
-    for (int y = pixels.top; y <= pixels.bottom; ++y)
-        for (int x = pixels.left; x <= pixels.right; ++x)
-            differences.row_by_row.push_back(difference(x, y, encode));
+    fill(scratch.beside, block, 2 * reach_around, [&](int x, int y, BesideLayers& beside) {
+        const Pixel& pixel = pixels_[index(x, y)];
+        beside.any = pixel.others > 0;
+        if (pixel.others > 0)
+            beside.light = pixel.mean.four() - pixel.layers.four();
+    });
+    fill(scratch.differences, block, reach_around, [&](int x, int y, Difference& result) {
+        result = difference(x, y, encode, scratch.beside);
+    });
 }
 
 /// What the differences around a pixel tell, if it has one itself.
-Reconstruction::Surroundings Reconstruction::surroundings(int x, int y,
-                                                          const Differences& differences) const
+Reconstruction::Surroundings Reconstruction::surroundings(
+    int x, int y, const BlockWindow<Difference>& differences) const
 {
-    const float own_noise = differences.at(x, y).noise;
+    const Difference& own = differences.at(x, y);
     float smooth = 0, smooth_noise = 0, signal = 0, weight = 0, noise = 0;
     int number = 0;
-    for_each_around(x, y, reach_around, [&](int i, int j, std::size_t) {
-        const Difference& other = differences.at(i, j);
-        if (!other.any)
+    differences.for_each_around<reach_around>(x, y, [&](int, int, const Difference& other) {
+        if (!other.any || other.lens != own.lens)
             return;
         smooth += other.smooth_square;
         smooth_noise += other.smooth_noise;
-        const float like = likeness(own_noise, other.noise);
+        const float like = likeness(own.noise, other.noise);
         signal += like * (other.rest_square - margin_of_rest * other.noise);
         weight += like;
         noise += other.noise;
@@ -377,7 +411,7 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
                                  Scratch& scratch, std::vector<Result>& pixels,
                                  const Further* further) const
 {
-    find_differences(block, encode, scratch.differences);
+    find_differences(block, encode, scratch);
     pixels.clear();
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x) {

@@ -20,6 +20,7 @@
 #define INTEGRAL_LIGHTFIELD_RECONSTRUCTION_H
 
 #include "integral/lightfield/beam_patch.h"
+#include "integral/lightfield/block_window.h"
 #include "integral/lightfield/pass_schedule.h"
 #include "integral/lightfield/refinement.h"
 #include "integral/lightfield/tabulated_curve.h"
@@ -139,21 +140,24 @@ private:
         std::uint16_t tried, taken; ///< SamplesTaken
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
+    struct Noise;
+    struct BesideLayers;
     struct Difference;
-    struct Differences;
     struct Surroundings;
     struct Own;
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
     float excess_of(const PictureBlock& block) const;
-    float smooth_variance(int x, int y, float usual) const;
-    bool is_noisy(int x, int y, float variance) const;
-    template <class Visit> void for_each_around(int x, int y, int reach, Visit visit) const;
+    template <class Value, class Set>
+    void fill(BlockWindow<Value>& window, const PictureBlock& block, int margin, Set set) const;
+    float smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise) const;
+    bool is_noisy(int x, int y, float variance, const BlockWindow<Noise>& noise) const;
     void gather(int x, int y, Scratch& scratch) const;
-    Difference difference(int x, int y, const TabulatedCurve& encode) const;
+    Difference difference(int x, int y, const TabulatedCurve& encode,
+                          const BlockWindow<BesideLayers>& beside) const;
     void find_differences(const PictureBlock& block, const TabulatedCurve& encode,
-                          Differences& differences) const;
-    Surroundings surroundings(int x, int y, const Differences& differences) const;
+                          Scratch& scratch) const;
+    Surroundings surroundings(int x, int y, const BlockWindow<Difference>& differences) const;
     void take_further(int x, int y, const Further& further, Own& own) const;
 
     const IntegralCamera& camera_;

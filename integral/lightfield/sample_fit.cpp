@@ -3,18 +3,18 @@
 
 namespace integral {
 
-FourFloats SampleFit::mean_of_beam() const
+FourFloats FitSums::mean_of_beam() const
 {
-    const float one = 1 / weight_, level = level_samples * squares_ * one * one;
-    const FourFloats mean = one * light_, places = one * places_,
+    const float one = 1 / weight, level = level_samples * squared_weight * one * one;
+    const FourFloats mean = one * light, mean_place = one * places,
                      levels = level * FourFloats{square_of_place, square_of_place,
                                                  variance_of_square, variance_of_square};
     // The normal equations about the mean place, one row for each of its numbers.
     std::array<FourFloats, 4> rows, right, slopes;
     for (int k = 0; k < 4; ++k) {
-        rows[k] = one * products_[k] - places[k] * places;
+        rows[k] = one * products[k] - mean_place[k] * mean_place;
         rows[k][k] += levels[k];
-        right[k] = one * light_by_place_[k] - places[k] * mean;
+        right[k] = one * light_by_place[k] - mean_place[k] * mean;
     }
     for (int k = 0; k < 4; ++k)
         for (int below = k + 1; below < 4; ++below) {
@@ -28,7 +28,7 @@ FourFloats SampleFit::mean_of_beam() const
         for (int after = k + 1; after < 4; ++after)
             slopes[k] -= rows[k][after] * slopes[after];
         slopes[k] /= rows[k][k];
-        result -= places[k] * slopes[k];
+        result -= mean_place[k] * slopes[k];
     }
     return most(result, FourFloats{});
 }

@@ -6,7 +6,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_FIT_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_FIT_H
 
-#include "integral/lightfield/four_floats.h"
+#include "integral/lightfield/eight_floats.h"
 
 namespace integral {
 
@@ -15,30 +15,57 @@ namespace integral {
 // the variance of its square 0.06.
 constexpr float level_samples = 8, square_of_place = 0.2f, variance_of_square = 0.06f;
 
-class SampleFit {
-public:
-    /// `place`: x and y divided by half the patch's width, and their squares less the means of
-    /// those over the beam.
-    void add(float weight, FourFloats place, FourFloats light)
-    {
-        const FourFloats weighted = weight * place, weighted_light = weight * light;
-        weight_ += weight;
-        squares_ += weight * weight;
-        places_ += weighted;
-        light_ += weighted_light;
-        for (int k = 0; k < 4; ++k) {
-            products_[k] += place[k] * weighted;
-            light_by_place_[k] += place[k] * weighted_light;
-        }
-    }
+/// The sums over samples of which a fit is made.
+struct FitSums {
+    float weight, squared_weight;
+    FourFloats places, light; ///< by weight
+    std::array<FourFloats, 4> products, light_by_place;
 
     /// The beam's mean light. The sum of weights must be above 0.
     FourFloats mean_of_beam() const;
+};
+
+/// Sums up samples, two at a time. Floats: see eight_floats.h; each half is about one sample.
+template <class Floats> class SampleFit {
+public:
+    /// `weight`: four times the same. `place`: x and y divided by half the patch's width, and their
+    /// squares less the means of those over the beam.
+    INTEGRAL_INLINE void add(Floats weight, Floats place, Floats light)
+    {
+        const Floats weighted = weight * place, weighted_light = weight * light;
+        weight_ = weight_ + weight;
+        squares_ = squares_ + weight * weight;
+        places_ = places_ + weighted;
+        light_ = light_ + weighted_light;
+        add_by<0>(place, weighted, weighted_light);
+        add_by<1>(place, weighted, weighted_light);
+        add_by<2>(place, weighted, weighted_light);
+        add_by<3>(place, weighted, weighted_light);
+    }
+
+    INTEGRAL_INLINE FitSums sums() const
+    {
+        FitSums sums{
+            of_both(weight_)[0], of_both(squares_)[0], of_both(places_), of_both(light_), {}, {}};
+        for (int k = 0; k < 4; ++k) {
+            sums.products[k] = of_both(products_[k]);
+            sums.light_by_place[k] = of_both(light_by_place_[k]);
+        }
+        return sums;
+    }
 
 private:
-    float weight_ = 0, squares_ = 0;
-    FourFloats places_{}, light_{};
-    std::array<FourFloats, 4> products_{}, light_by_place_{};
+    template <int k>
+    INTEGRAL_INLINE void add_by(Floats place, Floats weighted, Floats weighted_light)
+    {
+        const Floats by = repeated<k>(place);
+        products_[k] = products_[k] + by * weighted;
+        light_by_place_[k] = light_by_place_[k] + by * weighted_light;
+    }
+    static INTEGRAL_INLINE FourFloats of_both(Floats x) { return low_half(x) + high_half(x); }
+
+    Floats weight_{}, squares_{}, places_{}, light_{};
+    Floats products_[4]{}, light_by_place_[4]{};
 };
 
 } // namespace integral

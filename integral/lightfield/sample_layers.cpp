@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/sample_layers.h"
 
-#include "integral/lightfield/sample_fit.h"
-
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <cstring>
 
@@ -19,7 +16,6 @@ namespace {
 // Depths are compared on a scale on which the lines of neighbouring pixels move apart by about a
 // patch's width from one number to the next. Two layers have an empty step between them.
 constexpr float step = 0.08f;
-constexpr int most_steps = 1023;
 
 // A layer of less than this part of what is behind it is not looked at closely, and what is behind
 // layers that let less than this through is left out.
@@ -31,43 +27,77 @@ constexpr float little_part = 0.06f, little_light = 0.01f;
 constexpr float of_other_side = 0.3f;
 
 /// About the logarithm of x to base 2, for x >= 1: linear between powers of two.
-float logarithm(float x)
+template <class Floats> INTEGRAL_INLINE Floats logarithm(Floats x)
 {
-    std::uint32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return float(bits) * 0x1p-23f - 127;
+    return bits_as_number(x) * eight_of<Floats>(0x1p-23f) - eight_of<Floats>(127);
 }
 
 } // namespace
 
 /// A depth on the scale on which layers are told apart.
-inline float SampleLayers::scaled(float depth) const
+template <class Floats> INTEGRAL_INLINE Floats SampleLayers::scaled(Floats depth) const
 {
-    const float value = 2.2f * logarithm(1 + std::fabs(depth) * steepness_);
-    return depth < 0 ? -value : value;
+    const Floats one = eight_of<Floats>(1), none = eight_of<Floats>(0),
+                 value = eight_of<Floats>(2.2f) *
+                         logarithm(one + magnitude(depth) * eight_of<Floats>(steepness_));
+    return chosen(depth < none, none - value, value);
+}
+
+/// Sets each sample's layer to its step on the scale, counted from the nearest one's. Adds them
+/// to `steps`.
+template <class Floats> INTEGRAL_INLINE void SampleLayers::find_steps_with(Steps& steps)
+{
+    const Floats begin = eight_of<Floats>(scaled(samples_.nearest())),
+                 last = eight_of<Floats>(most_steps), of_step = eight_of<Floats>(1 / step);
+    const auto all = samples_.met();
+    for (Met* met = all.begin(); met < all.end(); met += 8) {
+        Floats numbers[4];
+        for (int i = 0; i < 4; ++i)
+            numbers[i] = of_halves<Floats>(met[i].numbers, met[i + 4].numbers);
+        transpose(numbers);
+        Eight found;
+        store(found, least((scaled(numbers[3]) - begin) * of_step, last));
+        for (std::size_t i = 0; i < 8 && met + i < all.end(); ++i) {
+            met[i].layer = std::uint16_t(int(found[i]));
+            steps[met[i].layer / 64] |= std::uint64_t(1) << met[i].layer % 64;
+        }
+    }
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2 void SampleLayers::find_steps_with_avx2(Steps& steps)
+{
+    find_steps_with<EightFloats>(steps);
+}
+#endif
+
+void SampleLayers::find_steps(Steps& steps)
+{
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        return find_steps_with_avx2(steps);
+#endif
+    find_steps_with<TwiceFourFloats>(steps);
 }
 
 /// Divides the samples that ended in the beam into layers, from the viewer on.
 void SampleLayers::find_layers()
 {
     layers_.clear();
-    const float begin = scaled(samples_.nearest());
-    const auto step_of = [&](float depth) {
-        return std::min(most_steps, int((scaled(depth) - begin) * (1 / step)));
-    };
-    const int last = step_of(samples_.furthest());
-    std::bitset<most_steps + 1> used;
-    if (last >= 2)
-        for (Met& met : samples_.met()) {
-            met.layer = std::uint16_t(step_of(met.depth()));
-            used.set(met.layer);
-        }
+    const float range = scaled(samples_.furthest()) - scaled(samples_.nearest());
+    if (range < 2 * step)
+        return;
+    Steps used{};
+    find_steps(used);
     std::array<std::uint16_t, most_steps + 1> layer_of;
-    for (int k = 0; k <= last; ++k)
-        if (used[k]) {
-            if (k == 0 || !used[k - 1])
+    int before = -2;
+    for (std::size_t word = 0; word < used.size(); ++word)
+        for (std::uint64_t left = used[word]; left != 0; left &= left - 1) {
+            const int k = int(64 * word) + __builtin_ctzll(left);
+            if (k > before + 1)
                 layers_.emplace_back();
-            layer_of[k] = std::uint16_t(layers_.size() - 1);
+            layer_of[std::size_t(k)] = std::uint16_t(layers_.size() - 1);
+            before = k;
         }
     if (layers_.size() > 1)
         for (Met& met : samples_.met())
@@ -102,21 +132,37 @@ inline float mean_square(const BeamPatch::Axis& axis, float depth)
     return (cell * cell + pixel * pixel) / (3 * both * both);
 }
 
+/// The sums for the beam's mean light, of all samples that ended in it: of one layer.
+template <class Floats> INTEGRAL_INLINE FitSums SampleLayers::fit_with() const
+{
+    SampleFit<Floats> fit;
+    const float depth = 0.5f * (samples_.nearest() + samples_.furthest());
+    const FourFloats of_one = {0, 0, mean_square(samples_.patch().axis(0), depth),
+                               mean_square(samples_.patch().axis(1), depth)};
+    const Floats squares = of_halves<Floats>(of_one, of_one), one = eight_of<Floats>(1);
+    const auto all = samples_.met();
+    for (const Met* met = all.begin(); met < all.end(); met += 2) {
+        const Floats numbers = of_halves<Floats>(met[0].numbers, met[1].numbers),
+                     place = shuffled_halves<1, 2, 1, 2>(numbers, numbers),
+                     factor = shuffled_halves<4, 4, 1, 2>(numbers, one),
+                     roots = floats_from<Floats>(&met[0].light, &met[1].light);
+        fit.add(repeated<0>(numbers), place * factor - squares, roots * magnitude(roots));
+    }
+    return fit.sums();
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2 FitSums SampleLayers::fit_with_avx2() const { return fit_with<EightFloats>(); }
+#endif
+
 /// The beam's mean light, of all samples that ended in it: of one layer.
 FourFloats SampleLayers::fitted() const
 {
-    SampleFit fit;
-    const float depth = 0.5f * (samples_.nearest() + samples_.furthest());
-    const FourFloats squares = {0, 0, mean_square(samples_.patch().axis(0), depth),
-                                mean_square(samples_.patch().axis(1), depth)},
-                     one = FourFloats{} + 1;
-    for (const Met& met : samples_.met()) {
-        const FourFloats numbers = met.numbers,
-                         place = __builtin_shufflevector(numbers, numbers, 1, 2, 1, 2),
-                         factor = __builtin_shufflevector(numbers, one, 4, 4, 1, 2);
-        fit.add(numbers[0], place * factor - squares, light_of(met.light));
-    }
-    return fit.mean_of_beam();
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        return fit_with_avx2().mean_of_beam();
+#endif
+    return fit_with<TwiceFourFloats>().mean_of_beam();
 }
 
 /// The samples that reach a layer inside the beam. `before`: the furthest depth of the layer before

@@ -7,8 +7,11 @@
 #define INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 
 #include "integral/lightfield/layer_covers.h"
+#include "integral/lightfield/sample_fit.h"
 #include "integral/lightfield/weighed_samples.h"
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -36,9 +39,17 @@ private:
         float depth = 0;    ///< the mean by weight, mm
         FourFloats light{}; ///< the sum by weight
     };
-    float scaled(float depth) const;
+    static constexpr int most_steps = 1023;
+    using Steps = std::array<std::uint64_t, (most_steps + 1) / 64>; ///< a bit for each step
+
+    template <class Floats> Floats scaled(Floats depth) const;
+    template <class Floats> void find_steps_with(Steps& steps);
+    void find_steps_with_avx2(Steps& steps);
+    void find_steps(Steps& steps);
     void find_layers();
     void sum_layers();
+    template <class Floats> FitSums fit_with() const;
+    FitSums fit_with_avx2() const;
     FourFloats fitted() const;
     template <class Floats>
     ReachingSamples<float> reaching_with(const Layer& layer, float before) const;

@@ -30,8 +30,8 @@ template <class Floats> INTEGRAL_INLINE Floats mean_area(Floats middle, Floats o
 
 } // namespace
 
-const WeighedSamples::Shares WeighedSamples::shares_ = [] {
-    Shares by_number{};
+const WeighedSamples::ByNumber WeighedSamples::by_number_ = [] {
+    ByNumber by_number{};
     for (std::size_t number = 1; number < by_number.size(); ++number)
         by_number[number] = 1 / std::sqrt(float(number));
     return by_number;
@@ -40,15 +40,34 @@ const WeighedSamples::Shares WeighedSamples::shares_ = [] {
 void WeighedSamples::begin(const BeamPatch& patch, const SightSlope& centre,
                            const BeamSamples& samples)
 {
-    centre_ = FourFloats{centre.point[0], centre.point[1], centre.slope[0], centre.slope[1]};
+    const auto set = [](Eight& all, float one) { std::fill_n(all.values, 8, one); };
     for (int k = 0; k < 2; ++k) {
-        axes_[k] = patch.axis(k);
-        axes_[k].lent_slope = std::max(axes_[k].lent_slope, 0.5f * axes_[k].pixel_slope);
+        const BeamPatch::Axis& axis = patch.axis(k);
+        Axis& own = axes_[k];
+        const float half_pixel_slope = 0.5f * axis.pixel_slope;
+        set(own.cell_at_sheet, axis.cell_at_sheet);
+        set(own.cell_slope, axis.cell_slope);
+        set(own.pixel_at_sheet, axis.pixel_at_sheet);
+        set(own.pixel_slope, axis.pixel_slope);
+        set(own.half_pixel_slope, half_pixel_slope);
+        set(own.lent_slope, std::max(axis.lent_slope, half_pixel_slope));
+        set(own.lent_way, axis.lent_way);
+        set(own.centre_point, centre.point[k]);
+        set(own.centre_slope, centre.slope[k]);
     }
-    units_ = samples.units();
-    number_ = own_begin_ = own_end_ = 0;
-    lender_number_ = 0;
+    tilt_unit_ = samples.tilt_unit();
+    number_ = own_number_ = 0;
     patch_ = patch;
+}
+
+/// Makes room for that many samples, and for those with which the last group is filled up.
+void WeighedSamples::make_room(std::size_t number)
+{
+    const std::size_t groups = number / 4 + 1;
+    added_.resize(8 * groups);
+    shares_.resize(groups);
+    groups_.resize(groups);
+    met_.resize(8 * groups + 8);
 }
 
 /// Sets a group's lines, depths and shares from eight samples, the `first` one and those after it.
@@ -56,35 +75,33 @@ void WeighedSamples::begin(const BeamPatch& patch, const SightSlope& centre,
 template <class Floats>
 INTEGRAL_INLINE void WeighedSamples::read(Group& group, Floats (&tilts)[2], std::size_t first) const
 {
-    static_assert(
-        offsetof(BeamSamples::Sample, depth) == 0 && offsetof(BeamSamples::Sample, point) == 4 &&
-            offsetof(BeamSamples::Sample, slope) == 8 && offsetof(BeamSamples::Sample, tilt) == 12,
-        "a sample begins with its depth and three pairs of numbers");
-    FourFloats numbers_of[8], starts_of[8];
+    using Sample = BeamSamples::Sample;
+    static_assert(sizeof(Sample) == 32 && offsetof(Sample, depth) == 0 &&
+                      offsetof(Sample, line) == 4 && sizeof(SightSlope) == 16 &&
+                      offsetof(Sample, tilt) == 20,
+                  "a sample begins with its depth, four numbers of its line, and a pair of tilts");
+    FourFloats halves[2][8];
     for (std::size_t i = 0; i < 8; ++i) {
-        const Added& added = added_[first + i];
-        const Lender& lender = lenders_[added.lender];
-        std::memcpy(&numbers_of[i], added.sample, sizeof numbers_of[i]);
-        starts_of[i] = lender.start;
-        group.shares[i] = lender.share;
+        const char* bytes = reinterpret_cast<const char*>(added_[first + i]);
+        std::memcpy(&halves[0][i], bytes, 16);
+        std::memcpy(&halves[1][i], bytes + 16, 16);
     }
-    Floats numbers[4], starts[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-        numbers[i] = of_halves<Floats>(numbers_of[i], numbers_of[i + 4]);
-        starts[i] = of_halves<Floats>(starts_of[i], starts_of[i + 4]);
+    Floats numbers[2][4];
+    for (std::size_t half = 0; half < 2; ++half) {
+        for (std::size_t i = 0; i < 4; ++i)
+            numbers[half][i] = of_halves<Floats>(halves[half][i], halves[half][i + 4]);
+        transpose(numbers[half]);
     }
-    transpose(numbers);
-    transpose(starts);
-    store(group.depths, numbers[0]);
-    Floats points[2], slopes[2], pairs[2];
-    split_pairs(numbers[1], points[0], points[1]);
-    split_pairs(numbers[2], slopes[0], slopes[1]);
-    split_pairs(numbers[3], pairs[0], pairs[1]);
-    for (int k = 0; k < 2; ++k) {
-        store(group.lines[k], starts[k] + eight_of<Floats>(units_.point) * points[k]);
-        store(group.lines[k + 2], starts[k + 2] + eight_of<Floats>(units_.slope) * slopes[k]);
-        tilts[k] = eight_of<Floats>(units_.tilt) * pairs[k];
-    }
+    const auto& [depths, point_x, point_y, slope_x] = numbers[0];
+    store(group.depths, depths);
+    store(group.lines[0], point_x - loaded<Floats>(axes_[0].centre_point));
+    store(group.lines[1], point_y - loaded<Floats>(axes_[1].centre_point));
+    store(group.lines[2], slope_x - loaded<Floats>(axes_[0].centre_slope));
+    store(group.lines[3], numbers[1][0] - loaded<Floats>(axes_[1].centre_slope));
+    split_pairs(numbers[1][1], tilts[0], tilts[1]);
+    for (Floats& tilt : tilts)
+        tilt = eight_of<Floats>(tilt_unit_) * tilt;
+    store(group.shares, loaded<Floats>(shares_[first / 8]));
 }
 
 /// Where eight samples ended. Without branches, which the processor could not predict.
@@ -95,11 +112,11 @@ INTEGRAL_INLINE WeighedSamples::Density<Floats> WeighedSamples::density(const Gr
                  one = eight_of<Floats>(1), none = eight_of<Floats>(0), two = eight_of<Floats>(2);
     Floats places[2], value = one;
     for (int k = 0; k < 2; ++k) {
-        const BeamPatch::Axis& axis = axes_[k];
-        const Floats cell = eight_of<Floats>(axis.cell_at_sheet) +
-                            eight_of<Floats>(axis.cell_slope) * far,
-                     pixel = magnitude(eight_of<Floats>(axis.pixel_at_sheet) +
-                                       eight_of<Floats>(axis.pixel_slope) * depth),
+        const Axis& axis = axes_[k];
+        const Floats cell = loaded<Floats>(axis.cell_at_sheet) +
+                            loaded<Floats>(axis.cell_slope) * far,
+                     pixel = magnitude(loaded<Floats>(axis.pixel_at_sheet) +
+                                       loaded<Floats>(axis.pixel_slope) * depth),
                      place = loaded<Floats>(group.lines[k]) +
                              depth * loaded<Floats>(group.lines[k + 2]),
                      both = cell + pixel,
@@ -124,7 +141,7 @@ INTEGRAL_INLINE Floats WeighedSamples::seen_part(Group& group, Floats (&tilts)[2
     for (int k = 0; k < 2; ++k) {
         middle = middle - tilts[k] * loaded<Floats>(group.lines[k + 2]);
         tilts[k] = magnitude(tilts[k]);
-        most_off = most_off + tilts[k] * eight_of<Floats>(axes_[k].lent_slope);
+        most_off = most_off + tilts[k] * loaded<Floats>(axes_[k].lent_slope);
     }
     store(group.areas, middle);
     if (!any(middle < most_off))
@@ -132,10 +149,10 @@ INTEGRAL_INLINE Floats WeighedSamples::seen_part(Group& group, Floats (&tilts)[2
     const Floats far = most(magnitude(loaded<Floats>(group.depths)), eight_of<Floats>(1e-3f));
     Floats own = little, all = little;
     for (int k = 0; k < 2; ++k) {
-        const BeamPatch::Axis& axis = axes_[k];
-        const Floats slope = eight_of<Floats>(0.5f * axis.pixel_slope),
-                     lent = least(eight_of<Floats>(axis.lent_slope),
-                                  eight_of<Floats>(axis.lent_way) / far);
+        const Axis& axis = axes_[k];
+        const Floats slope = loaded<Floats>(axis.half_pixel_slope),
+                     lent = least(loaded<Floats>(axis.lent_slope),
+                                  loaded<Floats>(axis.lent_way) / far);
         own = own + tilts[k] * slope;
         all = all + tilts[k] * most(lent, slope);
     }
@@ -146,7 +163,7 @@ template <class Floats> INTEGRAL_INLINE void WeighedSamples::weigh_with()
 {
     Floats nearest = eight_of<Floats>(1e9f), furthest = eight_of<Floats>(-1e9f),
            sum = eight_of<Floats>(0);
-    std::size_t met_number = 0;
+    Met* met = met_.data();
     for (std::size_t k = 0; k < group_number_; ++k) {
         Group& group = groups_[k];
         Floats tilts[2];
@@ -155,7 +172,8 @@ template <class Floats> INTEGRAL_INLINE void WeighedSamples::weigh_with()
         const Floats weight = loaded<Floats>(group.shares) * at.value * seen_part(group, tilts);
         store(group.weights, weight);
         const auto counts = weight > eight_of<Floats>(0);
-        if (!any(counts))
+        const unsigned which = bits(counts);
+        if (which == 0)
             continue;
         const Floats depths = loaded<Floats>(group.depths);
         nearest = least(nearest, chosen(counts, depths, nearest));
@@ -165,12 +183,13 @@ template <class Floats> INTEGRAL_INLINE void WeighedSamples::weigh_with()
         transpose(numbers);
         for (std::size_t i = 0; i < 8; ++i) {
             const Floats& both = numbers[i % 4];
-            met_[met_number].numbers = i < 4 ? low_half(both) : high_half(both);
-            met_[met_number].light = added_[8 * k + i].sample->light;
-            met_number += group.weights[i] > 0;
+            met->numbers = i < 4 ? low_half(both) : high_half(both);
+            met->light = added_[8 * k + i]->light;
+            met += which >> i & 1;
         }
     }
-    met_number_ = met_number;
+    met_number_ = met - met_.data();
+    *met = Met();
     Eight all_nearest, all_furthest;
     store(all_nearest, nearest);
     store(all_furthest, furthest);
@@ -186,17 +205,12 @@ INTEGRAL_TARGET_AVX2 void WeighedSamples::weigh_with_avx2() { weigh_with<EightFl
 void WeighedSamples::weigh()
 {
     group_number_ = (number_ + 7) / 8;
-    if (added_.size() < 8 * group_number_)
-        added_.resize(8 * group_number_);
-    if (groups_.size() < group_number_)
-        groups_.resize(2 * group_number_);
-    if (met_.size() < 8 * group_number_ + 8)
-        met_.resize(16 * group_number_ + 8);
-    if (lenders_.size() <= lender_number_)
-        lenders_.resize(2 * lender_number_ + 1);
-    lenders_[lender_number_] = Lender();
-    for (std::size_t k = number_; k < 8 * group_number_; ++k)
-        added_[k] = {&nobody, lender_number_};
+    if (added_.size() < 8 * group_number_ || groups_.empty())
+        make_room(8 * group_number_);
+    for (std::size_t k = number_; k < 8 * group_number_; ++k) {
+        added_[k] = &nobody;
+        shares_[k / 8][k % 8] = 0;
+    }
 #ifdef INTEGRAL_HAS_AVX2
     if (has_avx2())
         return weigh_with_avx2();
@@ -207,7 +221,7 @@ void WeighedSamples::weigh()
 float WeighedSamples::own_part() const
 {
     float part = 0;
-    for (std::size_t k = own_begin_; k < own_end_; ++k)
+    for (std::size_t k = 0; k < own_number_; ++k)
         part += groups_[k / 8].weights[k % 8] / weight_;
     return part;
 }

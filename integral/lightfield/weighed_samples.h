@@ -27,9 +27,14 @@ public:
     /// store of the samples that will be added; it must outlive weigh().
     void begin(const BeamPatch& patch, const SightSlope& centre, const BeamSamples& samples);
 
+    /// Adds the pixel's own samples, before those of others.
+    void add_own(const BeamSamples::Pixel& pixel)
+    {
+        add(pixel, 1);
+        own_number_ = number_;
+    }
     /// Adds the samples of a pixel, which must not be empty. `part`: their weight, 0 to 1.
-    /// `is_own`: it is the pixel itself.
-    void add(const BeamSamples::Pixel& pixel, float part, bool is_own);
+    void add(const BeamSamples::Pixel& pixel, float part);
 
     /// Works out the weights of all samples that were added, and lists those that have one.
     void weigh();
@@ -50,12 +55,13 @@ public:
 
     /// A sample that ended in the beam.
     struct Met {
-        FourFloats numbers; ///< its weight, its place in the patch (x, y: -1 to 1), its depth, mm
+        FourFloats numbers{}; ///< its weight, its place in the patch (x, y: -1 to 1), its depth, mm
         float weight() const { return numbers[0]; }
         float depth() const { return numbers[3]; }
         StoredLight light;
-        std::uint16_t layer; ///< for the user of the list
+        std::uint16_t layer = 0; ///< for the user of the list
     };
+    /// The list is followed by one whose weight is 0, so that it can be read in pairs.
     Range<Met> met() { return {met_.data(), met_.data() + met_number_}; }
     Range<const Met> met() const { return {met_.data(), met_.data() + met_number_}; }
 
@@ -85,29 +91,28 @@ private:
     template <class Floats> void weigh_with();
     void weigh_with_avx2();
 
+    void make_room(std::size_t number);
+
     /// As how much each sample of a pixel counts, by their number. More samples tell more. But if
     /// they counted in full, the mean would lean to where they are.
-    using Shares = std::array<float, BeamSamples::most_stored + 1>;
-    static const Shares shares_;
+    using ByNumber = std::array<float, BeamSamples::most_stored + 1>;
+    static const ByNumber by_number_;
 
     BeamPatch patch_;
-    BeamPatch::Axis axes_[2]; ///< those of patch_, but lent_slope is at least half a pixel's slopes
-    FourFloats centre_{};
-    BeamSamples::Units units_;
-    /// The pixels that were added, and their samples, each with the number of its pixel.
-    struct Lender {
-        FourFloats start{}; ///< its centre's line, less the pixel's own
-        float share = 0;
+    /// What weigh() reads of an axis, each number eight times: BeamPatch::Axis, but lent_slope is
+    /// at least half a pixel's slopes; and the centre's line.
+    struct Axis {
+        Eight cell_at_sheet, cell_slope, pixel_at_sheet, pixel_slope;
+        Eight half_pixel_slope, lent_slope, lent_way;
+        Eight centre_point, centre_slope;
     };
-    std::vector<Lender> lenders_;
-    std::size_t lender_number_ = 0;
-    struct Added {
-        const BeamSamples::Sample* sample;
-        std::size_t lender;
-    };
-    std::vector<Added> added_;
-    std::size_t number_ = 0;                  ///< of samples in added_
-    std::size_t own_begin_ = 0, own_end_ = 0; ///< the pixel's own
+    Axis axes_[2];
+    float tilt_unit_ = 0;
+    /// The samples that were added, and as how much they count inside the beam.
+    std::vector<const BeamSamples::Sample*> added_;
+    std::vector<Eight> shares_;
+    std::size_t number_ = 0;     ///< of samples that were added
+    std::size_t own_number_ = 0; ///< of the pixel's own, which are the first
     std::vector<Group> groups_;
     std::size_t group_number_ = 0;
     std::vector<Met> met_;
@@ -115,27 +120,26 @@ private:
     float weight_ = 0, nearest_ = 0, furthest_ = 0;
 };
 
-inline void WeighedSamples::add(const BeamSamples::Pixel& pixel, float part, bool is_own)
+inline void WeighedSamples::add(const BeamSamples::Pixel& pixel, float part)
 {
-    const FourFloats line = {pixel.centre.point[0], pixel.centre.point[1], pixel.centre.slope[0],
-                             pixel.centre.slope[1]};
-    const std::size_t number = lender_number_++, end = number_ + pixel.number;
-    if (lenders_.size() < lender_number_)
-        lenders_.resize(2 * lender_number_);
-    if (added_.size() < end)
-        added_.resize(2 * end);
-    // Written where it lies: to copy a finished one would stall until its share is known.
-    Lender& lender = lenders_[number];
-    lender.start = line - centre_;
-    lender.share = part * shares_[pixel.number];
-    if (is_own) {
-        own_begin_ = number_;
-        own_end_ = end;
+    // Four at a time, some of them for nothing: most pixels have one sample or four, and which of
+    // the two the processor could not predict.
+    const std::size_t end = number_ + pixel.number;
+    if (added_.size() < end + 3)
+        make_room(end + 3);
+    const BeamSamples::Sample** added = &added_[number_];
+    float* shares = shares_.data()->values + number_;
+    const FourFloats share = FourFloats{} + part * by_number_[pixel.number];
+    const BeamSamples::Sample* more = pixel.number > 1 ? pixel.more : &pixel.first;
+    added[0] = &pixel.first;
+    for (int i = 0; i < 3; ++i)
+        added[i + 1] = more + i;
+    std::memcpy(shares, &share, sizeof share);
+    for (int k = 4; k < pixel.number; k += 4) {
+        for (int i = 0; i < 4; ++i)
+            added[k + i] = more + (k - 1 + i);
+        std::memcpy(shares + k, &share, sizeof share);
     }
-    Added* added = &added_[number_];
-    *added++ = {&pixel.first, number};
-    for (int k = 0; k + 1 < pixel.number; ++k)
-        *added++ = {&pixel.more[k], number};
     number_ = end;
 }
 

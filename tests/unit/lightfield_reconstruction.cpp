@@ -30,14 +30,10 @@ BOOST_AUTO_TEST_CASE(lines_are_stored)
                                   .ray;
             const SightSlope line = sight_slope(lattice,
                                                 frame.sampler.first_sample(centre, *pole, false));
-            for (int k = 0; k < 2; ++k) {
-                const double point = pixel.centre.point[k] +
-                                     frame.samples.units().point * pixel.first.point[k],
-                             slope = pixel.centre.slope[k] +
-                                     frame.samples.units().slope * pixel.first.slope[k];
-                furthest = std::max({furthest, std::fabs(point - line.point[k]),
-                                     20 * std::fabs(slope - line.slope[k])});
-            }
+            const SightSlope& stored = pixel.first.line;
+            for (int k = 0; k < 2; ++k)
+                furthest = std::max({furthest, std::fabs(double(stored.point[k]) - line.point[k]),
+                                     20 * std::fabs(double(stored.slope[k]) - line.slope[k])});
         }
     BOOST_TEST(furthest < 0.001);  // mm at the sheet, and 20 mm off
     frame.samples.forget_above(0); // keeps what begins in row 0
@@ -93,9 +89,8 @@ BOOST_AUTO_TEST_CASE(light_that_cannot_be_stored_tells_nothing_of_noise)
                 if (std::max(std::abs(i - x), std::abs(j - y)) > 4 &&
                     before[Sampled::at(i, j)].light) {
                     BOOST_TEST_REQUIRE(after[Sampled::at(i, j)].light.has_value());
-                    change = std::fmax(change,
-                                       std::fabs((*after[Sampled::at(i, j)].light)[0] -
-                                                 (*before[Sampled::at(i, j)].light)[0]));
+                    change = std::fmax(change, std::fabs((*after[Sampled::at(i, j)].light)[0] -
+                                                         (*before[Sampled::at(i, j)].light)[0]));
                 }
         BOOST_TEST(change < 0.002, "halves " << halves << ": " << change);
     }
@@ -233,16 +228,20 @@ BOOST_AUTO_TEST_CASE(uneven_samples_show_the_mean_of_a_curve)
     // More samples near the middle than at the rim; the beam's own density is even.
     std::mt19937 random(5);
     std::normal_distribution<float> normal(0, 0.5f);
-    SampleFit fit;
+    SampleFit<TwiceFourFloats> fit;
+    const FourFloats none{};
     for (int k = 0; k < 4000;) {
         const float x = normal(random), y = normal(random) + 0.1f;
         if (std::fabs(x) > 1 || std::fabs(y) > 1)
             continue;
         const float light = 2 + x - 0.5f * y + 3 * x * x - y * y;
-        fit.add(0.5f, FourFloats{x, y, x * x - 1 / 3.f, y * y - 1 / 3.f}, FourFloats{} + light);
+        const FourFloats place = {x, y, x * x - 1 / 3.f, y * y - 1 / 3.f};
+        fit.add(TwiceFourFloats{none + 0.5f, none}, TwiceFourFloats{place, none},
+                TwiceFourFloats{none + light, none});
         ++k;
     }
-    BOOST_TEST(fit.mean_of_beam()[1] == 2 + 1 - 1 / 3.f, boost::test_tools::tolerance(0.01f));
+    BOOST_TEST(fit.sums().mean_of_beam()[1] == 2 + 1 - 1 / 3.f,
+               boost::test_tools::tolerance(0.01f));
 }
 
 BOOST_AUTO_TEST_CASE(what_moves_otherwise_stays)

@@ -89,7 +89,7 @@ public:
     int Take_Further(int x, int y, int begin, int number, integral::LinearColour& sum)
     {
         int taken = 0;
-        trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y), NULL);
+        trace.Integral().Refine(x, y, !options.jitter, sampling.First(), NULL);
         for (int index = begin; index < begin + number; index++)
         {
             Colour seen;
@@ -143,8 +143,7 @@ private:
         bool any = false;
         std::uint32_t index = 0;
         const Colour first = sampling.At(x, y);
-        trace.Integral().Refine(x, y, !options.jitter, sampling.First().depth(x, y),
-                                lent ? &first : NULL);
+        trace.Integral().Refine(x, y, !options.jitter, sampling.First(), lent ? &first : NULL);
         if (lent)
         {
             gathered.begin(x, y);

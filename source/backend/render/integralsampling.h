@@ -35,9 +35,9 @@ struct IntegralRefinementOptions
     bool jitter, reproducible, final;
 };
 
-/// The results of the passes: 36 bytes per pixel of the rows that need samples, and 84 more with
+/// The results of the passes: 36 bytes per pixel of the rows that need samples, and 96 more with
 /// reconstruction. They are kept in a file if they exceed POV-Ray's limit for images in main
-/// memory. Further samples (24 bytes each, at most 15 a pixel) are kept in main memory, for the
+/// memory. Further samples (32 bytes each, at most 15 a pixel) are kept in main memory, for the
 /// rows between the second pass and the last.
 class IntegralSampling
 {

@@ -31,7 +31,7 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     counts_error = view->error.by_halves;
     quilt = view->quilt != nullptr;
     one_ray = quilt || view->sampler->gives_one_ray();
-    run_y = last_y = -1;
+    run_y = first_y = last_y = -1;
     keeps_depth = view->sampling != nullptr;
     std::lock_guard<std::mutex> lock(view->counts->mutex);
     tally = &view->counts->tallies.emplace_back();
@@ -150,7 +150,19 @@ bool IntegralTracer::Choose_First_Sample(DBL x, DBL y, bool counted, bool pretra
     if (!imaged)
         return false;
     centre = integral::pole_beam(*mapped.ray);
-    sampled = view->sampler->first_sample(at, *mapped.ray, alike_samples);
+    if (place < 0)
+        sampled = view->sampler->first_sample(at, *mapped.ray, alike_samples);
+    else
+    {
+        if (run_x != first_x || run_y != first_y)
+        {
+            view->sampler->first_samples({run_x + 0.5, run_y + 0.5}, run.mapped, alike_samples,
+                                         run_samples);
+            first_x = run_x;
+            first_y = run_y;
+        }
+        sampled = run_samples[place];
+    }
     Make_Ray(ray, sampled, pretrace, length);
     return true;
 }
@@ -174,10 +186,14 @@ bool IntegralTracer::Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace,
     return imaged;
 }
 
-void IntegralTracer::Refine(int x, int y, bool alike, double depth, const Colour *first)
+void IntegralTracer::Refine(int x, int y, bool alike, const integral::FirstSamples& samples,
+                            const Colour *first)
 {
     mode = refinement;
-    beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, depth);
+    std::optional<integral::LensIndex> around;
+    if (view->optics->film.subpixels == integral::Subpixels::none)
+        around = samples.lens_around(x, y);
+    beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, samples.depth(x, y), around);
     refined = Light();
     if (first)
         refined.Add(integral::PixelRay(), *first);

@@ -62,9 +62,10 @@ public:
     }
 
     /// From now on Trace_Pixel traces single samples of the beam of pixel (x, y), counted from 0;
-    /// Take chooses which. `depth`: depth of the surface that the pixel shows, as returned by
-    /// Depth. `first`: the colour of the first sample if it was taken already; else null.
-    void Refine(int x, int y, bool alike, double depth, const Colour *first);
+    /// Take chooses which. `samples`: what the first samples of this pixel and of those around
+    /// showed. `first`: the colour of the first sample if it counts; else null.
+    void Refine(int x, int y, bool alike, const integral::FirstSamples& samples,
+                const Colour *first);
     void Take(std::uint32_t index) { sample_index = index; }
 
     /// The mean of the samples that were traced since Refine.
@@ -160,6 +161,8 @@ private:
     bool quilt = false;          ///< whether the picture is a quilt of views; then one_ray is true
     integral::PixelRun run;      ///< pixels of a row mapped at once: the last run that was computed
     DBL run_x = 0, run_y = -1;   ///< its first pixel; initially none
+    integral::RayRun<integral::BeamRay> run_samples; ///< the first samples of such a run
+    DBL first_x = 0, first_y = -1;                     ///< its first pixel; initially none
     DBL last_x = 0, last_y = -1; ///< the last pixel that was traced
 };
 
