@@ -308,13 +308,14 @@ PointSeeds PixelSampler::lens_seeds(LensIndex lens, int channel, std::uint64_t s
     return point_seeds(random_bits(key, sequence << 2 | std::uint64_t(channel + 1)));
 }
 
-/// The coordinates of a pixel's first sample: two on the cell, then two on the pixel's area. Those
-/// of neighbouring pixels are next to each other in one sequence, so that they fill each other's
-/// gaps. `alike`: they are the same for all pixels.
-UnitPoint PixelSampler::first_point(Vec2 film_centre, LensIndex lens, int channel, bool alike) const
+/// Where a pixel's first point is: in which sequence, and where in it. The first points of pixels
+/// beside each other behind a lens are next to each other in one sequence, so that they fill each
+/// other's gaps. `alike`: it is the same for all pixels.
+PixelSampler::PlaceInSequence PixelSampler::place_of_first(Vec2 film_centre, LensIndex lens,
+                                                           bool alike) const
 {
     if (alike)
-        return scrambled_point(lens_seeds({}, channel, first_points), 0);
+        return {{}, first_points, 0};
     const Vec2 pitch = camera_.film.pixel_pitch,
                from_pole = film_centre - camera_.optics.lattice().pole(lens);
     // Poles often lie in the middle or at the edge of a pixel. A quarter keeps away from both, so
@@ -324,8 +325,15 @@ UnitPoint PixelSampler::first_point(Vec2 film_centre, LensIndex lens, int channe
     };
     const std::uint32_t x = place(from_pole.x / pitch.x), y = place(from_pole.y / pitch.y);
     const std::uint64_t square = std::uint64_t(x / curve_side) << 32 | y / curve_side;
-    return scrambled_point(lens_seeds(lens, channel, first_points + square),
-                           place_on_curve(x % curve_side, y % curve_side));
+    return {lens, first_points + square, place_on_curve(x % curve_side, y % curve_side)};
+}
+
+/// The coordinates of a pixel's first sample: two on the cell, then two on the pixel's area.
+/// `alike`: they are the same for all pixels.
+UnitPoint PixelSampler::first_point(Vec2 film_centre, LensIndex lens, int channel, bool alike) const
+{
+    const PlaceInSequence place = place_of_first(film_centre, lens, alike);
+    return scrambled_point(lens_seeds(place.lens, channel, place.sequence), place.index);
 }
 
 /// The first sample at a film point and a place on the cell. `at`: the film point's ray.
@@ -351,11 +359,17 @@ void PixelSampler::first_samples(Vec2 centre, const RayRun<MappedPoint>& mapped,
 {
     RayRun<Vec2> film_points;
     RayRun<UnitPoint> units;
+    std::optional<PlaceInSequence> begun; // the last one, of whose sequence these are the seeds
+    PointSeeds seeds{};
     for (int k = 0; k < run_length; ++k) {
         film_points[k] = film_from_pixel(camera_.film, {centre.x + k, centre.y});
         if (!mapped[k].ray)
             continue;
-        units[k] = first_point(film_points[k], mapped[k].ray->lens, PixelRay::all_channels, alike);
+        const PlaceInSequence place = place_of_first(film_points[k], mapped[k].ray->lens, alike);
+        if (!begun || place.lens != begun->lens || place.sequence != begun->sequence)
+            seeds = lens_seeds(place.lens, PixelRay::all_channels, place.sequence);
+        begun = place;
+        units[k] = scrambled_point(seeds, place.index);
         film_points[k] = moved(film_points[k], {units[k][2], units[k][3]});
     }
     RayRun<MappedPoint> at;

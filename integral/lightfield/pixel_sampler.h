@@ -135,6 +135,12 @@ private:
     PointSeeds lens_seeds(LensIndex lens, int channel, std::uint64_t sequence) const;
     BeamRay first_ray(const LensRay& pole_ray, Vec2 film_point, const UnitPoint& unit,
                       const std::optional<LensRay>& at) const;
+    struct PlaceInSequence {
+        LensIndex lens; ///< whose sequence it is
+        std::uint64_t sequence;
+        std::uint32_t index;
+    };
+    PlaceInSequence place_of_first(Vec2 film_centre, LensIndex lens, bool alike) const;
     UnitPoint first_point(Vec2 film_centre, LensIndex lens, int channel, bool alike) const;
     /// Pole rays from which a beam is worked out.
     struct BeamRays {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/sample_points.h"
 
+#include "integral/lightfield/eight_floats.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace integral {
 
@@ -17,9 +20,21 @@ std::uint64_t scrambled(std::uint64_t x)
     return x ^ (x >> 31);
 }
 
-std::uint32_t reversed(std::uint32_t x)
+/// A number, or one for each dimension.
+typedef std::uint32_t FourBits __attribute__((vector_size(16)));
+
+INTEGRAL_INLINE std::uint32_t with_swapped_bytes(std::uint32_t x) { return __builtin_bswap32(x); }
+INTEGRAL_INLINE FourBits with_swapped_bytes(FourBits x)
 {
-    x = __builtin_bswap32(x);
+    typedef std::uint8_t Bytes __attribute__((vector_size(16)));
+    const Bytes bytes = Bytes(x);
+    return FourBits(__builtin_shufflevector(bytes, bytes, 3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15,
+                                            14, 13, 12));
+}
+
+template <class Bits> INTEGRAL_INLINE Bits reversed(Bits x)
+{
+    x = with_swapped_bytes(x);
     x = (x >> 4 & 0x0f0f0f0f) | (x & 0x0f0f0f0f) << 4;
     x = (x >> 2 & 0x33333333) | (x & 0x33333333) << 2;
     return (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
@@ -82,7 +97,7 @@ const FirstPoints first_points = sobol_points();
 /// A bijection in which each bit depends only on itself and the bits below it. On a coordinate with
 /// its bits in reverse order this is Owen scrambling (Laine and Karras 2011; multipliers by Vegdahl
 /// 2021).
-std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed)
+template <class Bits> INTEGRAL_INLINE Bits scrambled_upwards(Bits x, Bits seed)
 {
     x ^= x * 0x3d20adeau;
     x += seed;
@@ -94,12 +109,33 @@ std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed)
 /// The bits of a point's coordinates, highest first.
 using PointBits = std::array<std::uint32_t, point_dimensions>;
 
+/// All dimensions at once.
+INTEGRAL_INLINE PointBits scrambled_at_once(const PointSeeds& seeds, const SobolPoint& point)
+{
+    FourBits bits, of_seeds;
+    std::memcpy(&bits, point.data(), sizeof bits);
+    std::memcpy(&of_seeds, seeds.data(), sizeof of_seeds);
+    const FourBits result = reversed(scrambled_upwards(bits, of_seeds));
+    PointBits scrambled;
+    std::memcpy(scrambled.data(), &result, sizeof result);
+    return scrambled;
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2 PointBits scrambled_with_avx2(const PointSeeds& seeds, const SobolPoint& point)
+{
+    return scrambled_at_once(seeds, point);
+}
+#endif
+
 PointBits scrambled_bits(const PointSeeds& seeds, std::uint32_t index)
 {
-    PointBits bits = index < first_points.size() ? first_points[index] : sobol_point(index);
-    for (int k = 0; k < point_dimensions; ++k)
-        bits[k] = reversed(scrambled_upwards(bits[k], seeds[k]));
-    return bits;
+    const SobolPoint point = index < first_points.size() ? first_points[index] : sobol_point(index);
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        return scrambled_with_avx2(seeds, point);
+#endif
+    return scrambled_at_once(seeds, point);
 }
 
 UnitPoint point_of(const PointBits& bits)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The samples that anti-aliasing takes of a pixel's beam: they belong to the pixel's lens and are
 // well distributed over the pixel, the lens's cell, and what the beam covers at a depth.
+#include "integral/lightfield/first_samples.h"
+#include "integral/optics/pixel_run.h"
 #include "tests/unit/optics_sheets.h"
 #include "tests/unit/pixel_origins.h"
 
@@ -150,6 +152,69 @@ BOOST_AUTO_TEST_CASE(the_first_sample_is_sample_0_at_any_depth)
                         BOOST_TEST_REQUIRE(std::sqrt(dot(turned, turned)) < 1e-4);
                     });
             }
+}
+
+BOOST_AUTO_TEST_CASE(first_samples_are_the_same_in_runs)
+{
+    for (const Arrangement arrangement : arrangements)
+        for (const bool alike : {false, true}) {
+            const IntegralCamera camera = camera_of(parameters_of(arrangement), 60, 40);
+            const PixelSampler sampler(camera, 5);
+            int number = 0;
+            for (int y = 0; y < 40; ++y)
+                for (int x = 0; x < 60; x += run_length) {
+                    PixelRun run;
+                    RayRun<BeamRay> samples;
+                    map_pixel_run(camera, {x + 0.5, y + 0.5}, run);
+                    sampler.first_samples({x + 0.5, y + 0.5}, run.mapped, alike, samples);
+                    for (int k = 0; k < run_length; ++k) {
+                        const auto& pole = run.mapped[k].ray;
+                        if (!pole)
+                            continue;
+                        const BeamRay one = sampler.first_sample({x + k + 0.5, y + 0.5}, *pole,
+                                                                 alike);
+                        const Vec3 apart = one.point - samples[k].point,
+                                   turned = one.direction - samples[k].direction;
+                        BOOST_TEST_REQUIRE(dot(apart, apart) + dot(turned, turned) == 0);
+                        ++number;
+                    }
+                }
+            BOOST_TEST(number > 800);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_beam_is_the_same_where_its_lens_is_known)
+{
+    for (const Arrangement arrangement : arrangements) {
+        const IntegralCamera camera = camera_of(parameters_of(arrangement), 60, 40);
+        const PixelSampler sampler(camera, 5);
+        FirstSamples first(camera);
+        int imaged = 0, inside = 0;
+        for_each_pixel(camera, true, [&](Vec2 centre) {
+            const auto pole = camera.optics.map(film_from_pixel(camera.film, centre),
+                                                camera.mapping);
+            first.set(int(centre.x), int(centre.y), {}, pole.ray->lens, 20);
+            ++imaged;
+        });
+        for_each_pixel(camera, true, [&](Vec2 centre) {
+            const auto around = first.lens_around(int(centre.x), int(centre.y));
+            if (!around)
+                return;
+            ++inside;
+            for (std::uint32_t index = 0; index < 4; ++index) {
+                std::vector<PixelRay> known, searched;
+                sampler.append_sample(sampler.beam(centre, false, 20, around), index, known);
+                sampler.append_sample(sampler.beam(centre, false, 20), index, searched);
+                BOOST_TEST_REQUIRE(searched.size() == 1);
+                BOOST_TEST_REQUIRE(known.size() == 1);
+                const Vec3 apart = known[0].ray.point - searched[0].ray.point,
+                           turned = known[0].ray.direction - searched[0].ray.direction;
+                BOOST_TEST_REQUIRE(dot(apart, apart) + dot(turned, turned) == 0);
+            }
+        });
+        BOOST_TEST(inside > imaged / 3);
+        BOOST_TEST(inside < imaged);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(first_samples_behind_a_lens_fill_each_other_s_gaps)
