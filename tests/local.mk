@@ -70,6 +70,7 @@ unit_sources = \
   tests/unit/lightfield_error_estimate.cpp \
   tests/unit/lightfield_image.cpp \
   tests/unit/lightfield_known_sheets.cpp \
+  tests/unit/lightfield_layer_plane.cpp \
   tests/unit/lightfield_lens_profile.cpp \
   tests/unit/lightfield_linear_colour.cpp \
   tests/unit/lightfield_metadata.cpp \

@@ -218,8 +218,11 @@ INTEGRAL_INLINE void LendingPixels::find_with(int x, int y, FirstSamples::Stored
     for (int axis = 0; axis < 2; ++axis)
         find_nearness<Floats>(axis, patch, nearest, furthest, scratch);
     const Eight *across = scratch.nearness[0].data(), *along = scratch.nearness[1].data();
-    scratch.found.clear();
-    for (const Lenders& lenders : lenders_[own[1] & 1]) {
+    const std::vector<Lenders>& all = lenders_[own[1] & 1];
+    if (scratch.found.size() < all.size())
+        scratch.found.resize(all.size());
+    Found* found = scratch.found.data();
+    for (const Lenders& lenders : all) {
         const Floats near = loaded<Floats>(across[lenders.steps[0]]) *
                             loaded<Floats>(along[lenders.steps[1]]) *
                             loaded<Floats>(lenders.nearness);
@@ -229,12 +232,12 @@ INTEGRAL_INLINE void LendingPixels::find_with(int x, int y, FirstSamples::Stored
             continue;
         if (i < 0 || i + 8 > width_)
             which &= inside(i, width_);
-        scratch.found.push_back(
-            {std::ptrdiff_t(j) * width_ + i,
-             which,
-             {std::uint16_t(own[0] + lenders.i), std::uint16_t(own[1] + lenders.j)},
-             &lenders.parts});
+        *found++ = {std::ptrdiff_t(j) * width_ + i,
+                    which,
+                    {std::uint16_t(own[0] + lenders.i), std::uint16_t(own[1] + lenders.j)},
+                    &lenders.parts};
     }
+    scratch.number = std::size_t(found - scratch.found.data());
 }
 
 #ifdef INTEGRAL_HAS_AVX2

@@ -63,10 +63,13 @@ public:
     struct Scratch {
         /// Of the steps along both axes: see find_nearness.
         std::array<std::vector<Eight>, 2> nearness;
-        std::vector<Found> found;
+        std::vector<Found> found; ///< the first `number` of these
+        std::size_t number = 0;
+        const Found* begin() const { return found.data(); }
+        const Found* end() const { return found.data() + number; }
     };
 
-    /// Sets scratch.found to the pixels of the frame whose beams come near the patch of a pixel
+    /// Sets `scratch` to the pixels of the frame whose beams come near the patch of a pixel
     /// behind `own` lens at a depth from `nearest` to `furthest`. It leaves out those that would
     /// hardly count: those at the rim of the range of directions whose patches hardly meet.
     void find(int x, int y, FirstSamples::StoredLens own, const BeamPatch& patch, float nearest,

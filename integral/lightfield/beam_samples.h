@@ -91,6 +91,8 @@ public:
     void forget_above(int row);
 
     const Pixel& pixel(std::size_t index) const { return pixels_[index]; }
+    /// The pixels from an index on, which may be one before the first.
+    const Pixel* pixels_from(std::ptrdiff_t index) const { return pixels_ + index; }
     const Pixel& pixel(int x, int y) const { return pixels_[index(x, y)]; }
 
     /// Whether samples of a pixel may be used: not if the pixel is empty, or if the light of one

@@ -275,15 +275,12 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
     if (samples_.lends(own_index))
         weighed.add_own(own);
     lending_.find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
-    for (const LendingPixels::Found& found : scratch.lending.found) {
-        unsigned left = samples_.lending(found.index, found.which, found.lens);
+    for (const LendingPixels::Found& found : scratch.lending) {
+        unsigned which = samples_.lending(found.index, found.which, found.lens);
         if (const std::ptrdiff_t own_place = own_index - found.index;
             own_place >= 0 && own_place < 8)
-            left &= ~(1u << own_place);
-        for (; left != 0; left &= left - 1) {
-            const int k = __builtin_ctz(left);
-            weighed.add(samples_.pixel(found.index + k), (*found.parts)[k]);
-        }
+            which &= ~(1u << own_place);
+        weighed.add(samples_.pixels_from(found.index), which, *found.parts);
     }
 }
 

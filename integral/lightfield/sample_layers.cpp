@@ -21,11 +21,6 @@ constexpr float step = 0.08f;
 // layers that let less than this through is left out.
 constexpr float little_part = 0.06f, little_light = 0.01f;
 
-// What a sample tells of where the beam's rays end, if it met a side of a surface that the pixel
-// does not see: for a floor that is seen from above and from below that is certain, beside the
-// outline of a round thing it is not. Found by trying on sample scenes of POV-Ray's.
-constexpr float of_other_side = 0.3f;
-
 /// About the logarithm of x to base 2, for x >= 1: linear between powers of two.
 template <class Floats> INTEGRAL_INLINE Floats logarithm(Floats x)
 {
@@ -111,18 +106,23 @@ inline FourFloats light_of(const StoredLight& light)
     return roots * magnitude(roots);
 }
 
-/// Sums up the light of the layers.
+/// Sums up the light of the layers, and finds how they lie.
 void SampleLayers::sum_layers()
 {
+    const BeamPatch::Axis &across = samples_.patch().axis(0), &along = samples_.patch().axis(1);
     for (const Met& met : samples_.met()) {
         Layer& layer = layers_[met.layer];
-        layer.weight += met.weight();
-        layer.depth += met.weight() * met.depth();
-        layer.furthest = std::max(layer.furthest, met.depth());
+        const float depth = met.depth();
+        layer.sums.add(met.weight(), met.numbers[1] * across.reach(depth),
+                       met.numbers[2] * along.reach(depth), depth);
+        layer.furthest = std::max(layer.furthest, depth);
         layer.light += met.weight() * light_of(met.light);
     }
-    for (Layer& layer : layers_)
-        layer.depth /= layer.weight;
+    for (Layer& layer : layers_) {
+        layer.weight = layer.sums.weight();
+        layer.depth = layer.sums.mean_depth();
+        layer.plane = layer.sums.plane({across.reach(layer.depth), along.reach(layer.depth)});
+    }
 }
 
 /// The mean square of places in the patch over the beam, along one axis, at a depth.
@@ -165,27 +165,28 @@ FourFloats SampleLayers::fitted() const
     return fit_with<TwiceFourFloats>().mean_of_beam();
 }
 
-/// The samples that reach a layer inside the beam. `before`: the furthest depth of the layer before
-/// it.
+/// The samples that reach a layer's plane inside the beam. `before`: the furthest depth of the
+/// layer before it.
 template <class Floats>
 INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching_with(const Layer& layer,
                                                                    float before) const
 {
-    const Floats depth = eight_of<Floats>(layer.depth), none = eight_of<Floats>(0),
-                 tiny = eight_of<Floats>(1e-6f); // where the pixel sees the surface edge-on
-    const WeighedSamples::Section section = samples_.section(layer.depth);
+    const Floats none = eight_of<Floats>(0);
     ReachingSamples<Floats> result;
     for (const WeighedSamples::Group& group : samples_.groups()) {
-        const auto at = section.density<Floats>(group);
+        const auto crossing = layer.plane.crossing<Floats>(group.lines);
+        const auto at = samples_.density(group, crossing.depth);
         const Floats areas = loaded<Floats>(group.areas), depths = loaded<Floats>(group.depths),
-                     shares = loaded<Floats>(group.shares),
-                     share = chosen(areas > none, shares, eight_of<Floats>(of_other_side) * shares),
+                     share = chosen(crossing.towards > none, loaded<Floats>(group.shares), none),
                      weight = chosen(depths > eight_of<Floats>(before), share * at.value, none);
         if (!any(weight > none))
             continue;
         // Where the samples' surfaces, as planes, are met by lines of the pixel's direction that
-        // cross the samples' lines at the layer's depth.
-        const Floats seen_depths = depth + (depths - depth) / (areas + tiny),
+        // cross the samples' lines at the layer. A line that would meet the other side of a surface
+        // tells nothing of it; that the sample went as far as its own depth is known.
+        const Floats seen_depths = crossing.depth +
+                                   (depths - crossing.depth) /
+                                       chosen(areas > none, areas, eight_of<Floats>(1)),
                      passed = chosen(seen_depths > eight_of<Floats>(layer.furthest), weight, none);
         result.add(weight, weight - passed, at.x, at.y);
         result.passing = result.passing +

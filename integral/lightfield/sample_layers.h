@@ -7,6 +7,7 @@
 #define INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 
 #include "integral/lightfield/layer_covers.h"
+#include "integral/lightfield/layer_plane.h"
 #include "integral/lightfield/sample_fit.h"
 #include "integral/lightfield/weighed_samples.h"
 
@@ -36,7 +37,9 @@ public:
 private:
     struct Layer {
         float furthest = -1e9f, weight = 0;
-        float depth = 0;    ///< the mean by weight, mm
+        float depth = 0; ///< the mean by weight, mm
+        LayerPlane::Sums sums;
+        LayerPlane plane;
         FourFloats light{}; ///< the sum by weight
     };
     static constexpr int most_steps = 1023;

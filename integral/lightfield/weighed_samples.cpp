@@ -15,10 +15,6 @@ namespace {
 /// A sample that does not count, with which the last group is filled up.
 const BeamSamples::Sample nobody{};
 
-// The density of a beam falls to 0 over the narrower of its two widths, or over this part of both
-// together, so that one that has no width does not divide by 0.
-constexpr float least_fall = 1e-4f;
-
 /// The mean area in which a surface is seen from evenly spread slopes, if that area is between
 /// middle - off and middle + off. Where it is below 0 the other side is seen, which counts as 0.
 /// `off` must be above 0.
@@ -104,31 +100,6 @@ INTEGRAL_INLINE void WeighedSamples::read(Group& group, Floats (&tilts)[2], std:
     store(group.shares, loaded<Floats>(shares_[first / 8]));
 }
 
-/// Where eight samples ended. Without branches, which the processor could not predict.
-template <class Floats>
-INTEGRAL_INLINE WeighedSamples::Density<Floats> WeighedSamples::density(const Group& group) const
-{
-    const Floats depth = loaded<Floats>(group.depths), far = magnitude(depth),
-                 one = eight_of<Floats>(1), none = eight_of<Floats>(0), two = eight_of<Floats>(2);
-    Floats places[2], value = one;
-    for (int k = 0; k < 2; ++k) {
-        const Axis& axis = axes_[k];
-        const Floats cell = loaded<Floats>(axis.cell_at_sheet) +
-                            loaded<Floats>(axis.cell_slope) * far,
-                     pixel = magnitude(loaded<Floats>(axis.pixel_at_sheet) +
-                                       loaded<Floats>(axis.pixel_slope) * depth),
-                     place = loaded<Floats>(group.lines[k]) +
-                             depth * loaded<Floats>(group.lines[k + 2]),
-                     both = cell + pixel,
-                     narrow = least(cell, pixel) + eight_of<Floats>(least_fall) * both,
-                     quotient = one / (both * narrow), // one division in place of two
-            inside = eight_of<Floats>(0.5f) * both - magnitude(place);
-        places[k] = place * (two * narrow * quotient);
-        value = value * most(least(inside * (both * quotient), one), none);
-    }
-    return {places[0], places[1], value};
-}
-
 /// The area in which each sample's surface is seen from the pixel's slopes, divided by that from
 /// all slopes whose samples count: below 1 for surfaces that are seen nearly edge-on, as a floor
 /// far away, which few samples meet at the horizon; 0 for the side that the pixel does not see.
@@ -146,13 +117,14 @@ INTEGRAL_INLINE Floats WeighedSamples::seen_part(Group& group, Floats (&tilts)[2
     store(group.areas, middle);
     if (!any(middle < most_off))
         return one;
-    const Floats far = most(magnitude(loaded<Floats>(group.depths)), eight_of<Floats>(1e-3f));
+    const Floats of_far = one /
+                          most(magnitude(loaded<Floats>(group.depths)), eight_of<Floats>(1e-3f));
     Floats own = little, all = little;
     for (int k = 0; k < 2; ++k) {
         const Axis& axis = axes_[k];
         const Floats slope = loaded<Floats>(axis.half_pixel_slope),
                      lent = least(loaded<Floats>(axis.lent_slope),
-                                  loaded<Floats>(axis.lent_way) / far);
+                                  loaded<Floats>(axis.lent_way) * of_far);
         own = own + tilts[k] * slope;
         all = all + tilts[k] * most(lent, slope);
     }
@@ -168,7 +140,7 @@ template <class Floats> INTEGRAL_INLINE void WeighedSamples::weigh_with()
         Group& group = groups_[k];
         Floats tilts[2];
         read(group, tilts, 8 * k);
-        const auto at = density<Floats>(group);
+        const auto at = density(group, loaded<Floats>(group.depths));
         const Floats weight = loaded<Floats>(group.shares) * at.value * seen_part(group, tilts);
         store(group.weights, weight);
         const auto counts = weight > eight_of<Floats>(0);
@@ -225,19 +197,5 @@ float WeighedSamples::own_part() const
         part += groups_[k / 8].weights[k % 8] / weight_;
     return part;
 }
-
-WeighedSamples::Section::Section(const BeamPatch& patch, float depth) : depth_(depth)
-{
-    for (int k = 0; k < 2; ++k) {
-        const BeamPatch::Axis& axis = patch.axis(k);
-        const float cell = axis.cell(depth), pixel = std::fabs(axis.pixel(depth)),
-                    both = cell + pixel, narrow = std::min(cell, pixel) + least_fall * both;
-        reach_[k] = 0.5f * both;
-        of_reach_[k] = 2 / both;
-        of_narrow_[k] = 1 / narrow;
-    }
-}
-
-WeighedSamples::Section WeighedSamples::section(float depth) const { return {patch_, depth}; }
 
 } // namespace integral

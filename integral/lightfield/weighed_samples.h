@@ -16,6 +16,10 @@ namespace integral {
 
 class WeighedSamples {
 public:
+    // The density of a beam falls to 0 over the narrower of its two widths, or over this part of
+    // both together, so that one that has no width does not divide by 0.
+    static constexpr float least_fall = 1e-4f;
+
     /// The elements of an array, for range-based loops.
     template <class Element> struct Range {
         Element *first, *last;
@@ -30,11 +34,12 @@ public:
     /// Adds the pixel's own samples, before those of others.
     void add_own(const BeamSamples::Pixel& pixel)
     {
-        add(pixel, 1);
+        add(&pixel, 1, {{1}});
         own_number_ = number_;
     }
-    /// Adds the samples of a pixel, which must not be empty. `part`: their weight, 0 to 1.
-    void add(const BeamSamples::Pixel& pixel, float part);
+    /// Adds the samples of those of eight pixels beside each other whose bit of `which` is set;
+    /// they must not be empty. `parts`: their weights, 0 to 1.
+    void add(const BeamSamples::Pixel* pixels, unsigned which, const Eight& parts);
 
     /// Works out the weights of all samples that were added, and lists those that have one.
     void weigh();
@@ -80,12 +85,11 @@ public:
         Floats x, y, value;
     };
 
-    /// The beam's density at one depth, for any number of samples.
-    class Section;
-    Section section(float depth) const;
+    /// For eight samples: where their lines reach a depth, which may be another one for each.
+    /// Without branches, which the processor could not predict.
+    template <class Floats> Density<Floats> density(const Group& group, Floats depth) const;
 
 private:
-    template <class Floats> Density<Floats> density(const Group& group) const;
     template <class Floats> Floats seen_part(Group& group, Floats (&tilts)[2]) const;
     template <class Floats> void read(Group& group, Floats (&tilts)[2], std::size_t first) const;
     template <class Floats> void weigh_with();
@@ -120,52 +124,67 @@ private:
     float weight_ = 0, nearest_ = 0, furthest_ = 0;
 };
 
-inline void WeighedSamples::add(const BeamSamples::Pixel& pixel, float part)
+inline void WeighedSamples::add(const BeamSamples::Pixel* pixels, unsigned which,
+                                const Eight& parts)
 {
-    // Four at a time, some of them for nothing: most pixels have one sample or four, and which of
-    // the two the processor could not predict.
-    const std::size_t end = number_ + pixel.number;
-    if (added_.size() < end + 3)
-        make_room(end + 3);
-    const BeamSamples::Sample** added = &added_[number_];
+    if (added_.size() < number_ + 8 * BeamSamples::most_stored + 3)
+        make_room(number_ + 8 * BeamSamples::most_stored + 3);
+    const BeamSamples::Sample** added = added_.data() + number_;
     float* shares = shares_.data()->values + number_;
-    const FourFloats share = FourFloats{} + part * by_number_[pixel.number];
-    const BeamSamples::Sample* more = pixel.number > 1 ? pixel.more : &pixel.first;
-    added[0] = &pixel.first;
-    for (int i = 0; i < 3; ++i)
-        added[i + 1] = more + i;
-    std::memcpy(shares, &share, sizeof share);
-    for (int k = 4; k < pixel.number; k += 4) {
-        for (int i = 0; i < 4; ++i)
-            added[k + i] = more + (k - 1 + i);
-        std::memcpy(shares + k, &share, sizeof share);
+    for (; which != 0; which &= which - 1) {
+        const int k = __builtin_ctz(which);
+        const BeamSamples::Pixel& pixel = pixels[k];
+        const int number = pixel.number;
+        const FourFloats share = FourFloats{} + parts[k] * by_number_[number];
+        // Four at a time, some of them for nothing: most pixels have one sample or four, and which
+        // of the two the processor could not predict.
+        const BeamSamples::Sample* more = number > 1 ? pixel.more : &pixel.first;
+        added[0] = &pixel.first;
+        for (int i = 0; i < 3; ++i)
+            added[i + 1] = more + i;
+        std::memcpy(shares, &share, sizeof share);
+        for (int done = 4; done < number; done += 4) {
+            more += done > 4 ? 4 : 3;
+            for (int i = 0; i < 4; ++i)
+                added[done + i] = more + i;
+            std::memcpy(shares + done, &share, sizeof share);
+        }
+        added += number;
+        shares += number;
     }
-    number_ = end;
+    number_ = std::size_t(added - added_.data());
 }
 
-class WeighedSamples::Section {
-public:
-    Section(const BeamPatch& patch, float depth);
-
-    /// For eight samples: where their lines cross the section.
-    template <class Floats> INTEGRAL_INLINE Density<Floats> density(const Group& group) const
-    {
-        const Floats one = eight_of<Floats>(1), none = eight_of<Floats>(0);
-        Floats places[2], value = one;
-        for (int k = 0; k < 2; ++k) {
-            const Floats place = loaded<Floats>(group.lines[k]) +
-                                 eight_of<Floats>(depth_) * loaded<Floats>(group.lines[k + 2]);
-            places[k] = eight_of<Floats>(of_reach_[k]) * place;
-            const Floats inside = eight_of<Floats>(reach_[k]) - magnitude(place);
-            value = value * most(least(eight_of<Floats>(of_narrow_[k]) * inside, one), none);
-        }
-        return {places[0], places[1], value};
+template <class Floats>
+INTEGRAL_INLINE WeighedSamples::Density<Floats> WeighedSamples::density(const Group& group,
+                                                                        Floats depth) const
+{
+    const Floats far = magnitude(depth), one = eight_of<Floats>(1), none = eight_of<Floats>(0),
+                 two = eight_of<Floats>(2);
+    Floats places[2], both_of[2], narrow_of[2], value = one;
+    for (int k = 0; k < 2; ++k) {
+        const Axis& axis = axes_[k];
+        const Floats cell = loaded<Floats>(axis.cell_at_sheet) +
+                            loaded<Floats>(axis.cell_slope) * far,
+                     pixel = magnitude(loaded<Floats>(axis.pixel_at_sheet) +
+                                       loaded<Floats>(axis.pixel_slope) * depth),
+                     both = cell + pixel;
+        places[k] = loaded<Floats>(group.lines[k]) + depth * loaded<Floats>(group.lines[k + 2]);
+        both_of[k] = both;
+        narrow_of[k] = least(cell, pixel) + eight_of<Floats>(least_fall) * both;
     }
-
-private:
-    float depth_;
-    float reach_[2], of_reach_[2], of_narrow_[2]; ///< of_: one by
-};
+    // One division in place of four.
+    const Floats products[2] = {both_of[0] * narrow_of[0], both_of[1] * narrow_of[1]},
+                 quotient = one / (products[0] * products[1]);
+    for (int k = 0; k < 2; ++k) {
+        const Floats both = both_of[k], of_both = narrow_of[k] * products[1 - k] * quotient,
+                     of_narrow = both * products[1 - k] * quotient,
+                     inside = eight_of<Floats>(0.5f) * both - magnitude(places[k]);
+        places[k] = places[k] * (two * of_both);
+        value = value * most(least(inside * of_narrow, one), none);
+    }
+    return {places[0], places[1], value};
+}
 
 } // namespace integral
 

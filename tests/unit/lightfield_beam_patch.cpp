@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(far_places_are_seen_by_more_lenses)
         int most = 0;
         lending.find(side / 2, side / 2, own, BeamPatch(camera, SightSlope{}), depth, depth,
                      scratch);
-        for (const LendingPixels::Found& found : scratch.found)
+        for (const LendingPixels::Found& found : scratch)
             most = std::max(most, std::abs(found.lens[0] - own[0]));
         return most;
     };

@@ -45,6 +45,10 @@ INTEGRAL_INLINE void work_out(const Eight& first, const Eight& second, std::vect
     keep(eight_of<Floats>(sum_of_eight(a)));
     keep(eight_of<Floats>(any(a < b) ? 1.0f : 0.0f));
     keep(eight_of<Floats>(float(bits(a < b))));
+    keep(shuffled_halves<5, 0, 3, 6>(a, b));
+    keep(repeated<2>(b));
+    keep(bits_as_number(a));
+    keep(floats_from<Floats>(first.values, second.values + 2));
 }
 
 void in_two_registers(const Eight& a, const Eight& b, std::vector<Eight>& results)

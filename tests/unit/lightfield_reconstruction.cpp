@@ -208,6 +208,17 @@ BOOST_AUTO_TEST_CASE(rays_that_pass_end_on_the_same_floor_later)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_floor_is_seen_as_far_as_it_goes)
+{
+    // With the sky beyond. Samples of the sky pass above the floor, beside places where the pixel's
+    // own rays have not come down to it yet.
+    for (const double edge : {3., 10., 1e4}) {
+        const double found = ratio(sheet(Arrangement::square),
+                                   floor_up_to(edge, {0.9, 1e9}, 0.1, 0.1), 16);
+        BOOST_TEST(found < 0.62, edge << " mm: " << found);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(rare_spots_are_no_surprise)
 {
     // Few samples meet a spot, so that the errors of single pixels are far from what their samples

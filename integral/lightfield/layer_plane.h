@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// How a layer of surfaces lies to a pixel's beam: the mean plane of the places where samples met
+// it.
+//
+// A floor that is seen nearly edge-on lies at many depths. A sample that looks up passes above it,
+// at whatever depth; only a sample that comes down to the floor's plane tells where the floor ends.
+#ifndef INTEGRAL_LIGHTFIELD_LAYER_PLANE_H
+#define INTEGRAL_LIGHTFIELD_LAYER_PLANE_H
+
+#include "integral/lightfield/eight_floats.h"
+
+namespace integral {
+
+/// The depth (mm) as a linear function of the distance (mm) from the beam's central line along both
+/// axes.
+class LayerPlane {
+public:
+    /// Sums over the samples of a layer.
+    class Sums {
+    public:
+        /// A sample that met the layer at a distance from the beam's central line, and at a depth.
+        void add(float weight, float x, float y, float depth)
+        {
+            const FourFloats weighted = weight * FourFloats{x, y, depth, 1};
+            all_ += weighted;
+            by_x_ += x * weighted;
+            by_y_ += y * weighted;
+            squares_ += weight * weight;
+        }
+        /// The sum of the weights.
+        float weight() const { return all_[3]; }
+        float mean_depth() const { return all_[2] / all_[3]; }
+        /// `reach`: half the patch's width along both axes at the mean depth, mm.
+        LayerPlane plane(const float (&reach)[2]) const;
+
+    private:
+        FourFloats all_{}, by_x_{}, by_y_{};
+        float squares_ = 0;
+    };
+
+    LayerPlane() = default;
+
+    /// Where lines cross the plane coming from the viewer's side.
+    template <class Floats> struct Crossing {
+        Floats depth;   ///< mm, at most 1e5 before or behind the sheet
+        Floats towards; ///< above 0 if the line comes from that side
+    };
+    /// `lines`: their places at depth 0 (x, y: mm), and their slopes (x, y), less those of the
+    /// beam's central line.
+    template <class Floats> INTEGRAL_INLINE Crossing<Floats> crossing(const Eight (&lines)[4]) const
+    {
+        const Floats by_x = eight_of<Floats>(by_x_), by_y = eight_of<Floats>(by_y_),
+                     little = eight_of<Floats>(1e-3f), far = eight_of<Floats>(1e5f);
+        const Floats towards = eight_of<Floats>(1) - by_x * loaded<Floats>(lines[2]) -
+                               by_y * loaded<Floats>(lines[3]);
+        const Floats depth = (eight_of<Floats>(at_centre_) + by_x * loaded<Floats>(lines[0]) +
+                              by_y * loaded<Floats>(lines[1])) /
+                             most(towards, little);
+        return {most(least(depth, far), eight_of<Floats>(0) - far), towards - little};
+    }
+
+private:
+    float at_centre_ = 0, by_x_ = 0, by_y_ = 0;
+};
+
+} // namespace integral
+
+#endif
