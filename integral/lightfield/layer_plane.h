@@ -18,18 +18,19 @@ public:
     /// Sums over the samples of a layer.
     class Sums {
     public:
-        /// A sample that met the layer at a distance from the beam's central line, and at a depth.
-        void add(float weight, float x, float y, float depth)
+        /// A sample that met the layer. `place`: 1, the distance from the beam's central line along
+        /// both axes, and the depth.
+        INTEGRAL_INLINE void add(float weight, FourFloats place)
         {
-            const FourFloats weighted = weight * FourFloats{x, y, depth, 1};
+            const FourFloats weighted = weight * place;
             all_ += weighted;
-            by_x_ += x * weighted;
-            by_y_ += y * weighted;
+            by_x_ += place[1] * weighted;
+            by_y_ += place[2] * weighted;
             squares_ += weight * weight;
         }
         /// The sum of the weights.
-        float weight() const { return all_[3]; }
-        float mean_depth() const { return all_[2] / all_[3]; }
+        float weight() const { return all_[0]; }
+        float mean_depth() const { return all_[3] / all_[0]; }
         /// `reach`: half the patch's width along both axes at the mean depth, mm.
         LayerPlane plane(const float (&reach)[2]) const;
 

@@ -48,6 +48,12 @@ constexpr float tent(int i, int j)
 /// expect.
 class Excess {
 public:
+    Excess() = default;
+    /// The sums over some pixels, and their number.
+    Excess(float expected, float seen, float number)
+        : expected_(expected), seen_(seen), number_(number)
+    {
+    }
     /// Either is below 0 where it is not known.
     void add(float variance, float of_halves)
     {
@@ -67,8 +73,7 @@ public:
     }
 
 private:
-    float expected_ = 0, seen_ = 0;
-    int number_ = 0;
+    float expected_ = 0, seen_ = 0, number_ = 0;
 };
 
 /// A lens in one number, which is quick to compare.
@@ -95,10 +100,11 @@ struct Reconstruction::Difference {
     bool any = false;
 };
 
-/// What is known of the error of a pixel's mean; below 0: nothing. `of_one`: the variance of one
-/// sample.
+/// What is known of the error of a pixel's mean. `variance`: below 0: nothing. `of_one`: that of
+/// one sample. `halves`: if both are known, the variance, that of the samples' halves, and 1.
 struct Reconstruction::Noise {
-    float variance = -1, of_halves = -1, of_one = 0;
+    FourFloats halves{};
+    float variance = -1, of_one = 0;
     std::uint32_t lens = 0; ///< lens_key
 };
 
@@ -238,13 +244,12 @@ float Reconstruction::excess_of(const PictureBlock& block) const
 /// The variance of the pixel's mean, by that of the samples of the pixel and those beside it, times
 /// how much more the halves of the samples around differ than their variance lets expect. A pixel's
 /// own samples are not enough: it may have few because they happened to be alike. `usual`:
-/// excess_of() the block.
-float Reconstruction::smooth_variance(int x, int y, float usual,
-                                      const BlockWindow<Noise>& noise) const
+/// excess_of() the block. `most`: is set to the greatest variance around.
+float Reconstruction::smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise,
+                                      float& most) const
 {
     float sum_of_one = 0;
     int number = 0;
-    Excess excess;
     const std::uint32_t lens = noise.at(x, y).lens;
     noise.for_each_around<1>(x, y, [&](int, int, const Noise& other) {
         if (other.lens == lens && other.variance >= 0) {
@@ -252,11 +257,16 @@ float Reconstruction::smooth_variance(int x, int y, float usual,
             ++number;
         }
     });
+    FourFloats halves{};
+    most = 0;
     noise.for_each_around<reach_around>(x, y, [&](int, int, const Noise& other) {
-        if (other.lens == lens)
-            excess.add(other.variance, other.of_halves);
+        if (other.lens != lens)
+            return;
+        halves += other.halves;
+        most = std::max(most, other.variance);
     });
-    return sum_of_one / number / samples_.pixel(x, y).number * excess.ratio(usual);
+    return sum_of_one / number / samples_.pixel(x, y).number *
+           Excess(halves[0], halves[1], halves[2]).ratio(usual);
 }
 
 /// Sets the layers of a pixel from the samples of all pixels that it may use.
@@ -284,19 +294,6 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
     }
 }
 
-/// Whether the pixel, of the given variance, or one around it has an error that counts. One sample
-/// tells nothing of its own error.
-bool Reconstruction::is_noisy(int x, int y, float variance, const BlockWindow<Noise>& noise) const
-{
-    bool found = variance >= least_variance_;
-    const std::uint32_t lens = noise.at(x, y).lens;
-    if (!found && samples_.pixel(x, y).number == 1)
-        noise.for_each_around<reach_around>(x, y, [&](int, int, const Noise& other) {
-            found = found || (other.lens == lens && other.variance >= least_variance_);
-        });
-    return found;
-}
-
 void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& block,
                               Scratch& scratch)
 {
@@ -304,8 +301,9 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
     fill(scratch.noise, pixels, reach_around, [&](int x, int y, Noise& noise) {
         const Pixel& pixel = pixels_[index(x, y)];
         noise.variance = pixel.variance;
-        noise.of_halves = pixel.of_halves;
         noise.of_one = noise.variance * samples_.pixel(x, y).number;
+        if (noise.variance >= 0 && pixel.of_halves >= 0)
+            noise.halves = FourFloats{noise.variance, float(pixel.of_halves), 1, 0};
     });
     for (int y = pixels.top; y <= pixels.bottom; ++y)
         for (int x = pixels.left; x <= pixels.right; ++x) {
@@ -313,8 +311,11 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
             pixel.others = 0;
             if (scratch.noise.at(x, y).variance < 0)
                 continue;
-            const float variance = smooth_variance(x, y, usual, scratch.noise);
-            if (!is_noisy(x, y, variance, scratch.noise))
+            float around = 0;
+            const float variance = smooth_variance(x, y, usual, scratch.noise, around);
+            // One sample tells nothing of its own error.
+            const bool is_one = samples_.pixel(x, y).number == 1;
+            if (std::max(variance, is_one ? around : 0) < least_variance_)
                 continue;
             gather(x, y, scratch);
             const auto light = scratch.layers.light();
@@ -322,9 +323,7 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
                 continue;
             pixel.layers = StoredLight(light->light);
             pixel.others = 1 - light->own_part;
-            pixel.noise = samples_.pixel(x, y).number == 1
-                              ? std::max(variance, scratch.layers.variance())
-                              : variance;
+            pixel.noise = is_one ? std::max(variance, scratch.layers.variance()) : variance;
         }
 }
 

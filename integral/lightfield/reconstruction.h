@@ -150,8 +150,8 @@ private:
     float excess_of(const PictureBlock& block) const;
     template <class Value, class Set>
     void fill(BlockWindow<Value>& window, const PictureBlock& block, int margin, Set set) const;
-    float smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise) const;
-    bool is_noisy(int x, int y, float variance, const BlockWindow<Noise>& noise) const;
+    float smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise,
+                          float& most) const;
     void gather(int x, int y, Scratch& scratch) const;
     Difference difference(int x, int y, const TabulatedCurve& encode,
                           const BlockWindow<BesideLayers>& beside) const;

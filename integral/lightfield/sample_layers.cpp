@@ -38,7 +38,7 @@ template <class Floats> INTEGRAL_INLINE Floats SampleLayers::scaled(Floats depth
     return chosen(depth < none, none - value, value);
 }
 
-/// Sets each sample's layer to its step on the scale, counted from the nearest one's. Adds them
+/// Sets each sample's step on the scale, counted from the nearest one's. Adds them
 /// to `steps`.
 template <class Floats> INTEGRAL_INLINE void SampleLayers::find_steps_with(Steps& steps)
 {
@@ -53,8 +53,8 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::find_steps_with(Steps
         Eight found;
         store(found, least((scaled(numbers[3]) - begin) * of_step, last));
         for (std::size_t i = 0; i < 8 && met + i < all.end(); ++i) {
-            met[i].layer = std::uint16_t(int(found[i]));
-            steps[met[i].layer / 64] |= std::uint64_t(1) << met[i].layer % 64;
+            met[i].step = std::uint16_t(int(found[i]));
+            steps[met[i].step / 64] |= std::uint64_t(1) << met[i].step % 64;
         }
     }
 }
@@ -95,8 +95,25 @@ void SampleLayers::find_layers()
             before = k;
         }
     if (layers_.size() > 1)
-        for (Met& met : samples_.met())
-            met.layer = layer_of[met.layer];
+        order_by_layer(layer_of.data());
+}
+
+/// Lists the samples layer by layer. `layer_of`: the layer of each step.
+void SampleLayers::order_by_layer(const std::uint16_t* layer_of)
+{
+    const auto all = samples_.met();
+    for (const Met& met : all)
+        ++layers_[layer_of[met.step]].end;
+    std::uint32_t begin = 0;
+    for (Layer& layer : layers_) {
+        const std::uint32_t number = layer.end;
+        layer.begin = layer.end = begin;
+        begin += number;
+    }
+    if (ordered_.size() < begin)
+        ordered_.resize(2 * begin);
+    for (const Met& met : all)
+        ordered_[layers_[layer_of[met.step]].end++] = &met;
 }
 
 /// The light of a sample, times StoredLight::of_squared_root.
@@ -106,22 +123,55 @@ inline FourFloats light_of(const StoredLight& light)
     return roots * magnitude(roots);
 }
 
+namespace {
+
+/// Half the patch's width along both axes, beside two ones: 1, x, y, 1.
+class HalfWidths {
+public:
+    explicit HalfWidths(const BeamPatch& patch)
+    {
+        for (int k = 0; k < 2; ++k) {
+            const BeamPatch::Axis& axis = patch.axis(k);
+            cell_at_sheet_[k + 1] = 0.5f * axis.cell_at_sheet;
+            cell_slope_[k + 1] = 0.5f * axis.cell_slope;
+            pixel_at_sheet_[k + 1] = 0.5f * axis.pixel_at_sheet;
+            pixel_slope_[k + 1] = 0.5f * axis.pixel_slope;
+        }
+    }
+    FourFloats operator()(float depth) const
+    {
+        return cell_at_sheet_ + std::fabs(depth) * cell_slope_ +
+               magnitude(pixel_at_sheet_ + depth * pixel_slope_);
+    }
+
+private:
+    FourFloats cell_at_sheet_{1, 0, 0, 1}, cell_slope_{}, pixel_at_sheet_{}, pixel_slope_{};
+};
+
+} // namespace
+
 /// Sums up the light of the layers, and finds how they lie.
 void SampleLayers::sum_layers()
 {
-    const BeamPatch::Axis &across = samples_.patch().axis(0), &along = samples_.patch().axis(1);
-    for (const Met& met : samples_.met()) {
-        Layer& layer = layers_[met.layer];
-        const float depth = met.depth();
-        layer.sums.add(met.weight(), met.numbers[1] * across.reach(depth),
-                       met.numbers[2] * along.reach(depth), depth);
-        layer.furthest = std::max(layer.furthest, depth);
-        layer.light += met.weight() * light_of(met.light);
-    }
+    const HalfWidths half_widths(samples_.patch());
     for (Layer& layer : layers_) {
-        layer.weight = layer.sums.weight();
-        layer.depth = layer.sums.mean_depth();
-        layer.plane = layer.sums.plane({across.reach(layer.depth), along.reach(layer.depth)});
+        LayerPlane::Sums sums;
+        FourFloats light{};
+        float furthest = -1e9f;
+        for (std::uint32_t k = layer.begin; k < layer.end; ++k) {
+            const Met& met = *ordered_[k];
+            FourFloats place = met.numbers;
+            place[0] = 1;
+            sums.add(met.weight(), place * half_widths(met.depth()));
+            light += met.weight() * light_of(met.light);
+            furthest = std::max(furthest, met.depth());
+        }
+        layer.weight = sums.weight();
+        layer.depth = sums.mean_depth();
+        layer.furthest = furthest;
+        layer.light = light;
+        const FourFloats reach = half_widths(layer.depth);
+        layer.plane = sums.plane({reach[1], reach[2]});
     }
 }
 
@@ -215,16 +265,15 @@ ReachingSamples<float> SampleLayers::reaching(const Layer& layer, float before) 
 /// Reduces a layer's weight and light to what the layers before it let through.
 void SampleLayers::see_through_covers(Layer& layer)
 {
-    const int number = int(&layer - layers_.data());
     covers_.look_from(samples_.patch(), layer.depth);
     float weight = 0;
     FourFloats light{};
-    for (const Met& met : samples_.met())
-        if (met.layer == number) {
-            const float seen = met.weight() * covers_.open(met.numbers[1], met.numbers[2]);
-            weight += seen;
-            light += seen * light_of(met.light);
-        }
+    for (std::uint32_t k = layer.begin; k < layer.end; ++k) {
+        const Met& met = *ordered_[k];
+        const float seen = met.weight() * covers_.open(met.numbers[1], met.numbers[2]);
+        weight += seen;
+        light += seen * light_of(met.light);
+    }
     layer.weight = weight;
     layer.light = light;
 }

@@ -38,9 +38,9 @@ private:
     struct Layer {
         float furthest = -1e9f, weight = 0;
         float depth = 0; ///< the mean by weight, mm
-        LayerPlane::Sums sums;
         LayerPlane plane;
-        FourFloats light{}; ///< the sum by weight
+        std::uint32_t begin = 0, end = 0; ///< its samples: from begin to end - 1 in ordered_
+        FourFloats light{};               ///< the sum by weight
     };
     static constexpr int most_steps = 1023;
     using Steps = std::array<std::uint64_t, (most_steps + 1) / 64>; ///< a bit for each step
@@ -50,6 +50,7 @@ private:
     void find_steps_with_avx2(Steps& steps);
     void find_steps(Steps& steps);
     void find_layers();
+    void order_by_layer(const std::uint16_t* layer_of);
     void sum_layers();
     template <class Floats> FitSums fit_with() const;
     FitSums fit_with_avx2() const;
@@ -64,6 +65,7 @@ private:
     WeighedSamples samples_;
     float steepness_ = 0;
     std::vector<Layer> layers_;
+    std::vector<const WeighedSamples::Met*> ordered_; ///< those that met the beam, layer by layer
     LayerCovers covers_;
 };
 

@@ -64,7 +64,7 @@ public:
         float weight() const { return numbers[0]; }
         float depth() const { return numbers[3]; }
         StoredLight light;
-        std::uint16_t layer = 0; ///< for the user of the list
+        std::uint16_t step = 0; ///< for the user of the list
     };
     /// The list is followed by one whose weight is 0, so that it can be read in pairs.
     Range<Met> met() { return {met_.data(), met_.data() + met_number_}; }

@@ -17,7 +17,8 @@ BOOST_AUTO_TEST_CASE(lines_cross_the_plane_of_the_places)
     LayerPlane::Sums sums;
     for (int k = 0; k < 40000; ++k) {
         const float x = place(random), y = place(random);
-        sums.add(0.5f + place(random) * 0.4f, x, y, float(at_centre + by_x * x + by_y * y));
+        sums.add(0.5f + place(random) * 0.4f,
+                 FourFloats{1, x, y, float(at_centre + by_x * x + by_y * y)});
     }
     BOOST_TEST(sums.mean_depth() == at_centre, boost::test_tools::tolerance(0.01));
     const LayerPlane plane = sums.plane({1, 1});
@@ -45,7 +46,7 @@ BOOST_AUTO_TEST_CASE(lines_cross_the_plane_of_the_places)
 BOOST_AUTO_TEST_CASE(a_single_place_lies_across_the_beam)
 {
     LayerPlane::Sums sums;
-    sums.add(0.3f, 0.2f, -0.1f, 40);
+    sums.add(0.3f, FourFloats{1, 0.2f, -0.1f, 40});
     const LayerPlane plane = sums.plane({1, 1});
     Eight lines[4]{};
     lines[0][3] = 0.9f;
