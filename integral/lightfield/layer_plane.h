@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How a layer of surfaces lies to a pixel's beam: the mean plane of the places where samples met
-// it.
+// How a layer of surfaces lies to a pixel's beam: the plane that best fits the places where samples
+// met it.
 //
 // A floor that is seen nearly edge-on lies at many depths. A sample that looks up passes above it,
 // at whatever depth; only a sample that comes down to the floor's plane tells where the floor ends.

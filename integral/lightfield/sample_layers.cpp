@@ -38,8 +38,7 @@ template <class Floats> INTEGRAL_INLINE Floats SampleLayers::scaled(Floats depth
     return chosen(depth < none, none - value, value);
 }
 
-/// Sets each sample's step on the scale, counted from the nearest one's. Adds them
-/// to `steps`.
+/// Sets each sample's step on the scale, counted from the nearest one's, and adds it to `steps`.
 template <class Floats> INTEGRAL_INLINE void SampleLayers::find_steps_with(Steps& steps)
 {
     const Floats begin = eight_of<Floats>(scaled(samples_.nearest())),

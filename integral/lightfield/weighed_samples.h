@@ -64,9 +64,10 @@ public:
         float weight() const { return numbers[0]; }
         float depth() const { return numbers[3]; }
         StoredLight light;
-        std::uint16_t step = 0; ///< for the user of the list
+        std::uint16_t step = 0; ///< for the user of the list (SampleLayers)
     };
-    /// The list is followed by one whose weight is 0, so that it can be read in pairs.
+    /// The list is followed by one whose weight is 0, and by room for seven more, so that it can be
+    /// read by twos and by eights.
     Range<Met> met() { return {met_.data(), met_.data() + met_number_}; }
     Range<const Met> met() const { return {met_.data(), met_.data() + met_number_}; }
 
