@@ -126,7 +126,7 @@ private:
     /// that is 32768 steps away from those in the frame's middle.
     static std::uint32_t lender_behind(FirstSamples::StoredLens lens)
     {
-        return (std::uint32_t(lens[0]) << 16 | lens[1]) ^ 0x80008000u;
+        return FirstSamples::number_of(lens) ^ 0x80008000u;
     }
     static constexpr std::uint32_t nobody = 0;
 

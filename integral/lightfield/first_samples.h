@@ -58,6 +58,11 @@ public:
     /// The lens that was set, with its indices modulo 2^16; nothing for an empty pixel.
     using StoredLens = std::array<std::uint16_t, 2>;
     std::optional<StoredLens> lens(int x, int y) const;
+    /// A lens in one number, which is quick to compare.
+    static std::uint32_t number_of(StoredLens lens)
+    {
+        return std::uint32_t(lens[0]) << 16 | lens[1];
+    }
 
     /// How much a pixel differs from its neighbours: the largest value over the axes of the light
     /// field. Along one axis the value is the difference between twice the pixel's colour and the

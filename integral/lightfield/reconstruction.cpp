@@ -76,12 +76,6 @@ private:
     float expected_ = 0, seen_ = 0, number_ = 0;
 };
 
-/// A lens in one number, which is quick to compare.
-std::uint32_t lens_key(FirstSamples::StoredLens lens)
-{
-    return std::uint32_t(lens[0]) << 16 | lens[1];
-}
-
 LinearColour colour_of(FourFloats light)
 {
     LinearColour colour;
@@ -96,7 +90,7 @@ LinearColour colour_of(FourFloats light)
 struct Reconstruction::Difference {
     FourFloats smooth{};
     float smooth_square = 0, smooth_noise = 0, rest_square = 0, noise = 0;
-    std::uint32_t lens = 0; ///< lens_key
+    std::uint32_t lens = 0; ///< FirstSamples::number_of
     bool any = false;
 };
 
@@ -105,14 +99,14 @@ struct Reconstruction::Difference {
 struct Reconstruction::Noise {
     FourFloats halves{};
     float variance = -1, of_one = 0;
-    std::uint32_t lens = 0; ///< lens_key
+    std::uint32_t lens = 0; ///< FirstSamples::number_of
 };
 
 /// A pixel's own mean, less its layers; 0 where there are none.
 struct Reconstruction::BesideLayers {
     FourFloats light{};
     float any = 0;          ///< 1: it has layers
-    std::uint32_t lens = 0; ///< lens_key
+    std::uint32_t lens = 0; ///< FirstSamples::number_of
 };
 
 /// The mean of a pixel's own samples, and how much of what it shows beside the layers and their
@@ -225,7 +219,7 @@ void Reconstruction::fill(BlockWindow<Value>& window, const PictureBlock& block,
         for (int x = std::max(0, all.left); x <= std::min(width_ - 1, all.right); ++x)
             if (const auto lens = first_.lens(x, y)) {
                 Value& value = window.at(x, y);
-                value.lens = lens_key(*lens);
+                value.lens = FirstSamples::number_of(*lens);
                 set(x, y, value);
             }
 }
