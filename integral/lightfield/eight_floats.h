@@ -17,7 +17,8 @@ namespace integral {
 
 #ifdef INTEGRAL_HAS_AVX2
 #define INTEGRAL_TARGET_AVX2 __attribute__((target("avx2")))
-// GCC knows the processor's own functions from the first declaration on that is compiled for it.
+// Never defined: GCC knows its builtin functions for AVX2, which bits() calls, only after a
+// declaration for AVX2.
 INTEGRAL_TARGET_AVX2 void declared_for_avx2();
 #endif
 

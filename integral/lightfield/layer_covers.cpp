@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/layer_covers.h"
 
-#include "integral/lightfield/sample_fit.h"
-
 namespace integral {
 
 namespace {
@@ -27,15 +25,18 @@ void LayerCovers::add(float depth, const ReachingSamples<float>& samples)
     if (!(sum > 0))
         return;
     const float one = 1 / sum, x = one * samples.x, y = one * samples.y, part = one * samples.ended,
-                level = one * one * samples.squared_weight * level_samples * square_of_place,
-                xx = one * samples.xx - x * x + level, yy = one * samples.yy - y * y + level,
-                xy = one * samples.xy - x * y, of_determinant = 1 / (xx * yy - xy * xy),
-                to_x = one * samples.ended_x - x * part, to_y = one * samples.ended_y - y * part;
+                level = one * one * samples.squared_weight * level_samples * square_of_place;
+    const LinearMoments moments{x,
+                                y,
+                                part,
+                                one * samples.xx - x * x + level,
+                                one * samples.xy - x * y,
+                                one * samples.yy - y * y + level,
+                                one * samples.ended_x - x * part,
+                                one * samples.ended_y - y * part};
     Cover cover;
     cover.depth = depth;
-    cover.by_x = of_determinant * (yy * to_x - xy * to_y);
-    cover.by_y = of_determinant * (xx * to_y - xy * to_x);
-    cover.at = part - x * cover.by_x - y * cover.by_y;
+    cover.part = moments.fit();
     covers_.push_back(cover);
 }
 

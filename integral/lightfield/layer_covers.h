@@ -7,6 +7,7 @@
 
 #include "integral/lightfield/beam_patch.h"
 #include "integral/lightfield/eight_floats.h"
+#include "integral/lightfield/sample_fit.h"
 
 #include <vector>
 
@@ -67,9 +68,9 @@ public:
         const Number one = eight_of<Number>(1);
         Number part = one;
         for (const Cover& cover : covers_) {
-            const Number covered = eight_of<Number>(cover.at) +
-                                   eight_of<Number>(cover.by_x * cover.scale_x) * x +
-                                   eight_of<Number>(cover.by_y * cover.scale_y) * y,
+            const Number covered = eight_of<Number>(cover.part.at) +
+                                   eight_of<Number>(cover.part.by_x * cover.scale_x) * x +
+                                   eight_of<Number>(cover.part.by_y * cover.scale_y) * y,
                          open = eight_of<Number>(half_open) - eight_of<Number>(steepness) * covered;
             part = part * most(least(open, one), eight_of<Number>(little));
         }
@@ -83,8 +84,8 @@ private:
     static constexpr float steepness = 2, half_open = 1.5f, little = 0.1f;
     struct Cover {
         float depth = 0;
-        float at = 0, by_x = 0, by_y = 0; ///< the part in the middle, and its slopes
-        float scale_x = 1, scale_y = 1;   ///< from the depth of the places asked for
+        LinearFit part;                 ///< that is covered
+        float scale_x = 1, scale_y = 1; ///< from the depth of the places asked for
     };
     std::vector<Cover> covers_;
 };

@@ -8,6 +8,7 @@
 #define INTEGRAL_LIGHTFIELD_LAYER_PLANE_H
 
 #include "integral/lightfield/eight_floats.h"
+#include "integral/lightfield/sample_fit.h"
 
 namespace integral {
 
@@ -50,18 +51,18 @@ public:
     /// beam's central line.
     template <class Floats> INTEGRAL_INLINE Crossing<Floats> crossing(const Eight (&lines)[4]) const
     {
-        const Floats by_x = eight_of<Floats>(by_x_), by_y = eight_of<Floats>(by_y_),
+        const Floats by_x = eight_of<Floats>(depth_.by_x), by_y = eight_of<Floats>(depth_.by_y),
                      little = eight_of<Floats>(1e-3f), far = eight_of<Floats>(1e5f);
         const Floats towards = eight_of<Floats>(1) - by_x * loaded<Floats>(lines[2]) -
                                by_y * loaded<Floats>(lines[3]);
-        const Floats depth = (eight_of<Floats>(at_centre_) + by_x * loaded<Floats>(lines[0]) +
+        const Floats depth = (eight_of<Floats>(depth_.at) + by_x * loaded<Floats>(lines[0]) +
                               by_y * loaded<Floats>(lines[1])) /
                              most(towards, little);
         return {most(least(depth, far), eight_of<Floats>(0) - far), towards - little};
     }
 
 private:
-    float at_centre_ = 0, by_x_ = 0, by_y_ = 0;
+    LinearFit depth_; ///< mm, by the distance from the beam's central line
 };
 
 } // namespace integral

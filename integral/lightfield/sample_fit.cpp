@@ -3,6 +3,16 @@
 
 namespace integral {
 
+LinearFit LinearMoments::fit() const
+{
+    const float of_determinant = 1 / (xx * yy - xy * xy);
+    LinearFit result;
+    result.by_x = of_determinant * (yy * x_value - xy * y_value);
+    result.by_y = of_determinant * (xx * y_value - xy * x_value);
+    result.at = value - x * result.by_x - y * result.by_y;
+    return result;
+}
+
 FourFloats FitSums::mean_of_beam() const
 {
     const float one = 1 / weight, level = level_samples * squared_weight * one * one;

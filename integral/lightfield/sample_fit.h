@@ -15,6 +15,20 @@ namespace integral {
 // the variance of its square 0.06.
 constexpr float level_samples = 8, square_of_place = 0.2f, variance_of_square = 0.06f;
 
+/// A linear function of a place (x, y).
+struct LinearFit {
+    float at = 0; ///< its value where x and y are 0
+    float by_x = 0, by_y = 0;
+};
+
+/// What of some samples' places and values such a function is fitted to. All are means by weight.
+struct LinearMoments {
+    float x, y, value;
+    float xx, xy, yy, x_value, y_value; ///< the products, less those of the means; xx and yy damped
+
+    LinearFit fit() const;
+};
+
 /// The sums over samples of which a fit is made.
 struct FitSums {
     float weight, squared_weight;

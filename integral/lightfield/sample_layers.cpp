@@ -27,6 +27,29 @@ template <class Floats> INTEGRAL_INLINE Floats logarithm(Floats x)
     return bits_as_number(x) * eight_of<Floats>(0x1p-23f) - eight_of<Floats>(127);
 }
 
+/// Half the patch's width along both axes, beside two ones: 1, x, y, 1.
+class HalfWidths {
+public:
+    explicit HalfWidths(const BeamPatch& patch)
+    {
+        for (int k = 0; k < 2; ++k) {
+            const BeamPatch::Axis& axis = patch.axis(k);
+            cell_at_sheet_[k + 1] = 0.5f * axis.cell_at_sheet;
+            cell_slope_[k + 1] = 0.5f * axis.cell_slope;
+            pixel_at_sheet_[k + 1] = 0.5f * axis.pixel_at_sheet;
+            pixel_slope_[k + 1] = 0.5f * axis.pixel_slope;
+        }
+    }
+    FourFloats operator()(float depth) const
+    {
+        return cell_at_sheet_ + std::fabs(depth) * cell_slope_ +
+               magnitude(pixel_at_sheet_ + depth * pixel_slope_);
+    }
+
+private:
+    FourFloats cell_at_sheet_{1, 0, 0, 1}, cell_slope_{}, pixel_at_sheet_{}, pixel_slope_{};
+};
+
 } // namespace
 
 /// A depth on the scale on which layers are told apart.
@@ -121,33 +144,6 @@ inline FourFloats light_of(const StoredLight& light)
     const FourFloats roots = floats_from(&light);
     return roots * magnitude(roots);
 }
-
-namespace {
-
-/// Half the patch's width along both axes, beside two ones: 1, x, y, 1.
-class HalfWidths {
-public:
-    explicit HalfWidths(const BeamPatch& patch)
-    {
-        for (int k = 0; k < 2; ++k) {
-            const BeamPatch::Axis& axis = patch.axis(k);
-            cell_at_sheet_[k + 1] = 0.5f * axis.cell_at_sheet;
-            cell_slope_[k + 1] = 0.5f * axis.cell_slope;
-            pixel_at_sheet_[k + 1] = 0.5f * axis.pixel_at_sheet;
-            pixel_slope_[k + 1] = 0.5f * axis.pixel_slope;
-        }
-    }
-    FourFloats operator()(float depth) const
-    {
-        return cell_at_sheet_ + std::fabs(depth) * cell_slope_ +
-               magnitude(pixel_at_sheet_ + depth * pixel_slope_);
-    }
-
-private:
-    FourFloats cell_at_sheet_{1, 0, 0, 1}, cell_slope_{}, pixel_at_sheet_{}, pixel_slope_{};
-};
-
-} // namespace
 
 /// Sums up the light of the layers, and finds how they lie.
 void SampleLayers::sum_layers()

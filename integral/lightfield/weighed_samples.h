@@ -137,8 +137,8 @@ inline void WeighedSamples::add(const BeamSamples::Pixel* pixels, unsigned which
         const BeamSamples::Pixel& pixel = pixels[k];
         const int number = pixel.number;
         const FourFloats share = FourFloats{} + parts[k] * by_number_[number];
-        // Four at a time, some of them for nothing: most pixels have one sample or four, and which
-        // of the two the processor could not predict.
+        // Four samples are written at a time, and what is too much is overwritten by the next
+        // pixel's: most pixels have one sample or four, which the processor cannot predict.
         const BeamSamples::Sample* more = number > 1 ? pixel.more : &pixel.first;
         added[0] = &pixel.first;
         for (int i = 0; i < 3; ++i)
