@@ -186,7 +186,7 @@ INTEGRAL_INLINE void LendingPixels::find_nearness(int axis, const BeamPatch& pat
     const bool crosses_sheet = nearest < 0 && furthest > 0;
     const Floats by_nearest = eight_of<Floats>(0.5f / widths.reach(nearest)),
                  by_furthest = eight_of<Floats>(0.5f / widths.reach(furthest)),
-                 by_sheet = eight_of<Floats>(crosses_sheet ? 0.5f / widths.reach(0) : 1e9f),
+                 by_sheet = eight_of<Floats>(crosses_sheet ? 0.5f / widths.reach(0.0f) : 1e9f),
                  pixel_slope = eight_of<Floats>(widths.pixel_slope), one = eight_of<Floats>(1),
                  none = eight_of<Floats>(0);
     for (std::size_t k = 0; k < nearness.size(); ++k) {

@@ -34,8 +34,15 @@ public:
         float cell(float depth) const { return cell_at_sheet + cell_slope * std::fabs(depth); }
         /// Negative where the pixel's rays have crossed.
         float pixel(float depth) const { return pixel_at_sheet + pixel_slope * depth; }
-        /// Half the patch's width, mm.
-        float reach(float depth) const { return 0.5f * (cell(depth) + std::fabs(pixel(depth))); }
+        /// Half the patch's width, mm. Number: float or a type of eight floats (eight_floats.h).
+        template <class Number> INTEGRAL_INLINE Number reach(Number depth) const
+        {
+            const Number cell = eight_of<Number>(cell_at_sheet) +
+                                eight_of<Number>(cell_slope) * magnitude(depth),
+                         pixel = eight_of<Number>(pixel_at_sheet) +
+                                 eight_of<Number>(pixel_slope) * depth;
+            return eight_of<Number>(0.5f) * (cell + magnitude(pixel));
+        }
     };
     /// Across and along the lattice.
     const Axis& axis(int which) const { return axes_[which]; }

@@ -53,11 +53,17 @@ INTEGRAL_OPERATOR(TwiceFourIntegers, TwiceFourFloats, <)
 INTEGRAL_OPERATOR(TwiceFourIntegers, TwiceFourFloats, >)
 #undef INTEGRAL_OPERATOR
 
-/// From and to memory; eight times the same.
+/// From and to memory (from any place in it); eight times the same.
 template <class Floats> INTEGRAL_INLINE Floats loaded(const Eight& memory)
 {
     Floats x;
     std::memcpy(&x, &memory, sizeof x);
+    return x;
+}
+template <class Floats> INTEGRAL_INLINE Floats loaded(const float* memory)
+{
+    Floats x;
+    std::memcpy(&x, memory, sizeof x);
     return x;
 }
 template <class Floats> INTEGRAL_INLINE void store(Eight& memory, Floats x)
@@ -175,48 +181,64 @@ template <> INTEGRAL_INLINE TwiceFourFloats of_halves(FourFloats low, FourFloats
 {
     return {low, high};
 }
-/// In either half, those of the four numbers of a (0 to 3) and of the four of b (4 to 7).
-template <int i, int j, int k, int l>
-INTEGRAL_INLINE FourFloats shuffled_halves(FourFloats a, FourFloats b)
-{
-    return __builtin_shufflevector(a, b, i, j, k, l);
-}
-template <int i, int j, int k, int l>
-INTEGRAL_INLINE EightFloats shuffled_halves(EightFloats a, EightFloats b)
-{
-    constexpr int high = 4, second = 4; // b's numbers are the vectors' elements 8 to 15
-    return __builtin_shufflevector(a, b, i + i / 4 * second, j + j / 4 * second, k + k / 4 * second,
-                                   l + l / 4 * second, high + i + i / 4 * second,
-                                   high + j + j / 4 * second, high + k + k / 4 * second,
-                                   high + l + l / 4 * second);
-}
-template <int i, int j, int k, int l>
-INTEGRAL_INLINE TwiceFourFloats shuffled_halves(TwiceFourFloats a, TwiceFourFloats b)
-{
-    return {shuffled_halves<i, j, k, l>(a.low, b.low), shuffled_halves<i, j, k, l>(a.high, b.high)};
-}
-/// In either half, four times its number k.
-template <int k, class Floats> INTEGRAL_INLINE Floats repeated(Floats x)
-{
-    return shuffled_halves<k, k, k, k>(x, x);
-}
+/// Writes those of eight numbers that are chosen one after another, and something behind them:
+/// eight numbers in all.
+template <class Floats> class Packing;
+template <> class Packing<TwiceFourFloats> {
+public:
+    /// `which`: bit k is set for the number k.
+    explicit INTEGRAL_INLINE Packing(unsigned which) : which_(which) {}
+    INTEGRAL_INLINE void store(float* memory, TwiceFourFloats x) const
+    {
+        Eight all;
+        integral::store(all, x);
+        float* end = memory + 8;
+        for (unsigned left = which_; left != 0; left &= left - 1)
+            *memory++ = all[__builtin_ctz(left)];
+        while (memory < end)
+            *memory++ = 0;
+    }
 
-/// Two times four 16-bit integers in memory as floats.
-template <class Floats> INTEGRAL_INLINE Floats floats_from(const void* low, const void* high);
-template <> INTEGRAL_INLINE EightFloats floats_from(const void* low, const void* high)
-{
-    typedef std::int16_t EightShorts __attribute__((vector_size(16)));
-    std::int64_t halves[2];
-    std::memcpy(&halves[0], low, 8);
-    std::memcpy(&halves[1], high, 8);
-    EightShorts narrow;
-    std::memcpy(&narrow, halves, sizeof narrow);
-    return __builtin_convertvector(__builtin_convertvector(narrow, EightIntegers), EightFloats);
-}
-template <> INTEGRAL_INLINE TwiceFourFloats floats_from(const void* low, const void* high)
-{
-    return {floats_from(low), floats_from(high)};
-}
+private:
+    unsigned which_;
+};
+
+/// For each set of bits from 0 to 7, their numbers in order, and zeros.
+struct OrdersOfBits {
+    std::uint8_t of[256][8]{};
+    constexpr OrdersOfBits()
+    {
+        for (int which = 0; which < 256; ++which)
+            for (int k = 0, number = 0; k < 8; ++k)
+                if (which >> k & 1)
+                    of[which][number++] = std::uint8_t(k);
+    }
+};
+constexpr OrdersOfBits orders_of_bits;
+
+template <> class Packing<EightFloats> {
+public:
+    explicit INTEGRAL_INLINE Packing(unsigned which)
+    {
+        typedef std::uint8_t EightBytes __attribute__((vector_size(8)));
+        EightBytes order;
+        std::memcpy(&order, orders_of_bits.of[which], sizeof order);
+        order_ = __builtin_convertvector(order, EightIntegers);
+    }
+    INTEGRAL_INLINE void store(float* memory, EightFloats x) const
+    {
+#if defined(INTEGRAL_HAS_AVX2) && !defined(__clang__)
+        const EightFloats packed = __builtin_ia32_permvarsf256(x, order_);
+        std::memcpy(memory, &packed, sizeof packed);
+#else
+        for (int k = 0; k < 8; ++k)
+            memory[k] = x[order_[k]];
+#endif
+    }
+
+private:
+    EightIntegers order_;
+};
 
 template <class Floats> INTEGRAL_INLINE float sum_of_eight(Floats x)
 {
@@ -260,6 +282,16 @@ INTEGRAL_INLINE void transpose(TwiceFourFloats (&rows)[4])
     transpose(high);
     for (int k = 0; k < 4; ++k)
         rows[k] = {low[k], high[k]};
+}
+
+/// The sums of four times eight numbers.
+template <class Floats>
+INTEGRAL_INLINE FourFloats sums_of_eight(Floats a, Floats b, Floats c, Floats d)
+{
+    Floats rows[4] = {a, b, c, d};
+    transpose(rows);
+    const Floats halves = (rows[0] + rows[1]) + (rows[2] + rows[3]);
+    return low_half(halves) + high_half(halves);
 }
 
 } // namespace integral

@@ -39,12 +39,10 @@ template <class Number> struct ReachingSamples {
 
     INTEGRAL_INLINE ReachingSamples<float> sums() const
     {
-        return {sum_of_eight(weight),  sum_of_eight(squared_weight),
-                sum_of_eight(x),       sum_of_eight(y),
-                sum_of_eight(xx),      sum_of_eight(xy),
-                sum_of_eight(yy),      sum_of_eight(ended),
-                sum_of_eight(ended_x), sum_of_eight(ended_y),
-                sum_of_eight(passing)};
+        const FourFloats a = sums_of_eight(weight, squared_weight, x, y),
+                         b = sums_of_eight(xx, xy, yy, ended),
+                         c = sums_of_eight(ended_x, ended_y, passing, Number{});
+        return {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3], c[0], c[1], c[2]};
     }
 };
 

@@ -3,21 +3,19 @@
 
 namespace integral {
 
-LayerPlane LayerPlane::Sums::plane(const float (&reach)[2]) const
+LayerPlane::LayerPlane(const LayerSums<float>& sums, const std::array<float, 2>& reach)
 {
-    const float one = 1 / weight(), x = one * all_[1], y = one * all_[2], depth = one * all_[3],
-                level = level_samples * square_of_place * squares_ * one * one;
+    const float one = 1 / sums.weight, x = one * sums.x, y = one * sums.y, depth = one * sums.depth,
+                level = level_samples * square_of_place * sums.squared_weight * one * one;
     const LinearMoments moments{x,
                                 y,
                                 depth,
-                                one * by_x_[1] - x * x + level * reach[0] * reach[0],
-                                one * by_x_[2] - x * y,
-                                one * by_y_[2] - y * y + level * reach[1] * reach[1],
-                                one * by_x_[3] - x * depth,
-                                one * by_y_[3] - y * depth};
-    LayerPlane plane;
-    plane.depth_ = moments.fit();
-    return plane;
+                                one * sums.xx - x * x + level * reach[0] * reach[0],
+                                one * sums.xy - x * y,
+                                one * sums.yy - y * y + level * reach[1] * reach[1],
+                                one * sums.x_depth - x * depth,
+                                one * sums.y_depth - y * depth};
+    depth_ = moments.fit();
 }
 
 } // namespace integral

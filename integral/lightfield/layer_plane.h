@@ -12,35 +12,46 @@
 
 namespace integral {
 
+/// Sums over the samples that met a layer. Their places are distances from the beam's central line
+/// along both axes, mm. Number: a type of eight floats (eight_floats.h), of which the sum is meant,
+/// or float.
+template <class Number> struct LayerSums {
+    Number weight{}, squared_weight{};
+    Number x{}, y{}, depth{}; ///< by weight
+    Number xx{}, xy{}, yy{}, x_depth{}, y_depth{};
+
+    INTEGRAL_INLINE void add(Number more, Number at_x, Number at_y, Number at_depth)
+    {
+        const Number more_x = more * at_x, more_y = more * at_y;
+        weight = weight + more;
+        squared_weight = squared_weight + more * more;
+        x = x + more_x;
+        y = y + more_y;
+        depth = depth + more * at_depth;
+        xx = xx + more_x * at_x;
+        xy = xy + more_x * at_y;
+        yy = yy + more_y * at_y;
+        x_depth = x_depth + more_x * at_depth;
+        y_depth = y_depth + more_y * at_depth;
+    }
+
+    INTEGRAL_INLINE LayerSums<float> sums() const
+    {
+        const FourFloats a = sums_of_eight(weight, squared_weight, x, y),
+                         b = sums_of_eight(depth, xx, xy, yy),
+                         c = sums_of_eight(x_depth, y_depth, Number{}, Number{});
+        return {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3], c[0], c[1]};
+    }
+};
+
 /// The depth (mm) as a linear function of the distance (mm) from the beam's central line along both
 /// axes.
 class LayerPlane {
 public:
-    /// Sums over the samples of a layer.
-    class Sums {
-    public:
-        /// A sample that met the layer. `place`: 1, the distance from the beam's central line along
-        /// both axes, and the depth.
-        INTEGRAL_INLINE void add(float weight, FourFloats place)
-        {
-            const FourFloats weighted = weight * place;
-            all_ += weighted;
-            by_x_ += place[1] * weighted;
-            by_y_ += place[2] * weighted;
-            squares_ += weight * weight;
-        }
-        /// The sum of the weights.
-        float weight() const { return all_[0]; }
-        float mean_depth() const { return all_[3] / all_[0]; }
-        /// `reach`: half the patch's width along both axes at the mean depth, mm.
-        LayerPlane plane(const float (&reach)[2]) const;
-
-    private:
-        FourFloats all_{}, by_x_{}, by_y_{};
-        float squares_ = 0;
-    };
-
     LayerPlane() = default;
+
+    /// `reach`: half the patch's width along both axes at the samples' mean depth, mm.
+    LayerPlane(const LayerSums<float>& sums, const std::array<float, 2>& reach);
 
     /// Where lines cross the plane coming from the viewer's side.
     template <class Floats> struct Crossing {

@@ -39,48 +39,69 @@ struct FitSums {
     FourFloats mean_of_beam() const;
 };
 
-/// Sums up samples, two at a time. Floats: see eight_floats.h; each half is about one sample.
-template <class Floats> class SampleFit {
-public:
-    /// `weight`: four times the same. `place`: x and y divided by half the patch's width, and their
-    /// squares less the means of those over the beam.
-    INTEGRAL_INLINE void add(Floats weight, Floats place, Floats light)
-    {
-        const Floats weighted = weight * place, weighted_light = weight * light;
-        weight_ = weight_ + weight;
-        squares_ = squares_ + weight * weight;
-        places_ = places_ + weighted;
-        light_ = light_ + weighted_light;
-        add_by<0>(place, weighted, weighted_light);
-        add_by<1>(place, weighted, weighted_light);
-        add_by<2>(place, weighted, weighted_light);
-        add_by<3>(place, weighted, weighted_light);
-    }
+/// Sums over samples' places, eight at a time. Floats: see eight_floats.h.
+template <class Floats> struct PlaceSums {
+    Floats weight{}, squared_weight{}, places[4]{};
+    Floats products[4][4]{}; ///< [i][k] for k <= i
 
-    INTEGRAL_INLINE FitSums sums() const
+    /// `place`: x and y divided by half the patch's width, and their squares less the means of
+    /// those over the beam.
+    INTEGRAL_INLINE void add(Floats more, const Floats (&place)[4])
     {
-        FitSums sums{
-            of_both(weight_)[0], of_both(squares_)[0], of_both(places_), of_both(light_), {}, {}};
-        for (int k = 0; k < 4; ++k) {
-            sums.products[k] = of_both(products_[k]);
-            sums.light_by_place[k] = of_both(light_by_place_[k]);
+        weight = weight + more;
+        squared_weight = squared_weight + more * more;
+        for (int i = 0; i < 4; ++i) {
+            const Floats weighted = more * place[i];
+            places[i] = places[i] + weighted;
+            for (int k = 0; k <= i; ++k)
+                products[i][k] = products[i][k] + weighted * place[k];
         }
-        return sums;
     }
-
-private:
-    template <int k>
-    INTEGRAL_INLINE void add_by(Floats place, Floats weighted, Floats weighted_light)
-    {
-        const Floats by = repeated<k>(place);
-        products_[k] = products_[k] + by * weighted;
-        light_by_place_[k] = light_by_place_[k] + by * weighted_light;
-    }
-    static INTEGRAL_INLINE FourFloats of_both(Floats x) { return low_half(x) + high_half(x); }
-
-    Floats weight_{}, squares_{}, places_{}, light_{};
-    Floats products_[4]{}, light_by_place_[4]{};
 };
+
+/// Sums over two components of the samples' light. Apart from the other sums, so that the processor
+/// has registers for all.
+template <class Floats> struct LightPairSums {
+    Floats light[2]{}, by_place[4][2]{};
+
+    INTEGRAL_INLINE void add(Floats weight, const Floats (&place)[4], const Floats (&more)[2])
+    {
+        for (int component = 0; component < 2; ++component) {
+            const Floats weighted = weight * more[component];
+            light[component] = light[component] + weighted;
+            for (int i = 0; i < 4; ++i)
+                by_place[i][component] = by_place[i][component] + weighted * place[i];
+        }
+    }
+};
+
+template <class Floats>
+INTEGRAL_INLINE FitSums fit_sums(const PlaceSums<Floats>& places,
+                                 const LightPairSums<Floats> (&light)[2])
+{
+    const auto of_pairs = [](const Floats(&a)[2], const Floats(&b)[2])
+        __attribute__((always_inline))
+    {
+        return sums_of_eight(a[0], a[1], b[0], b[1]);
+    };
+    const auto& by = places.products;
+    const FourFloats first = sums_of_eight(places.weight, places.squared_weight, by[0][0],
+                                           by[1][0]),
+                     second = sums_of_eight(by[1][1], by[2][0], by[2][1], by[2][2]),
+                     third = sums_of_eight(by[3][0], by[3][1], by[3][2], by[3][3]);
+    const auto& all = places.places;
+    FitSums sums{first[0],
+                 first[1],
+                 sums_of_eight(all[0], all[1], all[2], all[3]),
+                 of_pairs(light[0].light, light[1].light),
+                 {FourFloats{first[2], first[3], second[1], third[0]},
+                  FourFloats{first[3], second[0], second[2], third[1]},
+                  FourFloats{second[1], second[2], second[3], third[2]}, third},
+                 {}};
+    for (int i = 0; i < 4; ++i)
+        sums.light_by_place[i] = of_pairs(light[0].by_place[i], light[1].by_place[i]);
+    return sums;
+}
 
 } // namespace integral
 

@@ -9,8 +9,6 @@
 
 namespace integral {
 
-using Met = WeighedSamples::Met;
-
 namespace {
 
 // Depths are compared on a scale on which the lines of neighbouring pixels move apart by about a
@@ -27,27 +25,28 @@ template <class Floats> INTEGRAL_INLINE Floats logarithm(Floats x)
     return bits_as_number(x) * eight_of<Floats>(0x1p-23f) - eight_of<Floats>(127);
 }
 
-/// Half the patch's width along both axes, beside two ones: 1, x, y, 1.
-class HalfWidths {
-public:
-    explicit HalfWidths(const BeamPatch& patch)
+/// The sums of eight samples' light after another, by weight, or of other numbers of its
+/// components.
+template <class Floats> struct LightSums {
+    Floats light[2][2]{};
+
+    INTEGRAL_INLINE void add(Floats weights, const WeighedSamples::Met& met, std::size_t eight)
     {
-        for (int k = 0; k < 2; ++k) {
-            const BeamPatch::Axis& axis = patch.axis(k);
-            cell_at_sheet_[k + 1] = 0.5f * axis.cell_at_sheet;
-            cell_slope_[k + 1] = 0.5f * axis.cell_slope;
-            pixel_at_sheet_[k + 1] = 0.5f * axis.pixel_at_sheet;
-            pixel_slope_[k + 1] = 0.5f * axis.pixel_slope;
+        for (int pair = 0; pair < 2; ++pair) {
+            Floats more[2];
+            met.light_pair(pair, eight, more);
+            add_pair(pair, weights, more);
         }
     }
-    FourFloats operator()(float depth) const
+    INTEGRAL_INLINE void add_pair(int pair, Floats weights, const Floats (&more)[2])
     {
-        return cell_at_sheet_ + std::fabs(depth) * cell_slope_ +
-               magnitude(pixel_at_sheet_ + depth * pixel_slope_);
+        for (int k = 0; k < 2; ++k)
+            light[pair][k] = light[pair][k] + weights * more[k];
     }
-
-private:
-    FourFloats cell_at_sheet_{1, 0, 0, 1}, cell_slope_{}, pixel_at_sheet_{}, pixel_slope_{};
+    INTEGRAL_INLINE FourFloats sums() const
+    {
+        return sums_of_eight(light[0][0], light[0][1], light[1][0], light[1][1]);
+    }
 };
 
 } // namespace
@@ -62,111 +61,86 @@ template <class Floats> INTEGRAL_INLINE Floats SampleLayers::scaled(Floats depth
 }
 
 /// Sets each sample's step on the scale, counted from the nearest one's, and adds it to `steps`.
-template <class Floats> INTEGRAL_INLINE void SampleLayers::find_steps_with(Steps& steps)
+template <class Floats> INTEGRAL_INLINE void SampleLayers::find_steps(Steps& steps)
 {
     const Floats begin = eight_of<Floats>(scaled(samples_.nearest())),
                  last = eight_of<Floats>(most_steps), of_step = eight_of<Floats>(1 / step);
-    const auto all = samples_.met();
-    for (Met* met = all.begin(); met < all.end(); met += 8) {
-        Floats numbers[4];
-        for (int i = 0; i < 4; ++i)
-            numbers[i] = of_halves<Floats>(met[i].numbers, met[i + 4].numbers);
-        transpose(numbers);
-        Eight found;
-        store(found, least((scaled(numbers[3]) - begin) * of_step, last));
-        for (std::size_t i = 0; i < 8 && met + i < all.end(); ++i) {
-            met[i].step = std::uint16_t(int(found[i]));
-            steps[met[i].step / 64] |= std::uint64_t(1) << met[i].step % 64;
+    const WeighedSamples::Met& met = samples_.met();
+    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+        Eight& found = placed_[eight].steps;
+        store(found, least((scaled(met.depths<Floats>(eight)) - begin) * of_step, last));
+        const std::size_t number = std::min<std::size_t>(8, met.number() - 8 * eight);
+        for (std::size_t i = 0; i < number; ++i) {
+            const unsigned k = unsigned(int(found[i]));
+            steps[k / 64] |= std::uint64_t(1) << k % 64;
         }
     }
 }
 
-#ifdef INTEGRAL_HAS_AVX2
-INTEGRAL_TARGET_AVX2 void SampleLayers::find_steps_with_avx2(Steps& steps)
-{
-    find_steps_with<EightFloats>(steps);
-}
-#endif
-
-void SampleLayers::find_steps(Steps& steps)
-{
-#ifdef INTEGRAL_HAS_AVX2
-    if (has_avx2())
-        return find_steps_with_avx2(steps);
-#endif
-    find_steps_with<TwiceFourFloats>(steps);
-}
-
 /// Divides the samples that ended in the beam into layers, from the viewer on.
-void SampleLayers::find_layers()
+template <class Floats> INTEGRAL_INLINE void SampleLayers::find_layers()
 {
     layers_.clear();
     const float range = scaled(samples_.furthest()) - scaled(samples_.nearest());
     if (range < 2 * step)
         return;
+    if (placed_.size() < samples_.met().eights())
+        placed_.resize(2 * samples_.met().eights());
     Steps used{};
-    find_steps(used);
-    std::array<std::uint16_t, most_steps + 1> layer_of;
+    find_steps<Floats>(used);
     int before = -2;
     for (std::size_t word = 0; word < used.size(); ++word)
         for (std::uint64_t left = used[word]; left != 0; left &= left - 1) {
             const int k = int(64 * word) + __builtin_ctzll(left);
-            if (k > before + 1)
+            if (k > before + 1) {
                 layers_.emplace_back();
-            layer_of[std::size_t(k)] = std::uint16_t(layers_.size() - 1);
+                layers_.back().first_step = float(k);
+            }
+            layers_.back().end_step = float(k + 1);
             before = k;
         }
-    if (layers_.size() > 1)
-        order_by_layer(layer_of.data());
 }
 
-/// Lists the samples layer by layer. `layer_of`: the layer of each step.
-void SampleLayers::order_by_layer(const std::uint16_t* layer_of)
+/// The weights of eight samples as far as they are in a layer; those of others are 0.
+template <class Floats>
+INTEGRAL_INLINE Floats SampleLayers::weights_in(const Layer& layer, std::size_t eight) const
 {
-    const auto all = samples_.met();
-    for (const Met& met : all)
-        ++layers_[layer_of[met.step]].end;
-    std::uint32_t begin = 0;
-    for (Layer& layer : layers_) {
-        const std::uint32_t number = layer.end;
-        layer.begin = layer.end = begin;
-        begin += number;
-    }
-    if (ordered_.size() < begin)
-        ordered_.resize(2 * begin);
-    for (const Met& met : all)
-        ordered_[layers_[layer_of[met.step]].end++] = &met;
-}
-
-/// The light of a sample, times StoredLight::of_squared_root.
-inline FourFloats light_of(const StoredLight& light)
-{
-    const FourFloats roots = floats_from(&light);
-    return roots * magnitude(roots);
+    const Floats steps = loaded<Floats>(placed_[eight].steps), none = eight_of<Floats>(0),
+                 begun = chosen(steps < eight_of<Floats>(layer.first_step), none,
+                                samples_.met().weights<Floats>(eight));
+    return chosen(steps < eight_of<Floats>(layer.end_step), begun, none);
 }
 
 /// Sums up the light of the layers, and finds how they lie.
-void SampleLayers::sum_layers()
+template <class Floats> INTEGRAL_INLINE void SampleLayers::sum_layers()
 {
-    const HalfWidths half_widths(samples_.patch());
+    const WeighedSamples::Met& met = samples_.met();
+    const BeamPatch& patch = samples_.patch();
+    for (std::size_t eight = 0; eight < met.eights(); ++eight)
+        for (int axis = 0; axis < 2; ++axis)
+            store(placed_[eight].ways[axis], met.places<Floats>(axis, eight) *
+                                                 patch.axis(axis).reach(met.depths<Floats>(eight)));
     for (Layer& layer : layers_) {
-        LayerPlane::Sums sums;
-        FourFloats light{};
-        float furthest = -1e9f;
-        for (std::uint32_t k = layer.begin; k < layer.end; ++k) {
-            const Met& met = *ordered_[k];
-            FourFloats place = met.numbers;
-            place[0] = 1;
-            sums.add(met.weight(), place * half_widths(met.depth()));
-            light += met.weight() * light_of(met.light);
-            furthest = std::max(furthest, met.depth());
+        LayerSums<Floats> sums;
+        LightSums<Floats> light;
+        Floats furthest = eight_of<Floats>(-1e9f);
+        for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+            const Floats weights = weights_in<Floats>(layer, eight),
+                         depths = met.depths<Floats>(eight);
+            sums.add(weights, loaded<Floats>(placed_[eight].ways[0]),
+                     loaded<Floats>(placed_[eight].ways[1]), depths);
+            light.add(weights, met, eight);
+            furthest = most(furthest, chosen(weights > eight_of<Floats>(0), depths, furthest));
         }
-        layer.weight = sums.weight();
-        layer.depth = sums.mean_depth();
-        layer.furthest = furthest;
-        layer.light = light;
-        const FourFloats reach = half_widths(layer.depth);
-        layer.plane = sums.plane({reach[1], reach[2]});
+        const LayerSums<float> all = sums.sums();
+        Eight all_furthest;
+        store(all_furthest, furthest);
+        layer.furthest = *std::max_element(all_furthest.values, all_furthest.values + 8);
+        layer.weight = all.weight;
+        layer.depth = all.depth / all.weight;
+        layer.light = light.sums();
+        layer.plane = LayerPlane(
+            all, {patch.axis(0).reach(layer.depth), patch.axis(1).reach(layer.depth)});
     }
 }
 
@@ -177,44 +151,46 @@ inline float mean_square(const BeamPatch::Axis& axis, float depth)
     return (cell * cell + pixel * pixel) / (3 * both * both);
 }
 
-/// The sums for the beam's mean light, of all samples that ended in it: of one layer.
-template <class Floats> INTEGRAL_INLINE FitSums SampleLayers::fit_with() const
+/// The numbers of eight samples' places that a fit is about. `means`: of their squares.
+template <class Floats>
+INTEGRAL_INLINE void places_to_fit(const WeighedSamples::Met& met, std::size_t eight,
+                                   const Floats (&means)[2], Floats (&places)[4])
 {
-    SampleFit<Floats> fit;
-    const float depth = 0.5f * (samples_.nearest() + samples_.furthest());
-    const FourFloats of_one = {0, 0, mean_square(samples_.patch().axis(0), depth),
-                               mean_square(samples_.patch().axis(1), depth)};
-    const Floats squares = of_halves<Floats>(of_one, of_one), one = eight_of<Floats>(1);
-    const auto all = samples_.met();
-    for (const Met* met = all.begin(); met < all.end(); met += 2) {
-        const Floats numbers = of_halves<Floats>(met[0].numbers, met[1].numbers),
-                     place = shuffled_halves<1, 2, 1, 2>(numbers, numbers),
-                     factor = shuffled_halves<4, 4, 1, 2>(numbers, one),
-                     roots = floats_from<Floats>(&met[0].light, &met[1].light);
-        fit.add(repeated<0>(numbers), place * factor - squares, roots * magnitude(roots));
+    for (int axis = 0; axis < 2; ++axis) {
+        places[axis] = met.places<Floats>(axis, eight);
+        places[axis + 2] = places[axis] * places[axis] - means[axis];
     }
-    return fit.sums();
 }
 
-#ifdef INTEGRAL_HAS_AVX2
-INTEGRAL_TARGET_AVX2 FitSums SampleLayers::fit_with_avx2() const { return fit_with<EightFloats>(); }
-#endif
-
 /// The beam's mean light, of all samples that ended in it: of one layer.
-FourFloats SampleLayers::fitted() const
+template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::fitted() const
 {
-#ifdef INTEGRAL_HAS_AVX2
-    if (has_avx2())
-        return fit_with_avx2().mean_of_beam();
-#endif
-    return fit_with<TwiceFourFloats>().mean_of_beam();
+    const float depth = 0.5f * (samples_.nearest() + samples_.furthest());
+    const Floats means[2] = {eight_of<Floats>(mean_square(samples_.patch().axis(0), depth)),
+                             eight_of<Floats>(mean_square(samples_.patch().axis(1), depth))};
+    const WeighedSamples::Met& met = samples_.met();
+    PlaceSums<Floats> places;
+    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+        Floats at[4];
+        places_to_fit(met, eight, means, at);
+        places.add(met.weights<Floats>(eight), at);
+    }
+    LightPairSums<Floats> light[2];
+    for (int pair = 0; pair < 2; ++pair)
+        for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+            Floats at[4], more[2];
+            places_to_fit(met, eight, means, at);
+            met.light_pair(pair, eight, more);
+            light[pair].add(met.weights<Floats>(eight), at, more);
+        }
+    return fit_sums(places, light).mean_of_beam();
 }
 
 /// The samples that reach a layer's plane inside the beam. `before`: the furthest depth of the
 /// layer before it.
 template <class Floats>
-INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching_with(const Layer& layer,
-                                                                   float before) const
+INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer,
+                                                              float before) const
 {
     const Floats none = eight_of<Floats>(0);
     ReachingSamples<Floats> result;
@@ -240,41 +216,26 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching_with(const Layer& 
     return result.sums();
 }
 
-#ifdef INTEGRAL_HAS_AVX2
-INTEGRAL_TARGET_AVX2
-ReachingSamples<float> SampleLayers::reaching_with_avx2(const Layer& layer, float before) const
-{
-    return reaching_with<EightFloats>(layer, before);
-}
-#endif
-
-ReachingSamples<float> SampleLayers::reaching(const Layer& layer, float before) const
-{
-#ifdef INTEGRAL_HAS_AVX2
-    if (has_avx2())
-        return reaching_with_avx2(layer, before);
-#endif
-    return reaching_with<TwiceFourFloats>(layer, before);
-}
-
 /// Reduces a layer's weight and light to what the layers before it let through.
-void SampleLayers::see_through_covers(Layer& layer)
+template <class Floats> INTEGRAL_INLINE void SampleLayers::see_through_covers(Layer& layer)
 {
     covers_.look_from(samples_.patch(), layer.depth);
-    float weight = 0;
-    FourFloats light{};
-    for (std::uint32_t k = layer.begin; k < layer.end; ++k) {
-        const Met& met = *ordered_[k];
-        const float seen = met.weight() * covers_.open(met.numbers[1], met.numbers[2]);
-        weight += seen;
-        light += seen * light_of(met.light);
+    const WeighedSamples::Met& met = samples_.met();
+    Floats weight = eight_of<Floats>(0);
+    LightSums<Floats> light;
+    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+        const Floats seen = weights_in<Floats>(layer, eight) *
+                            covers_.open(met.places<Floats>(0, eight),
+                                         met.places<Floats>(1, eight));
+        weight = weight + seen;
+        light.add(seen, met, eight);
     }
-    layer.weight = weight;
-    layer.light = light;
+    layer.weight = sum_of_eight(weight);
+    layer.light = light.sums();
 }
 
 /// The light of all layers, each seen through those before it.
-FourFloats SampleLayers::composed()
+template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
 {
     FourFloats sum{};
     float open = 1, behind = samples_.weight(),
@@ -284,9 +245,9 @@ FourFloats SampleLayers::composed()
         const bool is_little = layer.weight < little_part * behind;
         float covered = is_little ? layer.weight / (layer.weight + behind) : 1;
         if (!covers_.none())
-            see_through_covers(layer);
+            see_through_covers<Floats>(layer);
         if (!is_little && &layer != &layers_.back()) {
-            const ReachingSamples<float> samples = reaching(layer, before);
+            const ReachingSamples<float> samples = reaching<Floats>(layer, before);
             covered = layer.weight / (layer.weight + samples.passing);
             covers_.add(layer.depth, samples);
         }
@@ -299,6 +260,23 @@ FourFloats SampleLayers::composed()
     return sum;
 }
 
+/// The pixel's light; some samples must have met the beam.
+template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::light_with()
+{
+    find_layers<Floats>();
+    if (layers_.size() < 2)
+        return fitted<Floats>();
+    sum_layers<Floats>();
+    return composed<Floats>();
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2 FourFloats SampleLayers::light_with_avx2()
+{
+    return light_with<EightFloats>();
+}
+#endif
+
 std::optional<SampleLayers::Light> SampleLayers::light()
 {
     samples_.weigh();
@@ -307,13 +285,13 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     const BeamPatch::Axis& axis = samples_.patch().axis(0);
     steepness_ = axis.pixel_slope / axis.cell_at_sheet;
     covers_.clear();
-    find_layers();
     FourFloats light;
-    if (layers_.size() > 1) {
-        sum_layers();
-        light = composed();
-    } else
-        light = fitted();
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        light = light_with_avx2();
+    else
+#endif
+        light = light_with<TwiceFourFloats>();
     light *= StoredLight::of_squared_root;
     Light result;
     std::memcpy(&result.light, &light, sizeof light);
@@ -321,18 +299,39 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     return result;
 }
 
+template <class Floats> INTEGRAL_INLINE float SampleLayers::variance_with() const
+{
+    const WeighedSamples::Met& met = samples_.met();
+    LightSums<Floats> sums, squares;
+    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+        const Floats weights = met.weights<Floats>(eight);
+        for (int pair = 0; pair < 2; ++pair) {
+            Floats roots[2];
+            met.root_pair(pair, eight, roots);
+            sums.add_pair(pair, weights, roots);
+            squares.add_pair(pair, weights, {roots[0] * roots[0], roots[1] * roots[1]});
+        }
+    }
+    const float one = 1 / samples_.weight();
+    const FourFloats mean = one * sums.sums(),
+                     variance = StoredLight::of_squared_root * (one * squares.sums() - mean * mean);
+    return std::max(0.0f, variance[0] + variance[1] + variance[2]);
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2 float SampleLayers::variance_with_avx2() const
+{
+    return variance_with<EightFloats>();
+}
+#endif
+
 float SampleLayers::variance() const
 {
-    FourFloats sum{}, squares{};
-    for (const Met& met : samples_.met()) {
-        const FourFloats root = floats_from(&met.light), weighted = met.weight() * root;
-        sum += weighted;
-        squares += weighted * root;
-    }
-    const float weight = samples_.weight();
-    const FourFloats mean = sum / weight,
-                     variance = StoredLight::of_squared_root * (squares / weight - mean * mean);
-    return std::max(0.0f, variance[0] + variance[1] + variance[2]);
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        return variance_with_avx2();
+#endif
+    return variance_with<TwiceFourFloats>();
 }
 
 } // namespace integral

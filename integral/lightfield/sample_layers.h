@@ -36,36 +36,38 @@ public:
 
 private:
     struct Layer {
+        float first_step = 0, end_step = 0; ///< its samples' steps: from the first, before the end
         float furthest = -1e9f, weight = 0;
         float depth = 0; ///< the mean by weight, mm
         LayerPlane plane;
-        std::uint32_t begin = 0, end = 0; ///< its samples: from begin to end - 1 in ordered_
-        FourFloats light{};               ///< the sum by weight
+        FourFloats light{}; ///< the sum by weight
     };
     static constexpr int most_steps = 1023;
     using Steps = std::array<std::uint64_t, (most_steps + 1) / 64>; ///< a bit for each step
 
     template <class Floats> Floats scaled(Floats depth) const;
-    template <class Floats> void find_steps_with(Steps& steps);
-    void find_steps_with_avx2(Steps& steps);
-    void find_steps(Steps& steps);
-    void find_layers();
-    void order_by_layer(const std::uint16_t* layer_of);
-    void sum_layers();
-    template <class Floats> FitSums fit_with() const;
-    FitSums fit_with_avx2() const;
-    FourFloats fitted() const;
-    template <class Floats>
-    ReachingSamples<float> reaching_with(const Layer& layer, float before) const;
-    ReachingSamples<float> reaching_with_avx2(const Layer& layer, float before) const;
-    ReachingSamples<float> reaching(const Layer& layer, float before) const;
-    void see_through_covers(Layer& layer);
-    FourFloats composed();
+    template <class Floats> void find_steps(Steps& steps);
+    template <class Floats> void find_layers();
+    template <class Floats> Floats weights_in(const Layer& layer, std::size_t eight) const;
+    template <class Floats> void sum_layers();
+    template <class Floats> FourFloats fitted() const;
+    template <class Floats> ReachingSamples<float> reaching(const Layer& layer, float before) const;
+    template <class Floats> void see_through_covers(Layer& layer);
+    template <class Floats> FourFloats composed();
+    template <class Floats> FourFloats light_with();
+    FourFloats light_with_avx2();
+    template <class Floats> float variance_with() const;
+    float variance_with_avx2() const;
 
     WeighedSamples samples_;
     float steepness_ = 0;
     std::vector<Layer> layers_;
-    std::vector<const WeighedSamples::Met*> ordered_; ///< those that met the beam, layer by layer
+    /// Of eight samples that ended in the beam: their steps, not rounded, and how far they are from
+    /// the beam's central line along both axes, mm.
+    struct Placed {
+        Eight steps, ways[2];
+    };
+    std::vector<Placed> placed_;
     LayerCovers covers_;
 };
 

@@ -63,19 +63,22 @@ void WeighedSamples::make_room(std::size_t number)
     added_.resize(8 * groups);
     shares_.resize(groups);
     groups_.resize(groups);
-    met_.resize(8 * groups + 8);
+    for (std::vector<float>& column : met_.columns_)
+        column.resize(8 * groups + 8);
 }
 
 /// Sets a group's lines, depths and shares from eight samples, the `first` one and those after it.
-/// `tilts`: BeamSamples::Seen::tilt of these.
+/// `tilts`: BeamSamples::Seen::tilt of these. `light`: the halves of their StoredLight.
 template <class Floats>
-INTEGRAL_INLINE void WeighedSamples::read(Group& group, Floats (&tilts)[2], std::size_t first) const
+INTEGRAL_INLINE void WeighedSamples::read(Group& group, Floats (&tilts)[2], Floats (&light)[2],
+                                          std::size_t first) const
 {
     using Sample = BeamSamples::Sample;
-    static_assert(sizeof(Sample) == 32 && offsetof(Sample, depth) == 0 &&
-                      offsetof(Sample, line) == 4 && sizeof(SightSlope) == 16 &&
-                      offsetof(Sample, tilt) == 20,
-                  "a sample begins with its depth, four numbers of its line, and a pair of tilts");
+    static_assert(
+        sizeof(Sample) == 32 && offsetof(Sample, depth) == 0 && offsetof(Sample, line) == 4 &&
+            sizeof(SightSlope) == 16 && offsetof(Sample, tilt) == 20 &&
+            offsetof(Sample, light) == 24,
+        "a sample is its depth, four numbers of its line, a pair of tilts, and its light");
     FourFloats halves[2][8];
     for (std::size_t i = 0; i < 8; ++i) {
         const char* bytes = reinterpret_cast<const char*>(added_[first + i]);
@@ -97,6 +100,8 @@ INTEGRAL_INLINE void WeighedSamples::read(Group& group, Floats (&tilts)[2], std:
     split_pairs(numbers[1][1], tilts[0], tilts[1]);
     for (Floats& tilt : tilts)
         tilt = eight_of<Floats>(tilt_unit_) * tilt;
+    light[0] = numbers[1][2];
+    light[1] = numbers[1][3];
     store(group.shares, loaded<Floats>(shares_[first / 8]));
 }
 
@@ -135,11 +140,11 @@ template <class Floats> INTEGRAL_INLINE void WeighedSamples::weigh_with()
 {
     Floats nearest = eight_of<Floats>(1e9f), furthest = eight_of<Floats>(-1e9f),
            sum = eight_of<Floats>(0);
-    Met* met = met_.data();
+    std::size_t met = 0;
     for (std::size_t k = 0; k < group_number_; ++k) {
         Group& group = groups_[k];
-        Floats tilts[2];
-        read(group, tilts, 8 * k);
+        Floats tilts[2], light[2];
+        read(group, tilts, light, 8 * k);
         const auto at = density(group, loaded<Floats>(group.depths));
         const Floats weight = loaded<Floats>(group.shares) * at.value * seen_part(group, tilts);
         store(group.weights, weight);
@@ -151,17 +156,15 @@ template <class Floats> INTEGRAL_INLINE void WeighedSamples::weigh_with()
         nearest = least(nearest, chosen(counts, depths, nearest));
         furthest = most(furthest, chosen(counts, depths, furthest));
         sum = sum + weight;
-        Floats numbers[4] = {weight, at.x, at.y, depths};
-        transpose(numbers);
-        for (std::size_t i = 0; i < 8; ++i) {
-            const Floats& both = numbers[i % 4];
-            met->numbers = i < 4 ? low_half(both) : high_half(both);
-            met->light = added_[8 * k + i]->light;
-            met += which >> i & 1;
-        }
+        const Packing<Floats> packing(which);
+        const Floats numbers[Met::all] = {weight, at.x, at.y, depths, light[0], light[1]};
+        for (int column = 0; column < Met::all; ++column)
+            packing.store(met_.columns_[std::size_t(column)].data() + met, numbers[column]);
+        met += std::size_t(__builtin_popcount(which));
     }
-    met_number_ = met - met_.data();
-    *met = Met();
+    met_.number_ = met;
+    for (std::vector<float>& column : met_.columns_)
+        std::fill_n(column.data() + met, 8, 0.0f);
     Eight all_nearest, all_furthest;
     store(all_nearest, nearest);
     store(all_furthest, furthest);

@@ -58,18 +58,55 @@ public:
     };
     Range<const Group> groups() const { return {groups_.data(), groups_.data() + group_number_}; }
 
-    /// A sample that ended in the beam.
-    struct Met {
-        FourFloats numbers{}; ///< its weight, its place in the patch (x, y: -1 to 1), its depth, mm
-        float weight() const { return numbers[0]; }
-        float depth() const { return numbers[3]; }
-        StoredLight light;
-        std::uint16_t step = 0; ///< for the user of the list (SampleLayers)
+    /// The samples that ended in the beam. They are read eight at a time; the last eight are filled
+    /// up with samples whose weight is 0.
+    class Met {
+    public:
+        std::size_t number() const { return number_; }
+        std::size_t eights() const { return (number_ + 7) / 8; }
+
+        /// Of eight samples, each number from a column of its own.
+        template <class Floats> INTEGRAL_INLINE Floats weights(std::size_t eight) const
+        {
+            return column<Floats>(of_weights, eight);
+        }
+        /// The places in the patch, -1 to 1, along both axes (0 and 1).
+        template <class Floats> INTEGRAL_INLINE Floats places(int axis, std::size_t eight) const
+        {
+            return column<Floats>(axis == 0 ? of_x : of_y, eight);
+        }
+        /// mm
+        template <class Floats> INTEGRAL_INLINE Floats depths(std::size_t eight) const
+        {
+            return column<Floats>(of_depths, eight);
+        }
+        /// The stored square roots of red and green (pair 0), or of blue and transparency (1).
+        template <class Floats>
+        INTEGRAL_INLINE void root_pair(int pair, std::size_t eight, Floats (&roots)[2]) const
+        {
+            split_pairs(column<Floats>(pair == 0 ? of_red_and_green : of_blue_and_more, eight),
+                        roots[0], roots[1]);
+        }
+        /// The light of such a pair, divided by StoredLight::of_squared_root.
+        template <class Floats>
+        INTEGRAL_INLINE void light_pair(int pair, std::size_t eight, Floats (&light)[2]) const
+        {
+            root_pair(pair, eight, light);
+            for (Floats& root : light)
+                root = root * magnitude(root);
+        }
+
+    private:
+        friend class WeighedSamples;
+        enum Column { of_weights, of_x, of_y, of_depths, of_red_and_green, of_blue_and_more, all };
+        template <class Floats> INTEGRAL_INLINE Floats column(Column which, std::size_t eight) const
+        {
+            return loaded<Floats>(columns_[which].data() + 8 * eight);
+        }
+        std::array<std::vector<float>, all> columns_;
+        std::size_t number_ = 0;
     };
-    /// The list is followed by one whose weight is 0, and by room for seven more, so that it can be
-    /// read by twos and by eights.
-    Range<Met> met() { return {met_.data(), met_.data() + met_number_}; }
-    Range<const Met> met() const { return {met_.data(), met_.data() + met_number_}; }
+    const Met& met() const { return met_; }
 
     /// Of the samples that ended in the beam: the sum of their weights, the part of it that the
     /// pixel's own have, and their least and greatest depth, mm.
@@ -92,7 +129,8 @@ public:
 
 private:
     template <class Floats> Floats seen_part(Group& group, Floats (&tilts)[2]) const;
-    template <class Floats> void read(Group& group, Floats (&tilts)[2], std::size_t first) const;
+    template <class Floats>
+    void read(Group& group, Floats (&tilts)[2], Floats (&light)[2], std::size_t first) const;
     template <class Floats> void weigh_with();
     void weigh_with_avx2();
 
@@ -120,8 +158,7 @@ private:
     std::size_t own_number_ = 0; ///< of the pixel's own, which are the first
     std::vector<Group> groups_;
     std::size_t group_number_ = 0;
-    std::vector<Met> met_;
-    std::size_t met_number_ = 0;
+    Met met_;
     float weight_ = 0, nearest_ = 0, furthest_ = 0;
 };
 

@@ -14,14 +14,13 @@ BOOST_AUTO_TEST_CASE(lines_cross_the_plane_of_the_places)
     const double at_centre = 5, by_x = 2, by_y = -0.5;
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(-1, 1), slope(-0.2f, 0.2f);
-    LayerPlane::Sums sums;
+    LayerSums<float> sums;
     for (int k = 0; k < 40000; ++k) {
         const float x = place(random), y = place(random);
-        sums.add(0.5f + place(random) * 0.4f,
-                 FourFloats{1, x, y, float(at_centre + by_x * x + by_y * y)});
+        sums.add(0.5f + place(random) * 0.4f, x, y, float(at_centre + by_x * x + by_y * y));
     }
-    BOOST_TEST(sums.mean_depth() == at_centre, boost::test_tools::tolerance(0.01));
-    const LayerPlane plane = sums.plane({1, 1});
+    BOOST_TEST(sums.depth / sums.weight == at_centre, boost::test_tools::tolerance(0.01));
+    const LayerPlane plane(sums, {1, 1});
 
     Eight lines[4];
     for (std::size_t i = 0; i < 8; ++i)
@@ -45,9 +44,9 @@ BOOST_AUTO_TEST_CASE(lines_cross_the_plane_of_the_places)
 
 BOOST_AUTO_TEST_CASE(a_single_place_lies_across_the_beam)
 {
-    LayerPlane::Sums sums;
-    sums.add(0.3f, FourFloats{1, 0.2f, -0.1f, 40});
-    const LayerPlane plane = sums.plane({1, 1});
+    LayerSums<float> sums;
+    sums.add(0.3f, 0.2f, -0.1f, 40);
+    const LayerPlane plane(sums, {1, 1});
     Eight lines[4]{};
     lines[0][3] = 0.9f;
     lines[2][5] = 2;

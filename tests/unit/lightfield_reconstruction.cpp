@@ -239,19 +239,21 @@ BOOST_AUTO_TEST_CASE(uneven_samples_show_the_mean_of_a_curve)
     // More samples near the middle than at the rim; the beam's own density is even.
     std::mt19937 random(5);
     std::normal_distribution<float> normal(0, 0.5f);
-    SampleFit<TwiceFourFloats> fit;
-    const FourFloats none{};
+    PlaceSums<TwiceFourFloats> places;
+    LightPairSums<TwiceFourFloats> sums[2];
+    const auto one = [](float x) { return TwiceFourFloats{{x, 0, 0, 0}, {0, 0, 0, 0}}; };
     for (int k = 0; k < 4000;) {
         const float x = normal(random), y = normal(random) + 0.1f;
         if (std::fabs(x) > 1 || std::fabs(y) > 1)
             continue;
         const float light = 2 + x - 0.5f * y + 3 * x * x - y * y;
-        const FourFloats place = {x, y, x * x - 1 / 3.f, y * y - 1 / 3.f};
-        fit.add(TwiceFourFloats{none + 0.5f, none}, TwiceFourFloats{place, none},
-                TwiceFourFloats{none + light, none});
+        const TwiceFourFloats place[4] = {one(x), one(y), one(x * x - 1 / 3.f),
+                                          one(y * y - 1 / 3.f)};
+        places.add(one(0.5f), place);
+        sums[0].add(one(0.5f), place, {one(0), one(light)});
         ++k;
     }
-    BOOST_TEST(fit.sums().mean_of_beam()[1] == 2 + 1 - 1 / 3.f,
+    BOOST_TEST(fit_sums(places, sums).mean_of_beam()[1] == 2 + 1 - 1 / 3.f,
                boost::test_tools::tolerance(0.01f));
 }
 
