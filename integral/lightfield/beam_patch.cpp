@@ -198,7 +198,7 @@ INTEGRAL_INLINE void LendingPixels::find_nearness(int axis, const BeamPatch& pat
                                      by_furthest * magnitude(at_furthest)),
                      apart = least(at_ends, by_sheet * magnitude(lens));
         // Where the signs differ, the centres meet at a depth between.
-        store(nearness[k], one - chosen(at_nearest * at_furthest < none, none, apart));
+        store(nearness[k], most(one - chosen(at_nearest * at_furthest < none, none, apart), none));
     }
 }
 
