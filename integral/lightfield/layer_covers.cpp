@@ -21,22 +21,11 @@ float scale(const BeamPatch::Axis& axis, float depth, float place_depth)
 
 void LayerCovers::add(float depth, const ReachingSamples<float>& samples)
 {
-    const float sum = samples.weight;
-    if (!(sum > 0))
+    if (!(samples.ended.weight > 0))
         return;
-    const float one = 1 / sum, x = one * samples.x, y = one * samples.y, part = one * samples.ended,
-                level = one * one * samples.squared_weight * level_samples * square_of_place;
-    const LinearMoments moments{x,
-                                y,
-                                part,
-                                one * samples.xx - x * x + level,
-                                one * samples.xy - x * y,
-                                one * samples.yy - y * y + level,
-                                one * samples.ended_x - x * part,
-                                one * samples.ended_y - y * part};
     Cover cover;
     cover.depth = depth;
-    cover.part = moments.fit();
+    cover.part = fitted_to(samples.ended, {1, 1});
     covers_.push_back(cover);
 }
 

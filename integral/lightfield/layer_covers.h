@@ -17,32 +17,12 @@ namespace integral {
 /// terms of half the patch's width at the layer's depth. Number: a type of eight floats
 /// (eight_floats.h), of which the sum is meant, or float.
 template <class Number> struct ReachingSamples {
-    Number weight{}, squared_weight{};
-    Number x{}, y{}, xx{}, xy{}, yy{}; ///< by weight
-    Number ended{}, ended_x{}, ended_y{};
-    Number passing{}; ///< the weight of those that go on, seen through the layers before
-
-    INTEGRAL_INLINE void add(Number more, Number end_here, Number at_x, Number at_y)
-    {
-        const Number more_x = more * at_x, more_y = more * at_y;
-        weight = weight + more;
-        squared_weight = squared_weight + more * more;
-        x = x + more_x;
-        y = y + more_y;
-        xx = xx + more_x * at_x;
-        xy = xy + more_x * at_y;
-        yy = yy + more_y * at_y;
-        ended = ended + end_here;
-        ended_x = ended_x + end_here * at_x;
-        ended_y = ended_y + end_here * at_y;
-    }
+    LinearSums<Number> ended; ///< the value: 1 if they end there
+    Number passing{};         ///< the weight of those that go on, seen through the layers before
 
     INTEGRAL_INLINE ReachingSamples<float> sums() const
     {
-        const FourFloats a = sums_of_eight(weight, squared_weight, x, y),
-                         b = sums_of_eight(xx, xy, yy, ended),
-                         c = sums_of_eight(ended_x, ended_y, passing, Number{});
-        return {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3], c[0], c[1], c[2]};
+        return {ended.sums(), sum_of_eight(passing)};
     }
 };
 

@@ -12,46 +12,19 @@
 
 namespace integral {
 
-/// Sums over the samples that met a layer. Their places are distances from the beam's central line
-/// along both axes, mm. Number: a type of eight floats (eight_floats.h), of which the sum is meant,
-/// or float.
-template <class Number> struct LayerSums {
-    Number weight{}, squared_weight{};
-    Number x{}, y{}, depth{}; ///< by weight
-    Number xx{}, xy{}, yy{}, x_depth{}, y_depth{};
-
-    INTEGRAL_INLINE void add(Number more, Number at_x, Number at_y, Number at_depth)
-    {
-        const Number more_x = more * at_x, more_y = more * at_y;
-        weight = weight + more;
-        squared_weight = squared_weight + more * more;
-        x = x + more_x;
-        y = y + more_y;
-        depth = depth + more * at_depth;
-        xx = xx + more_x * at_x;
-        xy = xy + more_x * at_y;
-        yy = yy + more_y * at_y;
-        x_depth = x_depth + more_x * at_depth;
-        y_depth = y_depth + more_y * at_depth;
-    }
-
-    INTEGRAL_INLINE LayerSums<float> sums() const
-    {
-        const FourFloats a = sums_of_eight(weight, squared_weight, x, y),
-                         b = sums_of_eight(depth, xx, xy, yy),
-                         c = sums_of_eight(x_depth, y_depth, Number{}, Number{});
-        return {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3], c[0], c[1]};
-    }
-};
-
 /// The depth (mm) as a linear function of the distance (mm) from the beam's central line along both
 /// axes.
 class LayerPlane {
 public:
     LayerPlane() = default;
 
-    /// `reach`: half the patch's width along both axes at the samples' mean depth, mm.
-    LayerPlane(const LayerSums<float>& sums, const std::array<float, 2>& reach);
+    /// `depths`: the sums over the samples that met a layer, of their depths (mm) and of their
+    /// distances from the central line (mm). `reach`: half the patch's width along both axes at
+    /// their mean depth, mm.
+    LayerPlane(const LinearSums<float>& depths, const std::array<float, 2>& reach)
+        : depth_(fitted_to(depths, reach))
+    {
+    }
 
     /// Where lines cross the plane coming from the viewer's side.
     template <class Floats> struct Crossing {

@@ -33,7 +33,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/known_sheets.h \
   integral/lightfield/layer_covers.cpp \
   integral/lightfield/layer_covers.h \
-  integral/lightfield/layer_plane.cpp \
   integral/lightfield/layer_plane.h \
   integral/lightfield/lens_profile.cpp \
   integral/lightfield/lens_profile.h \

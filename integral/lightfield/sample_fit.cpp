@@ -3,9 +3,15 @@
 
 namespace integral {
 
-LinearFit LinearMoments::fit() const
+LinearFit fitted_to(const LinearSums<float>& sums, const std::array<float, 2>& reach)
 {
-    const float of_determinant = 1 / (xx * yy - xy * xy);
+    const float one = 1 / sums.weight, x = one * sums.x, y = one * sums.y, value = one * sums.value,
+                level = level_samples * square_of_place * sums.squared_weight * one * one,
+                xx = one * sums.xx - x * x + level * reach[0] * reach[0],
+                xy = one * sums.xy - x * y,
+                yy = one * sums.yy - y * y + level * reach[1] * reach[1],
+                x_value = one * sums.x_value - x * value, y_value = one * sums.y_value - y * value,
+                of_determinant = 1 / (xx * yy - xy * xy);
     LinearFit result;
     result.by_x = of_determinant * (yy * x_value - xy * y_value);
     result.by_y = of_determinant * (xx * y_value - xy * x_value);

@@ -21,13 +21,40 @@ struct LinearFit {
     float by_x = 0, by_y = 0;
 };
 
-/// What of some samples' places and values such a function is fitted to. All are means by weight.
-struct LinearMoments {
-    float x, y, value;
-    float xx, xy, yy, x_value, y_value; ///< the products, less those of the means; xx and yy damped
+/// Sums over samples, to which such a function is fitted. Number: a type of eight floats
+/// (eight_floats.h), of which the sum is meant, or float.
+template <class Number> struct LinearSums {
+    Number weight{}, squared_weight{};
+    Number x{}, y{}, xx{}, xy{}, yy{}; ///< by weight
+    Number value{}, x_value{}, y_value{};
 
-    LinearFit fit() const;
+    /// `more_value`: the weight times the value.
+    INTEGRAL_INLINE void add(Number more, Number more_value, Number at_x, Number at_y)
+    {
+        const Number more_x = more * at_x, more_y = more * at_y;
+        weight = weight + more;
+        squared_weight = squared_weight + more * more;
+        x = x + more_x;
+        y = y + more_y;
+        xx = xx + more_x * at_x;
+        xy = xy + more_x * at_y;
+        yy = yy + more_y * at_y;
+        value = value + more_value;
+        x_value = x_value + more_value * at_x;
+        y_value = y_value + more_value * at_y;
+    }
+
+    INTEGRAL_INLINE LinearSums<float> sums() const
+    {
+        const FourFloats a = sums_of_eight(weight, squared_weight, x, y),
+                         b = sums_of_eight(xx, xy, yy, value),
+                         c = sums_of_eight(x_value, y_value, Number{}, Number{});
+        return {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3], c[0], c[1]};
+    }
 };
+
+/// `reach`: what x and y go up to, for the damping. The sum of weights must be above 0.
+LinearFit fitted_to(const LinearSums<float>& sums, const std::array<float, 2>& reach);
 
 /// The sums over samples of which a fit is made.
 struct FitSums {
@@ -75,6 +102,7 @@ template <class Floats> struct LightPairSums {
     }
 };
 
+/// `light`: of red and green, and of blue and transparency.
 template <class Floats>
 INTEGRAL_INLINE FitSums fit_sums(const PlaceSums<Floats>& places,
                                  const LightPairSums<Floats> (&light)[2])

@@ -25,8 +25,8 @@ template <class Floats> INTEGRAL_INLINE Floats logarithm(Floats x)
     return bits_as_number(x) * eight_of<Floats>(0x1p-23f) - eight_of<Floats>(127);
 }
 
-/// The sums of eight samples' light after another, by weight, or of other numbers of its
-/// components.
+/// Sums of samples' light by weight, component by component, eight samples at a time; or of other
+/// numbers of each component.
 template <class Floats> struct LightSums {
     Floats light[2][2]{};
 
@@ -121,23 +121,23 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::sum_layers()
             store(placed_[eight].ways[axis], met.places<Floats>(axis, eight) *
                                                  patch.axis(axis).reach(met.depths<Floats>(eight)));
     for (Layer& layer : layers_) {
-        LayerSums<Floats> sums;
+        LinearSums<Floats> sums;
         LightSums<Floats> light;
         Floats furthest = eight_of<Floats>(-1e9f);
         for (std::size_t eight = 0; eight < met.eights(); ++eight) {
             const Floats weights = weights_in<Floats>(layer, eight),
                          depths = met.depths<Floats>(eight);
-            sums.add(weights, loaded<Floats>(placed_[eight].ways[0]),
-                     loaded<Floats>(placed_[eight].ways[1]), depths);
+            sums.add(weights, weights * depths, loaded<Floats>(placed_[eight].ways[0]),
+                     loaded<Floats>(placed_[eight].ways[1]));
             light.add(weights, met, eight);
             furthest = most(furthest, chosen(weights > eight_of<Floats>(0), depths, furthest));
         }
-        const LayerSums<float> all = sums.sums();
+        const LinearSums<float> all = sums.sums();
         Eight all_furthest;
         store(all_furthest, furthest);
         layer.furthest = *std::max_element(all_furthest.values, all_furthest.values + 8);
         layer.weight = all.weight;
-        layer.depth = all.depth / all.weight;
+        layer.depth = all.value / all.weight;
         layer.light = light.sums();
         layer.plane = LayerPlane(
             all, {patch.axis(0).reach(layer.depth), patch.axis(1).reach(layer.depth)});
@@ -209,7 +209,7 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer
                                    (depths - crossing.depth) /
                                        chosen(areas > none, areas, eight_of<Floats>(1)),
                      passed = chosen(seen_depths > eight_of<Floats>(layer.furthest), weight, none);
-        result.add(weight, weight - passed, at.x, at.y);
+        result.ended.add(weight, weight - passed, at.x, at.y);
         result.passing = result.passing +
                          (covers_.none() ? passed : passed * covers_.open(at.x, at.y));
     }

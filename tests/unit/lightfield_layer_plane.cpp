@@ -14,12 +14,13 @@ BOOST_AUTO_TEST_CASE(lines_cross_the_plane_of_the_places)
     const double at_centre = 5, by_x = 2, by_y = -0.5;
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(-1, 1), slope(-0.2f, 0.2f);
-    LayerSums<float> sums;
+    LinearSums<float> sums;
     for (int k = 0; k < 40000; ++k) {
         const float x = place(random), y = place(random);
-        sums.add(0.5f + place(random) * 0.4f, x, y, float(at_centre + by_x * x + by_y * y));
+        const float weight = 0.5f + place(random) * 0.4f;
+        sums.add(weight, weight * float(at_centre + by_x * x + by_y * y), x, y);
     }
-    BOOST_TEST(sums.depth / sums.weight == at_centre, boost::test_tools::tolerance(0.01));
+    BOOST_TEST(sums.value / sums.weight == at_centre, boost::test_tools::tolerance(0.01));
     const LayerPlane plane(sums, {1, 1});
 
     Eight lines[4];
@@ -44,8 +45,8 @@ BOOST_AUTO_TEST_CASE(lines_cross_the_plane_of_the_places)
 
 BOOST_AUTO_TEST_CASE(a_single_place_lies_across_the_beam)
 {
-    LayerSums<float> sums;
-    sums.add(0.3f, 0.2f, -0.1f, 40);
+    LinearSums<float> sums;
+    sums.add(0.3f, 0.3f * 40, 0.2f, -0.1f);
     const LayerPlane plane(sums, {1, 1});
     Eight lines[4]{};
     lines[0][3] = 0.9f;
