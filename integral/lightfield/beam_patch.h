@@ -31,17 +31,21 @@ public:
         /// lent_slope, and whose lenses are up to about lent_way (mm) away.
         float lent_slope = 0, lent_way = 0;
 
-        float cell(float depth) const { return cell_at_sheet + cell_slope * std::fabs(depth); }
+        // Number: float or a type of eight floats (eight_floats.h).
+        template <class Number> INTEGRAL_INLINE Number cell(Number depth) const
+        {
+            return eight_of<Number>(cell_at_sheet) +
+                   eight_of<Number>(cell_slope) * magnitude(depth);
+        }
         /// Negative where the pixel's rays have crossed.
-        float pixel(float depth) const { return pixel_at_sheet + pixel_slope * depth; }
-        /// Half the patch's width, mm. Number: float or a type of eight floats (eight_floats.h).
+        template <class Number> INTEGRAL_INLINE Number pixel(Number depth) const
+        {
+            return eight_of<Number>(pixel_at_sheet) + eight_of<Number>(pixel_slope) * depth;
+        }
+        /// Half the patch's width, mm.
         template <class Number> INTEGRAL_INLINE Number reach(Number depth) const
         {
-            const Number cell = eight_of<Number>(cell_at_sheet) +
-                                eight_of<Number>(cell_slope) * magnitude(depth),
-                         pixel = eight_of<Number>(pixel_at_sheet) +
-                                 eight_of<Number>(pixel_slope) * depth;
-            return eight_of<Number>(0.5f) * (cell + magnitude(pixel));
+            return eight_of<Number>(0.5f) * (cell(depth) + magnitude(pixel(depth)));
         }
     };
     /// Across and along the lattice.

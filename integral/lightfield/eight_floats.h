@@ -17,8 +17,8 @@ namespace integral {
 
 #ifdef INTEGRAL_HAS_AVX2
 #define INTEGRAL_TARGET_AVX2 __attribute__((target("avx2")))
-// Never defined: GCC knows its builtin functions for AVX2, which bits() calls, only after a
-// declaration for AVX2.
+// Never defined: GCC knows its builtin functions for AVX2, which bits() and Packing call, only
+// after a declaration for AVX2.
 INTEGRAL_TARGET_AVX2 void declared_for_avx2();
 #endif
 
@@ -181,8 +181,8 @@ template <> INTEGRAL_INLINE TwiceFourFloats of_halves(FourFloats low, FourFloats
 {
     return {low, high};
 }
-/// Writes those of eight numbers that are chosen one after another, and something behind them:
-/// eight numbers in all.
+/// Writes some of eight numbers one after another. There must be memory for eight; what it holds
+/// behind those that were written may change, too.
 template <class Floats> class Packing;
 template <> class Packing<TwiceFourFloats> {
 public:
@@ -192,11 +192,8 @@ public:
     {
         Eight all;
         integral::store(all, x);
-        float* end = memory + 8;
         for (unsigned left = which_; left != 0; left &= left - 1)
             *memory++ = all[__builtin_ctz(left)];
-        while (memory < end)
-            *memory++ = 0;
     }
 
 private:

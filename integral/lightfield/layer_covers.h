@@ -17,7 +17,7 @@ namespace integral {
 /// terms of half the patch's width at the layer's depth. Number: a type of eight floats
 /// (eight_floats.h), of which the sum is meant, or float.
 template <class Number> struct ReachingSamples {
-    LinearSums<Number> ended; ///< the value: 1 if they end there
+    LinearSums<Number> ended; ///< over all of them; the value is 1 for those that end there, else 0
     Number passing{};         ///< the weight of those that go on, seen through the layers before
 
     INTEGRAL_INLINE ReachingSamples<float> sums() const

@@ -86,8 +86,7 @@ template <class Floats> struct PlaceSums {
     }
 };
 
-/// Sums over two components of the samples' light. Apart from the other sums, so that the processor
-/// has registers for all.
+/// Sums over two components of the samples' light.
 template <class Floats> struct LightPairSums {
     Floats light[2]{}, by_place[4][2]{};
 
@@ -107,27 +106,24 @@ template <class Floats>
 INTEGRAL_INLINE FitSums fit_sums(const PlaceSums<Floats>& places,
                                  const LightPairSums<Floats> (&light)[2])
 {
-    const auto of_pairs = [](const Floats(&a)[2], const Floats(&b)[2])
-        __attribute__((always_inline))
-    {
-        return sums_of_eight(a[0], a[1], b[0], b[1]);
-    };
-    const auto& by = places.products;
-    const FourFloats first = sums_of_eight(places.weight, places.squared_weight, by[0][0],
-                                           by[1][0]),
-                     second = sums_of_eight(by[1][1], by[2][0], by[2][1], by[2][2]),
-                     third = sums_of_eight(by[3][0], by[3][1], by[3][2], by[3][3]);
     const auto& all = places.places;
-    FitSums sums{first[0],
-                 first[1],
+    const auto &one = light[0].light, &other = light[1].light;
+    const FourFloats weights = sums_of_eight(places.weight, places.squared_weight, Floats{},
+                                             Floats{});
+    FitSums sums{weights[0],
+                 weights[1],
                  sums_of_eight(all[0], all[1], all[2], all[3]),
-                 of_pairs(light[0].light, light[1].light),
-                 {FourFloats{first[2], first[3], second[1], third[0]},
-                  FourFloats{first[3], second[0], second[2], third[1]},
-                  FourFloats{second[1], second[2], second[3], third[2]}, third},
+                 sums_of_eight(one[0], one[1], other[0], other[1]),
+                 {},
                  {}};
-    for (int i = 0; i < 4; ++i)
-        sums.light_by_place[i] = of_pairs(light[0].by_place[i], light[1].by_place[i]);
+    for (int i = 0; i < 4; ++i) {
+        const auto& by = places.products[i];
+        const FourFloats row = sums_of_eight(by[0], by[1], by[2], by[3]);
+        for (int k = 0; k <= i; ++k)
+            sums.products[i][k] = sums.products[k][i] = row[k];
+        const auto &one_by = light[0].by_place[i], &other_by = light[1].by_place[i];
+        sums.light_by_place[i] = sums_of_eight(one_by[0], one_by[1], other_by[0], other_by[1]);
+    }
     return sums;
 }
 

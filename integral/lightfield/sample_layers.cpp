@@ -169,6 +169,7 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::fitted() const
     const Floats means[2] = {eight_of<Floats>(mean_square(samples_.patch().axis(0), depth)),
                              eight_of<Floats>(mean_square(samples_.patch().axis(1), depth))};
     const WeighedSamples::Met& met = samples_.met();
+    // Three loops in place of one: the processor has registers for the sums of each.
     PlaceSums<Floats> places;
     for (std::size_t eight = 0; eight < met.eights(); ++eight) {
         Floats at[4];
