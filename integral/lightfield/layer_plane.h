@@ -26,6 +26,13 @@ public:
     {
     }
 
+    /// How much the depth at which lines cross the plane depends on their slopes, which are up to
+    /// `slopes` to either side of the central line's: above 1, some of them never come down to it.
+    float tilt(const std::array<float, 2>& slopes) const
+    {
+        return std::fabs(depth_.by_x) * slopes[0] + std::fabs(depth_.by_y) * slopes[1];
+    }
+
     /// Where lines cross the plane coming from the viewer's side.
     template <class Floats> struct Crossing {
         Floats depth;   ///< mm, at most 1e5 before or behind the sheet

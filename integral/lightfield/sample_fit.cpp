@@ -19,18 +19,21 @@ LinearFit fitted_to(const LinearSums<float>& sums, const std::array<float, 2>& r
     return result;
 }
 
-FourFloats FitSums::mean_of_beam() const
+/// Solves the normal equations about the mean place, one row for each of its numbers, for the way
+/// from there to the beam's mean place, at which all four numbers are 0.
+void PlaceRegression::solve(float weight, float squared_weight, const FourFloats& places,
+                            Matrix& products)
 {
-    const float one = 1 / weight, level = level_samples * squared_weight * one * one;
-    const FourFloats mean = one * light, mean_place = one * places,
-                     levels = level * FourFloats{square_of_place, square_of_place,
+    of_weight_ = 1 / weight;
+    mean_place_ = of_weight_ * places;
+    const float level = level_samples * squared_weight * of_weight_ * of_weight_;
+    const FourFloats levels = level * FourFloats{square_of_place, square_of_place,
                                                  variance_of_square, variance_of_square};
-    // The normal equations about the mean place, one row for each of its numbers.
-    std::array<FourFloats, 4> rows, right, slopes;
+    Matrix& rows = products;
+    FourFloats right = -mean_place_;
     for (int k = 0; k < 4; ++k) {
-        rows[k] = one * products[k] - mean_place[k] * mean_place;
+        rows[k] = of_weight_ * products[k] - mean_place_[k] * mean_place_;
         rows[k][k] += levels[k];
-        right[k] = one * light_by_place[k] - mean_place[k] * mean;
     }
     for (int k = 0; k < 4; ++k)
         for (int below = k + 1; below < 4; ++below) {
@@ -38,14 +41,20 @@ FourFloats FitSums::mean_of_beam() const
             rows[below] -= factor * rows[k];
             right[below] -= factor * right[k];
         }
-    FourFloats result = mean;
     for (int k = 3; k >= 0; --k) {
-        slopes[k] = right[k];
         for (int after = k + 1; after < 4; ++after)
-            slopes[k] -= rows[k][after] * slopes[after];
-        slopes[k] /= rows[k][k];
-        result -= mean_place[k] * slopes[k];
+            right[k] -= rows[k][after] * right[after];
+        right[k] /= rows[k][k];
     }
+    by_covariance_ = right;
+}
+
+FourFloats PlaceRegression::mean_over_beam(const ValueSums& sums) const
+{
+    const FourFloats mean = of_weight_ * sums.values;
+    FourFloats result = mean;
+    for (int k = 0; k < 4; ++k)
+        result += by_covariance_[k] * (of_weight_ * sums.by_place[k] - mean_place_[k] * mean);
     return most(result, FourFloats{});
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The mean light of a pixel's beam, by a regression: a function of the place (x, y and their
-// squares) is fitted to the light of the samples, and averaged over the beam. So it hardly matters
-// that the samples lie unevenly: by chance, at a lens's border, and because more pixels have
-// samples near the middle of a beam than at its rim.
+// squares) is fitted to the light of the samples, and averaged over the beam. Likewise the part of
+// a beam that a layer of surfaces covers. So it hardly matters that the samples lie unevenly: by
+// chance, at a lens's border, and because more pixels have samples near the middle of a beam than
+// at its rim.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_FIT_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_FIT_H
 
@@ -56,16 +57,6 @@ template <class Number> struct LinearSums {
 /// `reach`: what x and y go up to, for the damping. The sum of weights must be above 0.
 LinearFit fitted_to(const LinearSums<float>& sums, const std::array<float, 2>& reach);
 
-/// The sums over samples of which a fit is made.
-struct FitSums {
-    float weight, squared_weight;
-    FourFloats places, light; ///< by weight
-    std::array<FourFloats, 4> products, light_by_place;
-
-    /// The beam's mean light. The sum of weights must be above 0.
-    FourFloats mean_of_beam() const;
-};
-
 /// Sums over samples' places, eight at a time. Floats: see eight_floats.h.
 template <class Floats> struct PlaceSums {
     Floats weight{}, squared_weight{}, places[4]{};
@@ -101,31 +92,59 @@ template <class Floats> struct LightPairSums {
     }
 };
 
-/// `light`: of red and green, and of blue and transparency.
-template <class Floats>
-INTEGRAL_INLINE FitSums fit_sums(const PlaceSums<Floats>& places,
-                                 const LightPairSums<Floats> (&light)[2])
-{
-    const auto& all = places.places;
-    const auto &one = light[0].light, &other = light[1].light;
-    const FourFloats weights = sums_of_eight(places.weight, places.squared_weight, Floats{},
-                                             Floats{});
-    FitSums sums{weights[0],
-                 weights[1],
-                 sums_of_eight(all[0], all[1], all[2], all[3]),
-                 sums_of_eight(one[0], one[1], other[0], other[1]),
-                 {},
-                 {}};
-    for (int i = 0; i < 4; ++i) {
-        const auto& by = places.products[i];
-        const FourFloats row = sums_of_eight(by[0], by[1], by[2], by[3]);
-        for (int k = 0; k <= i; ++k)
-            sums.products[i][k] = sums.products[k][i] = row[k];
-        const auto &one_by = light[0].by_place[i], &other_by = light[1].by_place[i];
-        sums.light_by_place[i] = sums_of_eight(one_by[0], one_by[1], other_by[0], other_by[1]);
+/// Sums by weight over samples of up to four values that the samples have, as the components of
+/// their light, and of the products of these with the samples' places.
+struct ValueSums {
+    FourFloats values{};
+    std::array<FourFloats, 4> by_place{};
+
+    ValueSums() = default;
+    /// `light`: of red and green, and of blue and transparency.
+    template <class Floats>
+    INTEGRAL_INLINE explicit ValueSums(const LightPairSums<Floats> (&light)[2])
+    {
+        const auto &one = light[0].light, &other = light[1].light;
+        values = sums_of_eight(one[0], one[1], other[0], other[1]);
+        for (int k = 0; k < 4; ++k) {
+            const auto &one_by = light[0].by_place[k], &other_by = light[1].by_place[k];
+            by_place[k] = sums_of_eight(one_by[0], one_by[1], other_by[0], other_by[1]);
+        }
     }
-    return sums;
-}
+};
+
+/// The regression of any value over samples at certain places. The sum of their weights must be
+/// above 0.
+class PlaceRegression {
+public:
+    template <class Floats> INTEGRAL_INLINE explicit PlaceRegression(const PlaceSums<Floats>& sums)
+    {
+        const auto& all = sums.places;
+        const FourFloats weights = sums_of_eight(sums.weight, sums.squared_weight, Floats{},
+                                                 Floats{});
+        Matrix products;
+        for (int i = 0; i < 4; ++i) {
+            const auto& by = sums.products[i];
+            const FourFloats row = sums_of_eight(by[0], by[1], by[2], by[3]);
+            for (int k = 0; k <= i; ++k)
+                products[i][k] = products[k][i] = row[k];
+        }
+        solve(weights[0], weights[1], sums_of_eight(all[0], all[1], all[2], all[3]), products);
+    }
+
+    /// The mean over the beam of what is fitted to these values; 0 if that is below 0. The sums
+    /// may leave out samples whose values are 0.
+    FourFloats mean_over_beam(const ValueSums& sums) const;
+
+private:
+    using Matrix = std::array<FourFloats, 4>;
+    void solve(float weight, float squared_weight, const FourFloats& places, Matrix& products);
+
+    float of_weight_ = 0; ///< 1 divided by the sum of weights
+    FourFloats mean_place_{};
+    /// By how much the mean over the beam is above the samples' mean, for each unit of the
+    /// covariance of the value and a place.
+    FourFloats by_covariance_{};
+};
 
 } // namespace integral
 

@@ -19,6 +19,11 @@ constexpr float step = 0.08f;
 // layers that let less than this through is left out.
 constexpr float little_part = 0.06f, little_light = 0.01f;
 
+// Layers that are more tilted (LayerPlane::tilt) are not fitted to places: where a floor ends at
+// its horizon, many of a beam's lines never come down to it, and the others do not lie evenly on
+// it.
+constexpr float most_tilt = 0.25f;
+
 /// About the logarithm of x to base 2, for x >= 1: linear between powers of two.
 template <class Floats> INTEGRAL_INLINE Floats logarithm(Floats x)
 {
@@ -101,18 +106,21 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::find_layers()
         }
 }
 
-/// The weights of eight samples as far as they are in a layer; those of others are 0.
+/// The weights of eight samples as far as they are in a layer, or in any (null); those of others
+/// are 0.
 template <class Floats>
-INTEGRAL_INLINE Floats SampleLayers::weights_in(const Layer& layer, std::size_t eight) const
+INTEGRAL_INLINE Floats SampleLayers::weights_in(const Layer* layer, std::size_t eight) const
 {
+    if (!layer)
+        return samples_.met().weights<Floats>(eight);
     const Floats steps = loaded<Floats>(placed_[eight].steps), none = eight_of<Floats>(0),
-                 begun = chosen(steps < eight_of<Floats>(layer.first_step), none,
+                 begun = chosen(steps < eight_of<Floats>(layer->first_step), none,
                                 samples_.met().weights<Floats>(eight));
-    return chosen(steps < eight_of<Floats>(layer.end_step), begun, none);
+    return chosen(steps < eight_of<Floats>(layer->end_step), begun, none);
 }
 
-/// Sums up the light of the layers, and finds how they lie.
-template <class Floats> INTEGRAL_INLINE void SampleLayers::sum_layers()
+/// Finds the layers' weights, and how they lie.
+template <class Floats> INTEGRAL_INLINE void SampleLayers::place_layers()
 {
     const WeighedSamples::Met& met = samples_.met();
     const BeamPatch& patch = samples_.patch();
@@ -122,14 +130,12 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::sum_layers()
                                                  patch.axis(axis).reach(met.depths<Floats>(eight)));
     for (Layer& layer : layers_) {
         LinearSums<Floats> sums;
-        LightSums<Floats> light;
         Floats furthest = eight_of<Floats>(-1e9f);
         for (std::size_t eight = 0; eight < met.eights(); ++eight) {
-            const Floats weights = weights_in<Floats>(layer, eight),
+            const Floats weights = weights_in<Floats>(&layer, eight),
                          depths = met.depths<Floats>(eight);
             sums.add(weights, weights * depths, loaded<Floats>(placed_[eight].ways[0]),
                      loaded<Floats>(placed_[eight].ways[1]));
-            light.add(weights, met, eight);
             furthest = most(furthest, chosen(weights > eight_of<Floats>(0), depths, furthest));
         }
         const LinearSums<float> all = sums.sums();
@@ -138,10 +144,15 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::sum_layers()
         layer.furthest = *std::max_element(all_furthest.values, all_furthest.values + 8);
         layer.weight = all.weight;
         layer.depth = all.value / all.weight;
-        layer.light = light.sums();
         layer.plane = LayerPlane(
             all, {patch.axis(0).reach(layer.depth), patch.axis(1).reach(layer.depth)});
     }
+}
+
+/// By how much the slopes of a beam's lines differ from the central one's, at most.
+inline float half_slope(const BeamPatch::Axis& axis)
+{
+    return 0.5f * (std::fabs(axis.pixel_slope) + axis.cell_slope);
 }
 
 /// The mean square of places in the patch over the beam, along one axis, at a depth.
@@ -151,47 +162,81 @@ inline float mean_square(const BeamPatch::Axis& axis, float depth)
     return (cell * cell + pixel * pixel) / (3 * both * both);
 }
 
-/// The numbers of eight samples' places that a fit is about. `means`: of their squares.
-template <class Floats>
-INTEGRAL_INLINE void places_to_fit(const WeighedSamples::Met& met, std::size_t eight,
-                                   const Floats (&means)[2], Floats (&places)[4])
-{
-    for (int axis = 0; axis < 2; ++axis) {
-        places[axis] = met.places<Floats>(axis, eight);
-        places[axis + 2] = places[axis] * places[axis] - means[axis];
+/// The numbers of eight places that a regression is about: x, y and their squares, less the means
+/// of these over the beam at a depth.
+template <class Floats> class SampleLayers::FittedPlaces {
+public:
+    INTEGRAL_INLINE FittedPlaces(const BeamPatch& patch, float depth)
+        : mean_squares_{eight_of<Floats>(mean_square(patch.axis(0), depth)),
+                        eight_of<Floats>(mean_square(patch.axis(1), depth))}
+    {
     }
+    INTEGRAL_INLINE void set(Floats (&places)[4], Floats x, Floats y) const
+    {
+        places[0] = x;
+        places[1] = y;
+        places[2] = x * x - mean_squares_[0];
+        places[3] = y * y - mean_squares_[1];
+    }
+    /// Of eight samples that ended in the beam.
+    INTEGRAL_INLINE void set(Floats (&places)[4], const WeighedSamples::Met& met,
+                             std::size_t eight) const
+    {
+        set(places, met.places<Floats>(0, eight), met.places<Floats>(1, eight));
+    }
+
+private:
+    Floats mean_squares_[2];
+};
+
+/// Sums over the places of a layer's samples; `layer`: null: of all samples that ended in the beam.
+template <class Floats>
+INTEGRAL_INLINE PlaceSums<Floats> SampleLayers::places_of(const Layer* layer,
+                                                          const FittedPlaces<Floats>& fitted) const
+{
+    const WeighedSamples::Met& met = samples_.met();
+    PlaceSums<Floats> sums;
+    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+        Floats places[4];
+        fitted.set(places, met, eight);
+        sums.add(weights_in<Floats>(layer, eight), places);
+    }
+    return sums;
+}
+
+/// The same over their light. In two loops: the processor has registers for the sums of each.
+template <class Floats>
+INTEGRAL_INLINE ValueSums SampleLayers::light_of(const Layer* layer,
+                                                 const FittedPlaces<Floats>& fitted) const
+{
+    const WeighedSamples::Met& met = samples_.met();
+    LightPairSums<Floats> sums[2];
+    for (int pair = 0; pair < 2; ++pair)
+        for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+            Floats places[4], light[2];
+            fitted.set(places, met, eight);
+            met.light_pair(pair, eight, light);
+            sums[pair].add(weights_in<Floats>(layer, eight), places, light);
+        }
+    return ValueSums(sums);
 }
 
 /// The beam's mean light, of all samples that ended in it: of one layer.
-template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::fitted() const
+template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::only_layer() const
 {
-    const float depth = 0.5f * (samples_.nearest() + samples_.furthest());
-    const Floats means[2] = {eight_of<Floats>(mean_square(samples_.patch().axis(0), depth)),
-                             eight_of<Floats>(mean_square(samples_.patch().axis(1), depth))};
-    const WeighedSamples::Met& met = samples_.met();
-    // Three loops in place of one: the processor has registers for the sums of each.
-    PlaceSums<Floats> places;
-    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
-        Floats at[4];
-        places_to_fit(met, eight, means, at);
-        places.add(met.weights<Floats>(eight), at);
-    }
-    LightPairSums<Floats> light[2];
-    for (int pair = 0; pair < 2; ++pair)
-        for (std::size_t eight = 0; eight < met.eights(); ++eight) {
-            Floats at[4], more[2];
-            places_to_fit(met, eight, means, at);
-            met.light_pair(pair, eight, more);
-            light[pair].add(met.weights<Floats>(eight), at, more);
-        }
-    return fit_sums(places, light).mean_of_beam();
+    const FittedPlaces<Floats> fitted(samples_.patch(),
+                                      0.5f * (samples_.nearest() + samples_.furthest()));
+    return PlaceRegression(places_of<Floats>(nullptr, fitted))
+        .mean_over_beam(light_of<Floats>(nullptr, fitted));
 }
 
 /// The samples that reach a layer's plane inside the beam. `before`: the furthest depth of the
-/// layer before it.
+/// layer before it. `places`: the places of those that go on, as they are
+/// `fitted`, are added to it; both may be null.
 template <class Floats>
-INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer,
-                                                              float before) const
+INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer, float before,
+                                                              const FittedPlaces<Floats>* fitted,
+                                                              PlaceSums<Floats>* places) const
 {
     const Floats none = eight_of<Floats>(0);
     ReachingSamples<Floats> result;
@@ -213,26 +258,66 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer
         result.ended.add(weight, weight - passed, at.x, at.y);
         result.passing = result.passing +
                          (covers_.none() ? passed : passed * covers_.open(at.x, at.y));
+        if (places) {
+            Floats fitted_places[4];
+            fitted->set(fitted_places, at.x, at.y);
+            places->add(passed, fitted_places);
+        }
     }
     return result.sums();
 }
 
-/// Reduces a layer's weight and light to what the layers before it let through.
-template <class Floats> INTEGRAL_INLINE void SampleLayers::see_through_covers(Layer& layer)
+/// What a layer shows through those before it: its light as far as it reaches the viewer.
+template <class Floats>
+INTEGRAL_INLINE SampleLayers::Shown SampleLayers::seen_through_covers(const Layer& layer)
 {
     covers_.look_from(samples_.patch(), layer.depth);
     const WeighedSamples::Met& met = samples_.met();
     Floats weight = eight_of<Floats>(0);
     LightSums<Floats> light;
     for (std::size_t eight = 0; eight < met.eights(); ++eight) {
-        const Floats seen = weights_in<Floats>(layer, eight) *
+        const Floats seen = weights_in<Floats>(&layer, eight) *
                             covers_.open(met.places<Floats>(0, eight),
                                          met.places<Floats>(1, eight));
         weight = weight + seen;
         light.add(seen, met, eight);
     }
-    layer.weight = sum_of_eight(weight);
-    layer.light = light.sums();
+    return {light.sums(), sum_of_eight(weight)};
+}
+
+/// Of the first layer that hides others: what part of the beam it covers, and its light. Both are
+/// regressions over the samples that reach it, in which those that go on count as dark. Adds it to
+/// the covers.
+template <class Floats>
+INTEGRAL_INLINE SampleLayers::Part SampleLayers::first_part(const Layer& layer, float before)
+{
+    const FittedPlaces<Floats> fitted(samples_.patch(), layer.depth);
+    const PlaceSums<Floats> ended = places_of<Floats>(&layer, fitted);
+    PlaceSums<Floats> all = ended;
+    covers_.add(layer.depth, reaching<Floats>(layer, before, &fitted, &all));
+    const PlaceRegression regression(all);
+    ValueSums cover; // of a value that is 1 where a sample ends
+    cover.values[0] = sum_of_eight(ended.weight);
+    for (int k = 0; k < 4; ++k)
+        cover.by_place[k][0] = sum_of_eight(ended.places[k]);
+    const float covered = regression.mean_over_beam(cover)[0];
+    const FourFloats light = regression.mean_over_beam(light_of<Floats>(&layer, fitted));
+    return {light / std::max(1.0f, covered), std::min(1.0f, covered)};
+}
+
+/// Of another layer. `behind`: the weight of the layers after it.
+template <class Floats>
+INTEGRAL_INLINE SampleLayers::Part SampleLayers::further_part(const Layer& layer, float before,
+                                                              float behind, bool is_little)
+{
+    float covered = is_little ? layer.weight / (layer.weight + behind) : 1;
+    const Shown shown = seen_through_covers<Floats>(layer);
+    if (!is_little && &layer != &layers_.back()) {
+        const ReachingSamples<float> samples = reaching<Floats>(layer, before, nullptr, nullptr);
+        covered = shown.weight / (shown.weight + samples.passing);
+        covers_.add(layer.depth, samples);
+    }
+    return {covered / shown.weight * shown.light, covered};
 }
 
 /// The light of all layers, each seen through those before it.
@@ -241,19 +326,16 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
     FourFloats sum{};
     float open = 1, behind = samples_.weight(),
           before = -1e9f; // open: what the layers before let through
-    for (Layer& layer : layers_) {
+    for (const Layer& layer : layers_) {
         behind -= layer.weight;
-        const bool is_little = layer.weight < little_part * behind;
-        float covered = is_little ? layer.weight / (layer.weight + behind) : 1;
-        if (!covers_.none())
-            see_through_covers<Floats>(layer);
-        if (!is_little && &layer != &layers_.back()) {
-            const ReachingSamples<float> samples = reaching<Floats>(layer, before);
-            covered = layer.weight / (layer.weight + samples.passing);
-            covers_.add(layer.depth, samples);
-        }
-        sum += open * covered / layer.weight * layer.light;
-        open *= 1 - covered;
+        const bool is_little = layer.weight < little_part * behind,
+                   is_first = covers_.none() && !is_little && &layer != &layers_.back() &&
+                              layer.plane.tilt({half_slope(samples_.patch().axis(0)),
+                                                half_slope(samples_.patch().axis(1))}) < most_tilt;
+        const Part part = is_first ? first_part<Floats>(layer, before)
+                                   : further_part<Floats>(layer, before, behind, is_little);
+        sum += open * part.light;
+        open *= 1 - part.covered;
         before = layer.furthest;
         if (open < little_light)
             break;
@@ -266,8 +348,8 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::light_with()
 {
     find_layers<Floats>();
     if (layers_.size() < 2)
-        return fitted<Floats>();
-    sum_layers<Floats>();
+        return only_layer<Floats>();
+    place_layers<Floats>();
     return composed<Floats>();
 }
 

@@ -2,7 +2,8 @@
 // Composes a pixel's light from samples of many pixels: layer by layer, from the viewer on.
 //
 // Where there is only one layer, its light is fitted (sample_fit.h). Where there are more, each is
-// seen through those before it (layer_covers.h).
+// seen through those before it (layer_covers.h); the first one's light is fitted, too, and what
+// part of the beam it covers.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 
@@ -40,7 +41,6 @@ private:
         float furthest = -1e9f, weight = 0;
         float depth = 0; ///< the mean by weight, mm
         LayerPlane plane;
-        FourFloats light{}; ///< the sum by weight
     };
     static constexpr int most_steps = 1023;
     using Steps = std::array<std::uint64_t, (most_steps + 1) / 64>; ///< a bit for each step
@@ -48,11 +48,33 @@ private:
     template <class Floats> Floats scaled(Floats depth) const;
     template <class Floats> void find_steps(Steps& steps);
     template <class Floats> void find_layers();
-    template <class Floats> Floats weights_in(const Layer& layer, std::size_t eight) const;
-    template <class Floats> void sum_layers();
-    template <class Floats> FourFloats fitted() const;
-    template <class Floats> ReachingSamples<float> reaching(const Layer& layer, float before) const;
-    template <class Floats> void see_through_covers(Layer& layer);
+    template <class Floats> Floats weights_in(const Layer* layer, std::size_t eight) const;
+    template <class Floats> void place_layers();
+    template <class Floats> class FittedPlaces;
+    template <class Floats>
+    PlaceSums<Floats> places_of(const Layer* layer, const FittedPlaces<Floats>& fitted) const;
+    template <class Floats>
+    ValueSums light_of(const Layer* layer, const FittedPlaces<Floats>& fitted) const;
+    template <class Floats> FourFloats only_layer() const;
+    template <class Floats>
+    ReachingSamples<float> reaching(const Layer& layer, float before,
+                                    const FittedPlaces<Floats>* fitted,
+                                    PlaceSums<Floats>* places) const;
+    /// Sums by weight.
+    struct Shown {
+        FourFloats light;
+        float weight;
+    };
+    template <class Floats> Shown seen_through_covers(const Layer& layer);
+    /// What a layer adds to the light that comes through those before it, and what part of that
+    /// it hides.
+    struct Part {
+        FourFloats light;
+        float covered;
+    };
+    template <class Floats> Part first_part(const Layer& layer, float before);
+    template <class Floats>
+    Part further_part(const Layer& layer, float before, float behind, bool is_little);
     template <class Floats> FourFloats composed();
     template <class Floats> FourFloats light_with();
     FourFloats light_with_avx2();

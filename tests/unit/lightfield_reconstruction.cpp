@@ -117,15 +117,21 @@ BOOST_AUTO_TEST_CASE(slopes_are_kept)
 
 BOOST_AUTO_TEST_CASE(outlines_become_clear)
 {
-    // A bright plane covers half of a dark one behind it.
+    // A bright plane covers half of a dark one behind it. Plain means over the samples that reach
+    // it, which lie unevenly, would leave 0.36 on average.
+    double sum = 0;
+    int number = 0;
     for (double back : {14.0, 60.0, 1e9})
         for (Arrangement arrangement : {Arrangement::square, Arrangement::lenticular}) {
             const Scene scene = [&](const BeamRay& ray) {
                 return place_at(ray, 10).x < 1 ? Look{0.8, 10} : Look{0.2, back};
             };
             const double found = ratio(sheet(arrangement), scene, 4);
-            BOOST_TEST(found < 0.77, int(arrangement) << ", " << back << " mm: " << found);
+            BOOST_TEST(found < 0.5, int(arrangement) << ", " << back << " mm: " << found);
+            sum += found;
+            ++number;
         }
+    BOOST_TEST(sum / number < 0.335, sum / number);
 }
 
 BOOST_AUTO_TEST_CASE(what_stands_beside_the_eye_hides_its_part)
@@ -139,7 +145,7 @@ BOOST_AUTO_TEST_CASE(what_stands_beside_the_eye_hides_its_part)
             return x - std::floor(x) < 0.4 ? Look{0.2, eye + before} : Look{0.8, 20};
         };
         const double found = ratio(parameters, scene, 16);
-        BOOST_TEST(found < 0.85, before << " mm before the eye: " << found);
+        BOOST_TEST(found < 0.78, before << " mm before the eye: " << found);
     }
 }
 
@@ -148,7 +154,7 @@ BOOST_AUTO_TEST_CASE(near_depths_are_told_apart)
     // Two planes, one shortly before the other: what the front one hides must not count.
     const struct {
         double front, back, most;
-    } planes[] = {{4, 7, 0.45}, {-20, -14, 0.65}};
+    } planes[] = {{4, 7, 0.35}, {-20, -14, 0.6}};
     for (const auto& one : planes) {
         const Scene scene = [&](const BeamRay& ray) {
             return place_at(ray, one.front).y < 0.3 ? Look{0.2, one.front} : Look{0.8, one.back};
@@ -253,7 +259,7 @@ BOOST_AUTO_TEST_CASE(uneven_samples_show_the_mean_of_a_curve)
         sums[0].add(one(0.5f), place, {one(0), one(light)});
         ++k;
     }
-    BOOST_TEST(fit_sums(places, sums).mean_of_beam()[1] == 2 + 1 - 1 / 3.f,
+    BOOST_TEST(PlaceRegression(places).mean_over_beam(ValueSums(sums))[1] == 2 + 1 - 1 / 3.f,
                boost::test_tools::tolerance(0.01f));
 }
 
