@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(far_places_are_seen_by_more_lenses)
     };
     BOOST_TEST(furthest(Arrangement::lenticular, 0) == 0);
     BOOST_TEST(furthest(Arrangement::lenticular, 5) == 1);
-    BOOST_TEST(furthest(Arrangement::lenticular, 10) == 2);
+    BOOST_TEST(furthest(Arrangement::lenticular, 7) == 2);
     BOOST_TEST(furthest(Arrangement::lenticular, 200) == 3);
     BOOST_TEST(furthest(Arrangement::square, 0) == 0);
     BOOST_TEST(furthest(Arrangement::square, 200) == 1);
