@@ -204,7 +204,7 @@ INTEGRAL_INLINE PlaceSums<Floats> SampleLayers::places_of(const Layer* layer,
     return sums;
 }
 
-/// The same over their light. In two loops: the processor has registers for the sums of each.
+/// The same sums over their light. In two loops: for each the processor has enough registers.
 template <class Floats>
 INTEGRAL_INLINE ValueSums SampleLayers::light_of(const Layer* layer,
                                                  const FittedPlaces<Floats>& fitted) const
@@ -231,8 +231,8 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::only_layer() co
 }
 
 /// The samples that reach a layer's plane inside the beam. `before`: the furthest depth of the
-/// layer before it. `places`: the places of those that go on, as they are
-/// `fitted`, are added to it; both may be null.
+/// layer before it. The places of those that go on are added to `places`, as numbers of `fitted`;
+/// both are null if that is not wanted.
 template <class Floats>
 INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer, float before,
                                                               const FittedPlaces<Floats>* fitted,
@@ -267,7 +267,8 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer
     return result.sums();
 }
 
-/// What a layer shows through those before it: its light as far as it reaches the viewer.
+/// The light and the weight of a layer's samples, as far as they are seen through the layers before
+/// it.
 template <class Floats>
 INTEGRAL_INLINE SampleLayers::Shown SampleLayers::seen_through_covers(const Layer& layer)
 {
@@ -285,11 +286,10 @@ INTEGRAL_INLINE SampleLayers::Shown SampleLayers::seen_through_covers(const Laye
     return {light.sums(), sum_of_eight(weight)};
 }
 
-/// Of the first layer that hides others: what part of the beam it covers, and its light. Both are
-/// regressions over the samples that reach it, in which those that go on count as dark. Adds it to
-/// the covers.
+/// A layer's part by regressions over the samples that reach it, in which those that go on count as
+/// dark; for a layer that nothing hides. Adds it to the covers.
 template <class Floats>
-INTEGRAL_INLINE SampleLayers::Part SampleLayers::first_part(const Layer& layer, float before)
+INTEGRAL_INLINE SampleLayers::Part SampleLayers::fitted_part(const Layer& layer, float before)
 {
     const FittedPlaces<Floats> fitted(samples_.patch(), layer.depth);
     const PlaceSums<Floats> ended = places_of<Floats>(&layer, fitted);
@@ -305,10 +305,12 @@ INTEGRAL_INLINE SampleLayers::Part SampleLayers::first_part(const Layer& layer, 
     return {light / std::max(1.0f, covered), std::min(1.0f, covered)};
 }
 
-/// Of another layer. `behind`: the weight of the layers after it.
+/// A layer's part by means over its samples, as far as they are seen through the layers before it.
+/// Adds it to the covers, unless it is the last or little. `behind`: the weight of the layers after
+/// it.
 template <class Floats>
-INTEGRAL_INLINE SampleLayers::Part SampleLayers::further_part(const Layer& layer, float before,
-                                                              float behind, bool is_little)
+INTEGRAL_INLINE SampleLayers::Part SampleLayers::plain_part(const Layer& layer, float before,
+                                                            float behind, bool is_little)
 {
     float covered = is_little ? layer.weight / (layer.weight + behind) : 1;
     const Shown shown = seen_through_covers<Floats>(layer);
@@ -329,11 +331,11 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
     for (const Layer& layer : layers_) {
         behind -= layer.weight;
         const bool is_little = layer.weight < little_part * behind,
-                   is_first = covers_.none() && !is_little && &layer != &layers_.back() &&
-                              layer.plane.tilt({half_slope(samples_.patch().axis(0)),
-                                                half_slope(samples_.patch().axis(1))}) < most_tilt;
-        const Part part = is_first ? first_part<Floats>(layer, before)
-                                   : further_part<Floats>(layer, before, behind, is_little);
+                   is_fitted = covers_.none() && !is_little && &layer != &layers_.back() &&
+                               layer.plane.tilt({half_slope(samples_.patch().axis(0)),
+                                                 half_slope(samples_.patch().axis(1))}) < most_tilt;
+        const Part part = is_fitted ? fitted_part<Floats>(layer, before)
+                                    : plain_part<Floats>(layer, before, behind, is_little);
         sum += open * part.light;
         open *= 1 - part.covered;
         before = layer.furthest;

@@ -2,8 +2,8 @@
 // Composes a pixel's light from samples of many pixels: layer by layer, from the viewer on.
 //
 // Where there is only one layer, its light is fitted (sample_fit.h). Where there are more, each is
-// seen through those before it (layer_covers.h); the first one's light is fitted, too, and what
-// part of the beam it covers.
+// seen through those before it (layer_covers.h); the light of the first one is fitted, too, and so
+// is what part of the beam it covers.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 
@@ -72,9 +72,9 @@ private:
         FourFloats light;
         float covered;
     };
-    template <class Floats> Part first_part(const Layer& layer, float before);
+    template <class Floats> Part fitted_part(const Layer& layer, float before);
     template <class Floats>
-    Part further_part(const Layer& layer, float before, float behind, bool is_little);
+    Part plain_part(const Layer& layer, float before, float behind, bool is_little);
     template <class Floats> FourFloats composed();
     template <class Floats> FourFloats light_with();
     FourFloats light_with_avx2();
