@@ -231,13 +231,12 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::only_layer() co
 }
 
 /// The samples that reach a layer's plane inside the beam. `before`: the furthest depth of the
-/// layer before it. The places of those that go on are added to `places`, as numbers of `fitted`;
-/// both are null if that is not wanted.
+/// layer before it. The places of those that go on are added to `places`, if it is not null.
 template <class Floats>
 INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer, float before,
-                                                              const FittedPlaces<Floats>* fitted,
                                                               PlaceSums<Floats>* places) const
 {
+    const FittedPlaces<Floats> fitted(samples_.patch(), layer.depth);
     const Floats none = eight_of<Floats>(0);
     ReachingSamples<Floats> result;
     for (const WeighedSamples::Group& group : samples_.groups()) {
@@ -260,7 +259,7 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer
                          (covers_.none() ? passed : passed * covers_.open(at.x, at.y));
         if (places) {
             Floats fitted_places[4];
-            fitted->set(fitted_places, at.x, at.y);
+            fitted.set(fitted_places, at.x, at.y);
             places->add(passed, fitted_places);
         }
     }
@@ -294,7 +293,7 @@ INTEGRAL_INLINE SampleLayers::Part SampleLayers::fitted_part(const Layer& layer,
     const FittedPlaces<Floats> fitted(samples_.patch(), layer.depth);
     const PlaceSums<Floats> ended = places_of<Floats>(&layer, fitted);
     PlaceSums<Floats> all = ended;
-    covers_.add(layer.depth, reaching<Floats>(layer, before, &fitted, &all));
+    covers_.add(layer.depth, reaching<Floats>(layer, before, &all));
     const PlaceRegression regression(all);
     ValueSums cover; // of a value that is 1 where a sample ends
     cover.values[0] = sum_of_eight(ended.weight);
@@ -315,7 +314,7 @@ INTEGRAL_INLINE SampleLayers::Part SampleLayers::plain_part(const Layer& layer, 
     float covered = is_little ? layer.weight / (layer.weight + behind) : 1;
     const Shown shown = seen_through_covers<Floats>(layer);
     if (!is_little && &layer != &layers_.back()) {
-        const ReachingSamples<float> samples = reaching<Floats>(layer, before, nullptr, nullptr);
+        const ReachingSamples<float> samples = reaching<Floats>(layer, before, nullptr);
         covered = shown.weight / (shown.weight + samples.passing);
         covers_.add(layer.depth, samples);
     }

@@ -58,9 +58,8 @@ private:
     template <class Floats> FourFloats only_layer() const;
     template <class Floats>
     ReachingSamples<float> reaching(const Layer& layer, float before,
-                                    const FittedPlaces<Floats>* fitted,
                                     PlaceSums<Floats>* places) const;
-    /// Sums by weight.
+    /// Sums over a layer's samples: of their light by weight, and of the weights.
     struct Shown {
         FourFloats light;
         float weight;
