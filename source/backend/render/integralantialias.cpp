@@ -304,6 +304,8 @@ private:
         Take(block);
         if (sampling.Reconstruction())
             Reconstruct(block);
+        if (IntegralAudit *const audit = view.GetCamera().Integral_View->audit.get())
+            audit->Note(To_Rect(block), pixels, Squared_Errors(block));
         // A block without rows that count is never marked final, so that +C may be used with other
         // rows.
         view.CompletedRectangle(To_Rect(block), serial, pixels, 1,
@@ -311,27 +313,36 @@ private:
                                 1 - sampling.Progress(block));
     }
 
-    /// Sets `pixels` to the reconstructed light of a block, and tells the audit where errors are
-    /// expected.
+    /// Sets `pixels` to the reconstructed light of a block.
     void Reconstruct(const integral::PictureBlock& block)
     {
         sampling.Reconstruction()->reconstruct(block, compared.Curve(), *scratch, reconstructed,
                                                &further);
         std::size_t k = 0;
-        std::vector<float> errors;
         for (int y = block.top; y <= block.bottom; y++)
             for (int x = block.left; x <= block.right; x++, k++)
-            {
-                errors.push_back(reconstructed[k].error);
                 if (const auto& light = reconstructed[k].light; light && Rows().Have(y))
                 {
                     for (int channel = 0; channel < 3; channel++)
                         pixels[k][channel] = (*light)[channel];
                     pixels[k].transm() = (*light)[3];
                 }
+    }
+
+    /// What IntegralAudit::Note takes of a block's errors.
+    const std::vector<float>& Squared_Errors(const integral::PictureBlock& block)
+    {
+        squared_errors.clear();
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++)
+            {
+                float expected = IntegralAudit::unlit;
+                if (sampling.First().lens(x, y))
+                    expected = sampling.Reconstruction() ? reconstructed[squared_errors.size()].error
+                                                         : IntegralAudit::unknown;
+                squared_errors.push_back(expected);
             }
-        if (IntegralAudit *const audit = view.GetCamera().Integral_View->audit.get())
-            audit->Expect(To_Rect(block), errors);
+        return squared_errors;
     }
 
     /// Sets `pixels` to the block's colours.
@@ -361,6 +372,7 @@ private:
     ComparedEncoding compared;
     BlockRefinement refinement;
     std::vector<Colour> pixels;
+    std::vector<float> squared_errors;
     integral::Reconstruction::Further further;
     integral::Reconstruction::ScratchPointer scratch = integral::Reconstruction::make_scratch();
     std::vector<integral::Reconstruction::Result> reconstructed;

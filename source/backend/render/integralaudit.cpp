@@ -57,64 +57,77 @@ IntegralAudit::IntegralAudit(const IntegralView& view, std::uint64_t seed)
       share(view.error.share),
       picture(view.error.picture),
       rows(view.rows),
-      seed(seed)
+      seed(seed),
+      noted(view.optics->film.height)
 {
     if (share == 0 && !picture.empty())
         share = picture_share;
 }
 
-void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours)
+void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours,
+                         const std::vector<float>& squared_errors)
 {
-    std::lock_guard<std::mutex> lock(mutex);
+    std::vector<Candidate> lit;
     std::size_t index = 0;
     for (int y = rect.top; y <= int(rect.bottom); y++)
-        for (int x = rect.left; x <= int(rect.right) && index < colours.size(); x++)
-            Note_One(x, y, colours[index++]);
+        for (int x = rect.left; x <= int(rect.right); x++, index++)
+            if (squared_errors[index] != unlit)
+                lit.push_back(Candidate_At(x, y, colours[index], squared_errors[index]));
+    Note(lit, index);
+}
+
+void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours)
+{
+    std::vector<float> squared_errors;
+    integral::RayRun<integral::Vec2> film_points;
+    integral::RayRun<integral::MappedPoint> mapped;
+    for (int y = rect.top; y <= int(rect.bottom); y++)
+        for (int x = rect.left; x <= int(rect.right); x += integral::run_length)
+        {
+            for (int k = 0; k < integral::run_length; k++)
+                film_points[k] = integral::film_from_pixel(optics->film, {x + k + 0.5, y + 0.5});
+            optics->optics.map_run(film_points, optics->mapping, mapped);
+            for (int k = 0; k < integral::run_length && x + k <= int(rect.right); k++)
+                squared_errors.push_back(mapped[k].ray ? unknown : unlit);
+        }
+    Note(rect, colours, squared_errors);
 }
 
 void IntegralAudit::Note(const std::vector<Vector2d>& positions, const std::vector<Colour>& colours)
 {
-    std::lock_guard<std::mutex> lock(mutex);
+    std::vector<Candidate> lit;
     for (std::size_t index = 0; index < positions.size() && index < colours.size(); index++)
-        Note_One(int(positions[index].x()), int(positions[index].y()), colours[index]);
-}
-
-void IntegralAudit::Note_One(int x, int y, const Colour& colour)
-{
-    if (!rows.Have(y))
-        return;
-    seen++;
-    const std::uint64_t key = Key(x, y), hash = integral::random_bits(seed, key);
-    if (hash > threshold)
-        return;
-    if (!optics->optics
-             .map(integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5}), optics->mapping)
-             .ray)
     {
-        noted.erase(key);
-        return;
+        const int x = int(positions[index].x()), y = int(positions[index].y());
+        const integral::Vec2 point = integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5});
+        if (optics->optics.map(point, optics->mapping).ray)
+            lit.push_back(Candidate_At(x, y, colours[index], unknown));
     }
-    Noted& pixel = noted[key];
-    pixel.hash = hash;
-    pixel.light = {colour.red(), colour.green(), colour.blue()};
-    Thin_Out();
+    Note(lit, positions.size());
 }
 
-void IntegralAudit::Expect(const POVRect& rect, const std::vector<float>& squared_errors)
+IntegralAudit::Candidate IntegralAudit::Candidate_At(int x, int y, const Colour& colour,
+                                                     float expected) const
+{
+    return {x,
+            y,
+            {colour.red(), colour.green(), colour.blue()},
+            integral::random_bits(seed, Key(x, y)),
+            expected};
+}
+
+/// Records the lit ones of that many pixels.
+void IntegralAudit::Note(const std::vector<Candidate>& lit, std::size_t of)
 {
     std::lock_guard<std::mutex> lock(mutex);
-    std::size_t index = 0;
-    for (int y = rect.top; y <= int(rect.bottom); y++)
-        for (int x = rect.left; x <= int(rect.right); x++)
+    seen += of;
+    for (const Candidate& pixel : lit)
+        if (pixel.hash <= threshold && rows.Have(pixel.y))
         {
-            const std::uint64_t key = Key(x, y), hash = integral::random_bits(seed, key);
-            const float squared_error = squared_errors[index++];
-            if (!rows.Have(y) || hash > threshold)
-                continue;
-            Noted& pixel = noted[key];
-            pixel.hash = hash;
-            pixel.expected = squared_error;
+            noted[pixel.y].push_back(pixel);
+            noted_number++;
         }
+    Thin_Out();
 }
 
 /// Drops recorded pixels that will not be audited. Keeps twice the requested share of the pixels
@@ -123,11 +136,19 @@ void IntegralAudit::Thin_Out()
 {
     const double most = std::max(200 * most_pixels,
                                  2 * std::max(share, usual_share) * double(seen));
-    if (double(noted.size()) <= most)
-        return;
-    threshold /= 2;
-    for (auto pixel = noted.begin(); pixel != noted.end();)
-        pixel = pixel->second.hash > threshold ? noted.erase(pixel) : std::next(pixel);
+    while (double(noted_number) > most)
+    {
+        threshold /= 2;
+        noted_number = 0;
+        for (std::vector<Candidate>& row : noted)
+        {
+            row.erase(std::remove_if(row.begin(), row.end(),
+                                     [&](const Candidate& pixel)
+                                     { return pixel.hash > threshold; }),
+                      row.end());
+            noted_number += row.size();
+        }
+    }
 }
 
 void IntegralAudit::Choose()
@@ -135,7 +156,8 @@ void IntegralAudit::Choose()
     chosen = true;
     begun = std::chrono::steady_clock::now();
     const double kept = (double(threshold) + 1) / std::pow(2.0, 64); // fraction of all hashes
-    lit_pixels = std::round(noted.size() / kept);
+    std::vector<Candidate> candidates = Take_Candidates();
+    lit_pixels = std::round(candidates.size() / kept);
     double rays = 0;
     for (const IntegralTally& tally : counts->tallies)
         rays += double(tally.rays.Get());
@@ -143,42 +165,44 @@ void IntegralAudit::Choose()
     // Of pixels that an earlier render finished (+C) nothing is known. A picture shows all places
     // alike.
     const bool by_errors = share == 0 && picture.empty() &&
-                           std::all_of(noted.begin(), noted.end(),
-                                       [](const auto& pixel)
-                                       {
-                                           const float expected = pixel.second.expected;
-                                           return expected >= 0 && std::isfinite(expected);
+                           std::all_of(candidates.begin(), candidates.end(),
+                                       [](const Candidate& pixel) {
+                                           return pixel.expected >= 0 &&
+                                                  std::isfinite(pixel.expected);
                                        });
     const double most = std::max(most_pixels, usual_share * lit_pixels),
                  usual = std::max(by_errors ? 0.5 * least_pixels : least_pixels,
                                   std::min(most, part_of_rays * rays / samples)),
                  wanted = std::ceil(share > 0 ? share * lit_pixels : usual);
-    const std::size_t number = std::min(noted.size(), std::size_t(wanted));
-    if (by_errors && number < noted.size())
-        Take_By_Errors(Candidates(), number);
+    const std::size_t number = std::min(candidates.size(), std::size_t(wanted));
+    if (by_errors && number < candidates.size())
+        Take_By_Errors(candidates, number);
     else
-        Take_Any(Candidates(), number);
+        Take_Any(candidates, number);
     // Pixels beside each other meet the same objects, which are then in the processor's caches.
     std::sort(pixels.begin(), pixels.end(),
               [](const Pixel& a, const Pixel& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
-    noted.clear();
 }
 
-/// The recorded pixels, row by row.
-std::vector<IntegralAudit::Candidate> IntegralAudit::Candidates() const
+/// The recorded pixels, row by row, which are then forgotten.
+std::vector<IntegralAudit::Candidate> IntegralAudit::Take_Candidates()
 {
     std::vector<Candidate> candidates;
-    for (const auto& [key, pixel] : noted)
-        candidates.push_back(
-            {int(std::uint32_t(key)), int(key >> 32), pixel.light, pixel.hash, pixel.expected});
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate& a, const Candidate& b)
-              { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+    candidates.reserve(noted_number);
+    for (std::vector<Candidate>& row : noted)
+    {
+        const auto before = [](const Candidate& a, const Candidate& b) { return a.x < b.x; };
+        std::stable_sort(row.begin(), row.end(), before);
+        for (std::size_t k = 0; k < row.size(); k++)
+            if (k + 1 == row.size() || row[k + 1].x != row[k].x) // the last colour counts
+                candidates.push_back(row[k]);
+        row = {};
+    }
     return candidates;
 }
 
 /// Sets `pixels` to that number of candidates, all of which have the same chance.
-void IntegralAudit::Take_Any(std::vector<Candidate> candidates, std::size_t number)
+void IntegralAudit::Take_Any(std::vector<Candidate>& candidates, std::size_t number)
 {
     const auto end = candidates.begin() + number;
     std::nth_element(candidates.begin(), end, candidates.end(),
@@ -189,7 +213,7 @@ void IntegralAudit::Take_Any(std::vector<Candidate> candidates, std::size_t numb
 
 /// The same with chances that grow with the expected errors: systematic sampling, by equal steps
 /// along the sum of the chances, from a random start.
-void IntegralAudit::Take_By_Errors(std::vector<Candidate> candidates, std::size_t number)
+void IntegralAudit::Take_By_Errors(std::vector<Candidate>& candidates, std::size_t number)
 {
     const auto mean = [&]
     {
@@ -277,9 +301,12 @@ bool IntegralAudit::Write_Picture() const
     return pov_base::Write_Integral_Picture(picture, film.width, film.height, errors);
 }
 
+/// The audit that a view's finished blocks are told to; null if there is none.
 static IntegralAudit *Audit_Of(const Camera& camera)
 {
-    return camera.Integral_View ? camera.Integral_View->audit.get() : NULL;
+    return camera.Integral_View && !camera.Integral_View->sampling
+               ? camera.Integral_View->audit.get()
+               : NULL;
 }
 
 void Note_Integral_Pixels(const Camera& camera, const POVRect& rect,

@@ -12,7 +12,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "backend/frame.h"
@@ -32,7 +31,7 @@ struct IntegralView;
 /// (seed, x, y), and from the errors that are expected of them, so that the choice does not depend
 /// on the order in which threads work.
 ///
-/// Where errors are expected (Expect), pixels with greater ones are taken more often, and count by
+/// Where the errors to expect are known, pixels with greater ones are taken more often, and count by
 /// the less. Half as many tell the frame's error as well as pixels that are chosen at random.
 class IntegralAudit
 {
@@ -47,12 +46,15 @@ public:
         double squared_error = 0;
     };
 
-    /// Sets the squared errors that are expected of pixels, up to a factor. To be called before
-    /// they are recorded for the last time.
-    void Expect(const POVRect& rect, const std::vector<float>& squared_errors);
+    /// In place of the squared error that is expected of a pixel: nothing is known of it; it is
+    /// behind no lens.
+    static constexpr float unknown = -1, unlit = -2;
 
     /// Records rendered pixels if they are in rows that count. If a pixel is recorded again, the
-    /// last colour counts.
+    /// last colour counts. `squared_errors`: those that are expected of the pixels, up to a factor.
+    void Note(const POVRect& rect, const std::vector<Colour>& pixels,
+              const std::vector<float>& squared_errors);
+    /// The same if nothing is known of errors.
     void Note(const POVRect& rect, const std::vector<Colour>& pixels);
     void Note(const std::vector<Vector2d>& positions, const std::vector<Colour>& colours);
 
@@ -77,27 +79,22 @@ public:
     bool Picture_Failed() const { return picture_failed; }
 
 private:
-    struct Noted
-    {
-        std::uint64_t hash = 0;
-        float expected = -1; ///< its squared error, up to a factor; below 0: not known
-        integral::Light light{};
-    };
-
+    /// A lit pixel.
     struct Candidate
     {
         int x, y;
         integral::Light light;
         std::uint64_t hash;
-        double expected; ///< its squared error, up to a factor
+        double expected; ///< its squared error, up to a factor, or `unknown`
     };
 
-    void Note_One(int x, int y, const Colour& colour);
+    Candidate Candidate_At(int x, int y, const Colour& colour, float expected) const;
+    void Note(const std::vector<Candidate>& lit, std::size_t of);
     void Thin_Out();
     void Choose();
-    std::vector<Candidate> Candidates() const;
-    void Take_Any(std::vector<Candidate> candidates, std::size_t number);
-    void Take_By_Errors(std::vector<Candidate> candidates, std::size_t number);
+    std::vector<Candidate> Take_Candidates();
+    void Take_Any(std::vector<Candidate>& candidates, std::size_t number);
+    void Take_By_Errors(std::vector<Candidate>& candidates, std::size_t number);
     bool Write_Picture() const;
 
     std::shared_ptr<const integral::IntegralCamera> optics;
@@ -110,8 +107,9 @@ private:
     std::uint64_t seed;
 
     std::mutex mutex;
-    std::unordered_map<std::uint64_t, Noted> noted; ///< lit pixels whose hash is below the
-                                                    ///< threshold
+    /// Of each row, the lit pixels whose hash is at most the threshold, in the order of recording.
+    std::vector<std::vector<Candidate>> noted;
+    std::size_t noted_number = 0;
     std::uint64_t threshold = ~std::uint64_t(0);
     long long seen = 0;    ///< number of pixels passed to Note
     double lit_pixels = 0; ///< approximate number of lit pixels in the frame
@@ -123,7 +121,8 @@ private:
     std::chrono::steady_clock::time_point begun;
 };
 
-/// Records the pixels of a finished block of a view. No effect if the view has no audit.
+/// Records the pixels of a finished block of a view. No effect if the view has no audit, or if it is
+/// anti-aliased: then the last pass records its blocks itself, with the errors to expect.
 void Note_Integral_Pixels(const Camera& camera, const POVRect& rect,
                           const std::vector<Colour>& pixels);
 void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions,
