@@ -65,6 +65,7 @@ unit_sources = \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
   tests/unit/lightfield_beam_patch.cpp \
+  tests/unit/lightfield_cut_pixel.cpp \
   tests/unit/lightfield_depth_range.cpp \
   tests/unit/lightfield_eight_floats.cpp \
   tests/unit/lightfield_error_estimate.cpp \

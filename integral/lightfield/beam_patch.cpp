@@ -41,11 +41,11 @@ Vec2 slit_direction(const Lattice& lattice)
 
 } // namespace
 
-BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
+BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec2 size)
 {
     const Lattice& lattice = camera.optics.lattice();
     const Medium& medium = camera.optics.medium();
-    const Vec2 pixel = camera.film.pixel_pitch;
+    const Vec2 pixel = camera.film.pixel_pitch, part{size.x * pixel.x, size.y * pixel.y};
     const double n = medium.n, m = n * n - 1;
     // The slope is n q/sqrt(1 - m q^2), q being the way on the film divided by the thickness.
     const double sx = centre.slope[0], sy = centre.slope[1],
@@ -55,14 +55,18 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
         return n / medium.t / std::sqrt(rest) * (1 + m * q * q / rest);
     };
     const auto lent = [](Axis& axis, double pixels, int lenses) {
-        axis.lent_slope = float(spread * pixels * axis.pixel_slope);
+        axis.lent_slope = float(spread * pixels * axis.step_slope);
         axis.lent_way = (lenses + 0.5f) * axis.cell_at_sheet;
     };
     axes_[0].cell_at_sheet = float(lattice.pitch());
-    axes_[0].pixel_slope = float(steepness(sx) * pixel_along(pixel, lattice.across()));
+    const auto set_slopes = [&](Axis& axis, double slope, Vec2 direction) {
+        axis.step_slope = float(steepness(slope) * pixel_along(pixel, direction));
+        axis.pixel_slope = float(steepness(slope) * pixel_along(part, direction));
+    };
+    set_slopes(axes_[0], sx, lattice.across());
     if (lattice.arrangement() != Arrangement::lenticular) {
         axes_[1].cell_at_sheet = float(lattice.row_spacing());
-        axes_[1].pixel_slope = float(steepness(sy) * pixel_along(pixel, lattice.along()));
+        set_slopes(axes_[1], sy, lattice.along());
         for (Axis& axis : axes_)
             lent(axis, most_pixels, most_lenses);
         return;
@@ -72,9 +76,11 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre)
     // the lines lean, they spread along them by a part of its width, too.
     const Vec2 slit = slit_direction(lattice);
     const double d = camera.optics.aperture().distance;
-    const double height = n * d / (n * d + medium.t) * pixel_along(pixel, lattice.along());
+    const double by_film = n * d / (n * d + medium.t),
+                 height = by_film * pixel_along(part, lattice.along());
     axes_[1].pixel_at_sheet = float(height);
     axes_[1].pixel_slope = float(height / d);
+    axes_[1].step_slope = float(by_film * pixel_along(pixel, lattice.along()) / d);
     axes_[1].cell_slope = float(camera.slit_height({0, 0}) / d +
                                 axes_[0].pixel_slope * std::fabs(dot(slit, lattice.along())));
     // In the plane of the eye all of them are at one height. There the patch is this high, so that
@@ -187,11 +193,11 @@ INTEGRAL_INLINE void LendingPixels::find_nearness(int axis, const BeamPatch& pat
     const Floats by_nearest = eight_of<Floats>(0.5f / widths.reach(nearest)),
                  by_furthest = eight_of<Floats>(0.5f / widths.reach(furthest)),
                  by_sheet = eight_of<Floats>(crosses_sheet ? 0.5f / widths.reach(0.0f) : 1e9f),
-                 pixel_slope = eight_of<Floats>(widths.pixel_slope), one = eight_of<Floats>(1),
+                 step_slope = eight_of<Floats>(widths.step_slope), one = eight_of<Floats>(1),
                  none = eight_of<Floats>(0);
     for (std::size_t k = 0; k < nearness.size(); ++k) {
         const Floats lens = loaded<Floats>(steps_[axis][k].lens),
-                     slope = pixel_slope * loaded<Floats>(steps_[axis][k].pixels),
+                     slope = step_slope * loaded<Floats>(steps_[axis][k].pixels),
                      at_nearest = lens + eight_of<Floats>(nearest) * slope,
                      at_furthest = lens + eight_of<Floats>(furthest) * slope,
                      at_ends = least(by_nearest * magnitude(at_nearest),

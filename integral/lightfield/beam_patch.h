@@ -18,8 +18,8 @@ namespace integral {
 class BeamPatch {
 public:
     BeamPatch() = default;
-    /// `centre`: the pixel's line.
-    BeamPatch(const IntegralCamera& camera, const SightSlope& centre);
+    /// `centre`: the pixel's line. `size`: of the part of it that counts, in pixels, right and up.
+    BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec2 size = {1, 1});
 
     /// The two widths of which a patch's density is made, along one axis, in mm at the depth z
     /// (mm): the lens's, cell_at_sheet + cell_slope |z|, and the pixel's, |pixel_at_sheet +
@@ -27,6 +27,7 @@ public:
     struct Axis {
         float cell_at_sheet = 0, cell_slope = 0;
         float pixel_at_sheet = 0, pixel_slope = 0;
+        float step_slope = 0; ///< between the lines of pixels beside each other
         /// Other pixels' samples count whose slopes differ from the beam's by up to about
         /// lent_slope, and whose lenses are up to about lent_way (mm) away.
         float lent_slope = 0, lent_way = 0;

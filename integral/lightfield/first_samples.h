@@ -58,6 +58,10 @@ public:
     /// The lens that was set, with its indices modulo 2^16; nothing for an empty pixel.
     using StoredLens = std::array<std::uint16_t, 2>;
     std::optional<StoredLens> lens(int x, int y) const;
+    static StoredLens stored(LensIndex lens)
+    {
+        return {std::uint16_t(lens.i), std::uint16_t(lens.j)};
+    }
     /// A lens in one number, which is quick to compare.
     static std::uint32_t number_of(StoredLens lens)
     {

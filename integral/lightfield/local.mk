@@ -9,6 +9,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/block_window.h \
   integral/lightfield/camera_words.cpp \
   integral/lightfield/camera_words.h \
+  integral/lightfield/cut_pixel.cpp \
+  integral/lightfield/cut_pixel.h \
   integral/lightfield/depth_advice.cpp \
   integral/lightfield/depth_advice.h \
   integral/lightfield/depth_range.cpp \

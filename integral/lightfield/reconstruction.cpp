@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/reconstruction.h"
 
+#include "integral/lightfield/cut_pixel.h"
 #include "integral/lightfield/sample_layers.h"
 
 #include <algorithm>
@@ -267,7 +268,9 @@ float Reconstruction::smooth_variance(int x, int y, float usual, const BlockWind
 void Reconstruction::gather(int x, int y, Scratch& scratch) const
 {
     const BeamSamples::Pixel& own = samples_.pixel(x, y);
-    const BeamPatch patch(camera_, own.centre);
+    const auto cut = first_.lens_around(x, y) ? std::nullopt : cut_pixel(camera_, first_, x, y);
+    const SightSlope& centre = cut ? cut->centre : own.centre;
+    const BeamPatch patch(camera_, centre, cut ? cut->size : Vec2{1, 1});
     std::array<float, 2> depths = first_.depths_around(x, y);
     for (int k = 0; k + 1 < own.number; ++k)
         depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
@@ -275,7 +278,7 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
         depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
     WeighedSamples& weighed = scratch.layers.samples();
     const std::ptrdiff_t own_index = index(x, y);
-    weighed.begin(patch, own.centre, samples_);
+    weighed.begin(patch, centre, samples_);
     if (samples_.lends(own_index))
         weighed.add_own(own);
     lending_.find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
