@@ -15,8 +15,9 @@ struct Span {
     double length() const { return end - begin; }
 };
 
-/// The places along a line through a pixel, in its middle of which the pixel's lens is. Sets
-/// `lens` to that lens. `at`: the places' coordinates, from the distance to the middle, in pixels.
+/// The part of a pixel's width (or height) that is behind its `own` lens, along a line through the
+/// pixel's middle. Sets `lens` to that lens. `at`: the pixel coordinates of the point of this line
+/// that is so many pixels from its middle.
 template <class At>
 Span span_behind(const IntegralCamera& camera, FirstSamples::StoredLens own, At at,
                  std::optional<LensIndex>& lens)
