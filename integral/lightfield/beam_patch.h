@@ -27,7 +27,7 @@ public:
     struct Axis {
         float cell_at_sheet = 0, cell_slope = 0;
         float pixel_at_sheet = 0, pixel_slope = 0;
-        float step_slope = 0; ///< between the lines of pixels beside each other
+        float step_slope = 0; ///< by which the lines of two whole pixels beside each other differ
         /// Other pixels' samples count whose slopes differ from the beam's by up to about
         /// lent_slope, and whose lenses are up to about lent_way (mm) away.
         float lent_slope = 0, lent_way = 0;

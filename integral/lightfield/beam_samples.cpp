@@ -65,7 +65,7 @@ void BeamSamples::set_first(int x, int y, const SightSlope& centre, LensIndex le
     pixel.first = stored(seen);
     pixel.number = 1;
     lenders_[index(x, y)] = StoredLight::holds(seen.light)
-                                ? lender_behind({std::uint16_t(lens.i), std::uint16_t(lens.j)})
+                                ? lender_behind(FirstSamples::stored(lens))
                                 : nobody;
 }
 

@@ -58,6 +58,7 @@ public:
     /// The lens that was set, with its indices modulo 2^16; nothing for an empty pixel.
     using StoredLens = std::array<std::uint16_t, 2>;
     std::optional<StoredLens> lens(int x, int y) const;
+    /// A lens as it is stored.
     static StoredLens stored(LensIndex lens)
     {
         return {std::uint16_t(lens.i), std::uint16_t(lens.j)};

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -116,7 +117,7 @@ IntegralAudit::Candidate IntegralAudit::Candidate_At(int x, int y, const Colour&
             expected};
 }
 
-/// Records the lit ones of that many pixels.
+/// Records the lit pixels among `of` rendered ones.
 void IntegralAudit::Note(const std::vector<Candidate>& lit, std::size_t of)
 {
     std::lock_guard<std::mutex> lock(mutex);
@@ -176,9 +177,9 @@ void IntegralAudit::Choose()
                  wanted = std::ceil(share > 0 ? share * lit_pixels : usual);
     const std::size_t number = std::min(candidates.size(), std::size_t(wanted));
     if (by_errors && number < candidates.size())
-        Take_By_Errors(candidates, number);
+        Take_By_Errors(std::move(candidates), number);
     else
-        Take_Any(candidates, number);
+        Take_Any(std::move(candidates), number);
     // Pixels beside each other meet the same objects, which are then in the processor's caches.
     std::sort(pixels.begin(), pixels.end(),
               [](const Pixel& a, const Pixel& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
@@ -202,7 +203,7 @@ std::vector<IntegralAudit::Candidate> IntegralAudit::Take_Candidates()
 }
 
 /// Sets `pixels` to that number of candidates, all of which have the same chance.
-void IntegralAudit::Take_Any(std::vector<Candidate>& candidates, std::size_t number)
+void IntegralAudit::Take_Any(std::vector<Candidate> candidates, std::size_t number)
 {
     const auto end = candidates.begin() + number;
     std::nth_element(candidates.begin(), end, candidates.end(),
@@ -213,7 +214,7 @@ void IntegralAudit::Take_Any(std::vector<Candidate>& candidates, std::size_t num
 
 /// The same with chances that grow with the expected errors: systematic sampling, by equal steps
 /// along the sum of the chances, from a random start.
-void IntegralAudit::Take_By_Errors(std::vector<Candidate>& candidates, std::size_t number)
+void IntegralAudit::Take_By_Errors(std::vector<Candidate> candidates, std::size_t number)
 {
     const auto mean = [&]
     {

@@ -46,8 +46,8 @@ public:
         double squared_error = 0;
     };
 
-    /// In place of the squared error that is expected of a pixel: nothing is known of it; it is
-    /// behind no lens.
+    /// What stands for the expected squared error of a pixel of which nothing is known, and of one
+    /// that is behind no lens.
     static constexpr float unknown = -1, unlit = -2;
 
     /// Records rendered pixels if they are in rows that count. If a pixel is recorded again, the
@@ -93,8 +93,8 @@ private:
     void Thin_Out();
     void Choose();
     std::vector<Candidate> Take_Candidates();
-    void Take_Any(std::vector<Candidate>& candidates, std::size_t number);
-    void Take_By_Errors(std::vector<Candidate>& candidates, std::size_t number);
+    void Take_Any(std::vector<Candidate> candidates, std::size_t number);
+    void Take_By_Errors(std::vector<Candidate> candidates, std::size_t number);
     bool Write_Picture() const;
 
     std::shared_ptr<const integral::IntegralCamera> optics;
