@@ -15,6 +15,11 @@ namespace {
 // patch's width from one number to the next. Two layers have an empty step between them.
 constexpr float step = 0.08f;
 
+// Where a pixel widens its beam by more than this part of a lens's width, a floor that is seen
+// nearly edge-on has few samples at many depths. These and those of the sky behind it are taken for
+// one layer: a fit tells better how much each of them counts than layers that hide each other.
+constexpr float widened_by = 0.5f;
+
 // A layer of less than this part of what is behind it is not looked at closely, and what is behind
 // layers that let less than this through is left out.
 constexpr float little_part = 0.06f, little_light = 0.01f;
@@ -89,8 +94,6 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::find_layers()
     const float range = scaled(samples_.furthest()) - scaled(samples_.nearest());
     if (range < 2 * step)
         return;
-    if (placed_.size() < samples_.met().eights())
-        placed_.resize(2 * samples_.met().eights());
     Steps used{};
     find_steps<Floats>(used);
     int before = -2;
@@ -155,66 +158,63 @@ inline float half_slope(const BeamPatch::Axis& axis)
     return 0.5f * (std::fabs(axis.pixel_slope) + axis.cell_slope);
 }
 
-/// The mean square of places in the patch over the beam, along one axis, at a depth.
-inline float mean_square(const BeamPatch::Axis& axis, float depth)
+/// The square of places in the patch along one axis, less the mean of such squares over the beam at
+/// a depth.
+template <class Floats>
+INTEGRAL_INLINE Floats square_above_mean(const BeamPatch::Axis& axis, Floats place, Floats depth)
 {
-    const float cell = axis.cell(depth), pixel = axis.pixel(depth), both = cell + std::fabs(pixel);
-    return (cell * cell + pixel * pixel) / (3 * both * both);
+    const Floats cell = axis.cell(depth), pixel = magnitude(axis.pixel(depth)), both = cell + pixel;
+    return place * place -
+           eight_of<Floats>(1.0f / 3) * (cell * cell + pixel * pixel) / (both * both);
 }
 
-/// The numbers of eight places that a regression is about: x, y and their squares, less the means
-/// of these over the beam at a depth.
-template <class Floats> class SampleLayers::FittedPlaces {
-public:
-    INTEGRAL_INLINE FittedPlaces(const BeamPatch& patch, float depth)
-        : mean_squares_{eight_of<Floats>(mean_square(patch.axis(0), depth)),
-                        eight_of<Floats>(mean_square(patch.axis(1), depth))}
-    {
+/// Finds the squares that regressions are about, of all samples that ended in the beam: at the
+/// depth of `layer`, or each at its own (null).
+template <class Floats> INTEGRAL_INLINE void SampleLayers::find_squares(const Layer* layer)
+{
+    const WeighedSamples::Met& met = samples_.met();
+    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+        const Floats depths = layer ? eight_of<Floats>(layer->depth) : met.depths<Floats>(eight);
+        for (int axis = 0; axis < 2; ++axis)
+            store(placed_[eight].squares[axis],
+                  square_above_mean(samples_.patch().axis(axis), met.places<Floats>(axis, eight),
+                                    depths));
     }
-    INTEGRAL_INLINE void set(Floats (&places)[4], Floats x, Floats y) const
-    {
-        places[0] = x;
-        places[1] = y;
-        places[2] = x * x - mean_squares_[0];
-        places[3] = y * y - mean_squares_[1];
-    }
-    /// Of eight samples that ended in the beam.
-    INTEGRAL_INLINE void set(Floats (&places)[4], const WeighedSamples::Met& met,
-                             std::size_t eight) const
-    {
-        set(places, met.places<Floats>(0, eight), met.places<Floats>(1, eight));
-    }
+}
 
-private:
-    Floats mean_squares_[2];
-};
+/// The numbers of the places of eight samples that a regression is about: x, y and their squares.
+template <class Floats>
+INTEGRAL_INLINE void SampleLayers::fitted_places(std::size_t eight, Floats (&places)[4]) const
+{
+    for (int axis = 0; axis < 2; ++axis) {
+        places[axis] = samples_.met().places<Floats>(axis, eight);
+        places[2 + axis] = loaded<Floats>(placed_[eight].squares[axis]);
+    }
+}
 
 /// Sums over the places of a layer's samples; `layer`: null: of all samples that ended in the beam.
 template <class Floats>
-INTEGRAL_INLINE PlaceSums<Floats> SampleLayers::places_of(const Layer* layer,
-                                                          const FittedPlaces<Floats>& fitted) const
+INTEGRAL_INLINE PlaceSums<Floats> SampleLayers::places_of(const Layer* layer) const
 {
     const WeighedSamples::Met& met = samples_.met();
     PlaceSums<Floats> sums;
     for (std::size_t eight = 0; eight < met.eights(); ++eight) {
         Floats places[4];
-        fitted.set(places, met, eight);
+        fitted_places(eight, places);
         sums.add(weights_in<Floats>(layer, eight), places);
     }
     return sums;
 }
 
 /// The same sums over their light. In two loops: for each the processor has enough registers.
-template <class Floats>
-INTEGRAL_INLINE ValueSums SampleLayers::light_of(const Layer* layer,
-                                                 const FittedPlaces<Floats>& fitted) const
+template <class Floats> INTEGRAL_INLINE ValueSums SampleLayers::light_of(const Layer* layer) const
 {
     const WeighedSamples::Met& met = samples_.met();
     LightPairSums<Floats> sums[2];
     for (int pair = 0; pair < 2; ++pair)
         for (std::size_t eight = 0; eight < met.eights(); ++eight) {
             Floats places[4], light[2];
-            fitted.set(places, met, eight);
+            fitted_places(eight, places);
             met.light_pair(pair, eight, light);
             sums[pair].add(weights_in<Floats>(layer, eight), places, light);
         }
@@ -222,12 +222,10 @@ INTEGRAL_INLINE ValueSums SampleLayers::light_of(const Layer* layer,
 }
 
 /// The beam's mean light, of all samples that ended in it: of one layer.
-template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::only_layer() const
+template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::only_layer()
 {
-    const FittedPlaces<Floats> fitted(samples_.patch(),
-                                      0.5f * (samples_.nearest() + samples_.furthest()));
-    return PlaceRegression(places_of<Floats>(nullptr, fitted))
-        .mean_over_beam(light_of<Floats>(nullptr, fitted));
+    find_squares<Floats>(nullptr);
+    return PlaceRegression(places_of<Floats>(nullptr)).mean_over_beam(light_of<Floats>(nullptr));
 }
 
 /// The samples that reach a layer's plane inside the beam. `before`: the furthest depth of the
@@ -236,8 +234,8 @@ template <class Floats>
 INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer, float before,
                                                               PlaceSums<Floats>* places) const
 {
-    const FittedPlaces<Floats> fitted(samples_.patch(), layer.depth);
-    const Floats none = eight_of<Floats>(0);
+    const BeamPatch& patch = samples_.patch();
+    const Floats none = eight_of<Floats>(0), layer_depth = eight_of<Floats>(layer.depth);
     ReachingSamples<Floats> result;
     for (const WeighedSamples::Group& group : samples_.groups()) {
         const auto crossing = layer.plane.crossing<Floats>(group.lines);
@@ -258,9 +256,10 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer
         result.passing = result.passing +
                          (covers_.none() ? passed : passed * covers_.open(at.x, at.y));
         if (places) {
-            Floats fitted_places[4];
-            fitted.set(fitted_places, at.x, at.y);
-            places->add(passed, fitted_places);
+            const Floats numbers[4] = {at.x, at.y,
+                                       square_above_mean(patch.axis(0), at.x, layer_depth),
+                                       square_above_mean(patch.axis(1), at.y, layer_depth)};
+            places->add(passed, numbers);
         }
     }
     return result.sums();
@@ -290,8 +289,8 @@ INTEGRAL_INLINE SampleLayers::Shown SampleLayers::seen_through_covers(const Laye
 template <class Floats>
 INTEGRAL_INLINE SampleLayers::Part SampleLayers::fitted_part(const Layer& layer, float before)
 {
-    const FittedPlaces<Floats> fitted(samples_.patch(), layer.depth);
-    const PlaceSums<Floats> ended = places_of<Floats>(&layer, fitted);
+    find_squares<Floats>(&layer);
+    const PlaceSums<Floats> ended = places_of<Floats>(&layer);
     PlaceSums<Floats> all = ended;
     covers_.add(layer.depth, reaching<Floats>(layer, before, &all));
     const PlaceRegression regression(all);
@@ -300,7 +299,7 @@ INTEGRAL_INLINE SampleLayers::Part SampleLayers::fitted_part(const Layer& layer,
     for (int k = 0; k < 4; ++k)
         cover.by_place[k][0] = sum_of_eight(ended.places[k]);
     const float covered = regression.mean_over_beam(cover)[0];
-    const FourFloats light = regression.mean_over_beam(light_of<Floats>(&layer, fitted));
+    const FourFloats light = regression.mean_over_beam(light_of<Floats>(&layer));
     return {light / std::max(1.0f, covered), std::min(1.0f, covered)};
 }
 
@@ -321,6 +320,13 @@ INTEGRAL_INLINE SampleLayers::Part SampleLayers::plain_part(const Layer& layer, 
     return {covered / shown.weight * shown.light, covered};
 }
 
+/// Whether a layer is seen nearly edge-on.
+bool SampleLayers::is_tilted(const Layer& layer) const
+{
+    const BeamPatch& patch = samples_.patch();
+    return layer.plane.tilt({half_slope(patch.axis(0)), half_slope(patch.axis(1))}) >= most_tilt;
+}
+
 /// The light of all layers, each seen through those before it.
 template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
 {
@@ -331,8 +337,7 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
         behind -= layer.weight;
         const bool is_little = layer.weight < little_part * behind,
                    is_fitted = covers_.none() && !is_little && &layer != &layers_.back() &&
-                               layer.plane.tilt({half_slope(samples_.patch().axis(0)),
-                                                 half_slope(samples_.patch().axis(1))}) < most_tilt;
+                               !is_tilted(layer);
         const Part part = is_fitted ? fitted_part<Floats>(layer, before)
                                     : plain_part<Floats>(layer, before, behind, is_little);
         sum += open * part.light;
@@ -347,11 +352,17 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
 /// The pixel's light; some samples must have met the beam.
 template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::light_with()
 {
+    if (placed_.size() < samples_.met().eights())
+        placed_.resize(2 * samples_.met().eights());
     find_layers<Floats>();
     if (layers_.size() < 2)
         return only_layer<Floats>();
+    const float depth = std::max(samples_.nearest(), -samples_.furthest()); // < 0: on both sides
+    const bool is_far = depth * steepness_ > widened_by;
+    if (is_far && layers_.size() > 2)
+        return only_layer<Floats>();
     place_layers<Floats>();
-    return composed<Floats>();
+    return is_far && is_tilted(layers_.front()) ? only_layer<Floats>() : composed<Floats>();
 }
 
 #ifdef INTEGRAL_HAS_AVX2

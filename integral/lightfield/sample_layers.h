@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Composes a pixel's light from samples of many pixels: layer by layer, from the viewer on.
 //
-// Where there is only one layer, its light is fitted (sample_fit.h). Where there are more, each is
+// Where there is only one layer, its light is fitted (sample_fit.h); so is that of a floor far away
+// together with the sky behind it. Where there are more, each is
 // seen through those before it (layer_covers.h); the light of the first one is fitted, too, and so
 // is what part of the beam it covers.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
@@ -50,12 +51,11 @@ private:
     template <class Floats> void find_layers();
     template <class Floats> Floats weights_in(const Layer* layer, std::size_t eight) const;
     template <class Floats> void place_layers();
-    template <class Floats> class FittedPlaces;
-    template <class Floats>
-    PlaceSums<Floats> places_of(const Layer* layer, const FittedPlaces<Floats>& fitted) const;
-    template <class Floats>
-    ValueSums light_of(const Layer* layer, const FittedPlaces<Floats>& fitted) const;
-    template <class Floats> FourFloats only_layer() const;
+    template <class Floats> void find_squares(const Layer* layer);
+    template <class Floats> void fitted_places(std::size_t eight, Floats (&places)[4]) const;
+    template <class Floats> PlaceSums<Floats> places_of(const Layer* layer) const;
+    template <class Floats> ValueSums light_of(const Layer* layer) const;
+    template <class Floats> FourFloats only_layer();
     template <class Floats>
     ReachingSamples<float> reaching(const Layer& layer, float before,
                                     PlaceSums<Floats>* places) const;
@@ -74,6 +74,7 @@ private:
     template <class Floats> Part fitted_part(const Layer& layer, float before);
     template <class Floats>
     Part plain_part(const Layer& layer, float before, float behind, bool is_little);
+    bool is_tilted(const Layer& layer) const;
     template <class Floats> FourFloats composed();
     template <class Floats> FourFloats light_with();
     FourFloats light_with_avx2();
@@ -83,10 +84,11 @@ private:
     WeighedSamples samples_;
     float steepness_ = 0;
     std::vector<Layer> layers_;
-    /// Of eight samples that ended in the beam: their steps, not rounded, and how far they are from
-    /// the beam's central line along both axes, mm.
+    /// Of eight samples that ended in the beam: their steps, not rounded; along both axes, how far
+    /// they are from the beam's central line (mm), and the squares of their places in the patch,
+    /// less the mean of such squares over the beam.
     struct Placed {
-        Eight steps, ways[2];
+        Eight steps, ways[2], squares[2];
     };
     std::vector<Placed> placed_;
     LayerCovers covers_;

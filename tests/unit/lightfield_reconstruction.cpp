@@ -225,6 +225,21 @@ BOOST_AUTO_TEST_CASE(a_floor_is_seen_as_far_as_it_goes)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_floor_far_below_ends_at_its_horizon)
+{
+    // Few samples meet it near the horizon, at many depths. As layers that hide each other they
+    // would leave 0.46 and 0.78 on average.
+    const auto found = [](int number) {
+        double sum = 0;
+        for (const double height : {-6., -12., -24.})
+            sum += ratio(sheet(Arrangement::square),
+                         floor_up_to(1e9, {0.9, 1e9}, 0.1, 0.1, true, height), number);
+        return sum / 3;
+    };
+    BOOST_TEST(found(4) < 0.43);
+    BOOST_TEST(found(16) < 0.74);
+}
+
 BOOST_AUTO_TEST_CASE(rare_spots_are_no_surprise)
 {
     // Few samples meet a spot, so that the errors of single pixels are far from what their samples

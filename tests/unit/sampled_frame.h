@@ -45,13 +45,14 @@ inline Scene chequers(double depth, double side, double rise = 0)
     };
 }
 
-/// A floor at the height of the lenses, up to a depth; what is seen beyond it; the grey values of
-/// its upper and of its lower side. `tells`: whether it tells how it lies.
-inline Scene floor_up_to(double edge, Look beyond, double upper, double lower, bool tells = true)
+/// A floor, up to a depth; what is seen beyond it; the grey values of its upper and of its lower
+/// side. `tells`: whether it tells how it lies. `height`: mm above the frame's middle.
+inline Scene floor_up_to(double edge, Look beyond, double upper, double lower, bool tells = true,
+                         double height = -0.2)
 {
     return [=](const BeamRay& ray) {
         const double slope = ray.direction.y / ray.direction.z,
-                     depth = ray.point.z + (-0.2 - ray.point.y) / slope;
+                     depth = ray.point.z + (height - ray.point.y) / slope;
         if (!(depth > -290 && depth < edge))
             return beyond;
         return Look{slope < 0 ? upper : lower, depth, {0, tells ? float(1 / slope) : 0}};
