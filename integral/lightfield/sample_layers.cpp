@@ -17,8 +17,9 @@ constexpr float step = 0.08f;
 
 // Where a pixel widens its beam by more than this part of a lens's width, a floor that is seen
 // nearly edge-on has few samples at many depths. These and those of the sky behind it are taken for
-// one layer: a fit tells better how much each of them counts than layers that hide each other.
-constexpr float widened_by = 0.5f;
+// one layer: a fit tells better how much each of them counts than layers that hide each other. If
+// something else is nearer, this begins where the pixel widens its beam by more lenses' widths.
+constexpr float widened_by = 0.5f, widened_behind_by = 2;
 
 // A layer of less than this part of what is behind it is not looked at closely, and what is behind
 // layers that let less than this through is left out.
@@ -107,6 +108,20 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::find_layers()
             layers_.back().end_step = float(k + 1);
             before = k;
         }
+}
+
+/// Makes one layer of the last ones, if they are several and far behind the sheet: mostly pieces of
+/// a floor and the sky.
+inline void SampleLayers::join_far_layers()
+{
+    const float first = (scaled(widened_behind_by / steepness_) - scaled(samples_.nearest())) /
+                        step;
+    const auto far = std::find_if(layers_.begin(), layers_.end(),
+                                  [&](const Layer& layer) { return layer.first_step >= first; });
+    if (layers_.end() - far <= 2)
+        return;
+    far->end_step = layers_.back().end_step;
+    layers_.erase(far + 1, layers_.end());
 }
 
 /// The weights of eight samples as far as they are in a layer, or in any (null); those of others
@@ -361,6 +376,8 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::light_with()
     const bool is_far = depth * steepness_ > widened_by;
     if (is_far && layers_.size() > 2)
         return only_layer<Floats>();
+    if (!is_far)
+        join_far_layers();
     place_layers<Floats>();
     return is_far && is_tilted(layers_.front()) ? only_layer<Floats>() : composed<Floats>();
 }

@@ -2,9 +2,9 @@
 // Composes a pixel's light from samples of many pixels: layer by layer, from the viewer on.
 //
 // Where there is only one layer, its light is fitted (sample_fit.h); so is that of a floor far away
-// together with the sky behind it. Where there are more, each is
-// seen through those before it (layer_covers.h); the light of the first one is fitted, too, and so
-// is what part of the beam it covers.
+// together with the sky behind it. Where there are more, each is seen through those before it
+// (layer_covers.h); the light of the first one is fitted, too, and so is what part of the beam it
+// covers.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_LAYERS_H
 
@@ -49,6 +49,7 @@ private:
     template <class Floats> Floats scaled(Floats depth) const;
     template <class Floats> void find_steps(Steps& steps);
     template <class Floats> void find_layers();
+    void join_far_layers();
     template <class Floats> Floats weights_in(const Layer* layer, std::size_t eight) const;
     template <class Floats> void place_layers();
     template <class Floats> void find_squares(const Layer* layer);
