@@ -168,9 +168,12 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::place_layers()
 }
 
 /// By how much the slopes of a beam's lines differ from the central one's, at most.
-inline float half_slope(const BeamPatch::Axis& axis)
+inline std::array<float, 2> half_slopes(const BeamPatch& patch)
 {
-    return 0.5f * (std::fabs(axis.pixel_slope) + axis.cell_slope);
+    const auto along = [](const BeamPatch::Axis& axis) {
+        return 0.5f * (std::fabs(axis.pixel_slope) + axis.cell_slope);
+    };
+    return {along(patch.axis(0)), along(patch.axis(1))};
 }
 
 /// The square of places in the patch along one axis, less the mean of such squares over the beam at
@@ -335,13 +338,6 @@ INTEGRAL_INLINE SampleLayers::Part SampleLayers::plain_part(const Layer& layer, 
     return {covered / shown.weight * shown.light, covered};
 }
 
-/// Whether a layer is seen nearly edge-on.
-bool SampleLayers::is_tilted(const Layer& layer) const
-{
-    const BeamPatch& patch = samples_.patch();
-    return layer.plane.tilt({half_slope(patch.axis(0)), half_slope(patch.axis(1))}) >= most_tilt;
-}
-
 /// The light of all layers, each seen through those before it.
 template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
 {
@@ -352,7 +348,7 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
         behind -= layer.weight;
         const bool is_little = layer.weight < little_part * behind,
                    is_fitted = covers_.none() && !is_little && &layer != &layers_.back() &&
-                               !is_tilted(layer);
+                               layer.plane.tilt(half_slopes(samples_.patch())) < most_tilt;
         const Part part = is_fitted ? fitted_part<Floats>(layer, before)
                                     : plain_part<Floats>(layer, before, behind, is_little);
         sum += open * part.light;
@@ -364,6 +360,13 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
     return sum;
 }
 
+/// Whether the layers are mostly pieces of a floor that is seen nearly edge-on.
+bool SampleLayers::is_floor() const
+{
+    const float last = samples_.furthest() - 0.01f * std::fabs(samples_.furthest());
+    return samples_.part_askew(last, half_slopes(samples_.patch()), most_tilt) > 0.5f;
+}
+
 /// The pixel's light; some samples must have met the beam.
 template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::light_with()
 {
@@ -372,14 +375,14 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::light_with()
     find_layers<Floats>();
     if (layers_.size() < 2)
         return only_layer<Floats>();
-    const float depth = std::max(samples_.nearest(), -samples_.furthest()); // < 0: on both sides
-    const bool is_far = depth * steepness_ > widened_by;
-    if (is_far && layers_.size() > 2)
+    const float nearest = std::max(samples_.nearest(), -samples_.furthest()); // < 0: on both sides
+    const bool is_far = nearest * steepness_ > widened_by;
+    if (is_far && is_floor())
         return only_layer<Floats>();
     if (!is_far)
         join_far_layers();
     place_layers<Floats>();
-    return is_far && is_tilted(layers_.front()) ? only_layer<Floats>() : composed<Floats>();
+    return composed<Floats>();
 }
 
 #ifdef INTEGRAL_HAS_AVX2

@@ -75,8 +75,8 @@ private:
     template <class Floats> Part fitted_part(const Layer& layer, float before);
     template <class Floats>
     Part plain_part(const Layer& layer, float before, float behind, bool is_little);
-    bool is_tilted(const Layer& layer) const;
     template <class Floats> FourFloats composed();
+    bool is_floor() const;
     template <class Floats> FourFloats light_with();
     FourFloats light_with_avx2();
     template <class Floats> float variance_with() const;

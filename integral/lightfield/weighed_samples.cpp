@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 
 #include "integral/base/vector_loops.h"
@@ -199,6 +200,24 @@ float WeighedSamples::own_part() const
     for (std::size_t k = 0; k < own_number_; ++k)
         part += groups_[k / 8].weights[k % 8] / weight_;
     return part;
+}
+
+float WeighedSamples::part_askew(float depth, const std::array<float, 2>& slopes,
+                                 float change) const
+{
+    float all = 0, askew = 0;
+    for (std::size_t k = 0; k < number_; ++k) {
+        const float weight = groups_[k / 8].weights[k % 8];
+        const BeamSamples::Sample& sample = *added_[k];
+        if (!(weight > 0 && sample.depth < depth))
+            continue;
+        all += weight;
+        if (tilt_unit_ *
+                (std::abs(sample.tilt[0]) * slopes[0] + std::abs(sample.tilt[1]) * slopes[1]) >=
+            change)
+            askew += weight;
+    }
+    return all > 0 ? askew / all : 0;
 }
 
 } // namespace integral

@@ -115,6 +115,11 @@ public:
     float nearest() const { return nearest_; }
     float furthest() const { return furthest_; }
 
+    /// Of the samples that ended in the beam nearer than a depth (mm), the part by weight whose
+    /// surfaces lie askew: the area in which they are seen changes by `change` or more, in terms of
+    /// itself, from the slope of the sample's line to one that differs by `slopes`.
+    float part_askew(float depth, const std::array<float, 2>& slopes, float change) const;
+
     const BeamPatch& patch() const { return patch_; }
 
     /// Where samples are, divided by half the patch's width along both axes, and the beam's
