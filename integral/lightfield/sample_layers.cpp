@@ -18,7 +18,8 @@ constexpr float step = 0.08f;
 // Where a pixel widens its beam by more than this part of a lens's width, a floor that is seen
 // nearly edge-on has few samples at many depths. These and those of the sky behind it are taken for
 // one layer: a fit tells better how much each of them counts than layers that hide each other. If
-// something else is nearer, this begins where the pixel widens its beam by more lenses' widths.
+// the pixel sees something nearer, too, layers are joined only where it widens its beam by
+// widened_behind_by lenses' widths.
 constexpr float widened_by = 0.5f, widened_behind_by = 2;
 
 // A layer of less than this part of what is behind it is not looked at closely, and what is behind
@@ -110,8 +111,8 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::find_layers()
         }
 }
 
-/// Makes one layer of the last ones, if they are several and far behind the sheet: mostly pieces of
-/// a floor and the sky.
+/// Makes one layer of those that are far behind the sheet, if they are more than two: mostly pieces
+/// of a floor, and the sky.
 inline void SampleLayers::join_far_layers()
 {
     const float first = (scaled(widened_behind_by / steepness_) - scaled(samples_.nearest())) /
@@ -167,7 +168,8 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::place_layers()
     }
 }
 
-/// By how much the slopes of a beam's lines differ from the central one's, at most.
+/// By how much the slopes of a beam's lines differ from the central one's, at most, along both
+/// axes.
 inline std::array<float, 2> half_slopes(const BeamPatch& patch)
 {
     const auto along = [](const BeamPatch::Axis& axis) {
@@ -360,7 +362,7 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
     return sum;
 }
 
-/// Whether the layers are mostly pieces of a floor that is seen nearly edge-on.
+/// Whether most of what was met, but for the furthest, is a floor that is seen nearly edge-on.
 bool SampleLayers::is_floor() const
 {
     const float last = samples_.furthest() - 0.01f * std::fabs(samples_.furthest());

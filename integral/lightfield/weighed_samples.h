@@ -116,8 +116,8 @@ public:
     float furthest() const { return furthest_; }
 
     /// Of the samples that ended in the beam nearer than a depth (mm), the part by weight whose
-    /// surfaces lie askew: the area in which they are seen changes by `change` or more, in terms of
-    /// itself, from the slope of the sample's line to one that differs by `slopes`.
+    /// surfaces lie askew: from a line whose slopes differ by `slopes`, the area in which they are
+    /// seen is larger or smaller by `change` (a part of it) or more.
     float part_askew(float depth, const std::array<float, 2>& slopes, float change) const;
 
     const BeamPatch& patch() const { return patch_; }
