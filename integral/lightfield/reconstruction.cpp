@@ -21,10 +21,19 @@ constexpr float enough_halves = 8, usual_excess = 1.5f;
 
 // What is left of a pixel's difference beside the mean of those around is partly signal, partly
 // noise. The signal's square is taken to be what the squares around have above margin_of_rest times
-// the noise, and noise_in_rest times the pixel's own noise is set against it. Both are above 1:
-// where samples rarely meet something bright, single pixels' noise is often more than is expected.
-// Found by trying on sample scenes of POV-Ray's.
-constexpr float margin_of_rest = 2, noise_in_rest = 1.5f;
+// the noise, and noise_in_rest times the pixel's own noise is set against it. Both are above 1
+// where few of a block's pixels show a signal (the first number): where samples rarely meet
+// something bright, single pixels' noise is often more than is expected. Where many do (the second
+// number), as in a room of mirrors, what a pixel shows is more likely a signal than such noise. Few
+// and many: the mean part of pixels' own rests that counts by the first numbers. Found by trying on
+// sample scenes of POV-Ray's.
+constexpr float margin_of_rest[] = {2, 1}, noise_in_rest[] = {1.5f, 1}, few = 0.15f, many = 0.3f;
+
+/// The number between two that belongs to a part from 0 to 1 of the way from the first.
+constexpr float between(const float (&numbers)[2], float part)
+{
+    return numbers[0] + part * (numbers[1] - numbers[0]);
+}
 
 // The squared error of what others' samples tell, divided by that of pixels' own means. Found by
 // comparing frames of sample scenes of POV-Ray's with converged ones.
@@ -110,16 +119,34 @@ struct Reconstruction::BesideLayers {
     std::uint32_t lens = 0; ///< FirstSamples::number_of
 };
 
+/// What the differences of the pixels around tell of that of a pixel.
+struct Reconstruction::Surroundings {
+    float smooth_part = 0; ///< as how much the smooth difference counts (Wiener's filter)
+    float rest_square = 0; ///< the mean square of the rest, of pixels of similar noise
+    float rest_noise = 0;  ///< the mean variance that noise gives to it
+    float noise = 0;       ///< the mean variance of all rests
+
+    /// The square that the rest has without noise. `mirrored`: see Own.
+    float signal(float mirrored) const
+    {
+        return std::max(0.0f, rest_square - between(margin_of_rest, mirrored) * rest_noise);
+    }
+};
+
 /// The mean of a pixel's own samples, and how much of what it shows beside the layers and their
 /// smooth difference is more than noise.
 struct Reconstruction::Own {
-    float signal = 0; ///< the square that such differences have without noise
-    float noise = 0;  ///< the variance of such a difference that comes of the mean's noise
+    float signal = 0;   ///< the square that such differences have without noise
+    float noise = 0;    ///< the variance of such a difference that comes of the mean's noise
+    float mirrored = 0; ///< from 0, where few pixels around have a signal, to 1, where many do
     LinearColour light{};
     SamplesTaken samples;
 
     /// The part of it that counts (Wiener's filter).
-    float part() const { return signal > 0 ? signal / (signal + noise_in_rest * noise) : 0; }
+    float part() const
+    {
+        return signal > 0 ? signal / (signal + between(noise_in_rest, mirrored) * noise) : 0;
+    }
 
     /// Adds the light of more samples, of which `number` belonged to the pixel's lens.
     void add(int tried, int number, const LinearColour& sum)
@@ -133,19 +160,13 @@ struct Reconstruction::Own {
     }
 };
 
-/// What the differences of the pixels around tell of that of a pixel.
-struct Reconstruction::Surroundings {
-    float smooth_part = 0; ///< as how much the smooth difference counts (Wiener's filter)
-    float signal = 0;      ///< the square that the rest has without noise
-    float noise = 0;       ///< the mean variance of a rest
-};
-
 struct Reconstruction::Scratch {
     LendingPixels::Scratch lending;
     SampleLayers layers;
     BlockWindow<Noise> noise;
     BlockWindow<BesideLayers> beside;
     BlockWindow<Difference> differences;
+    std::vector<Surroundings> surroundings;
 };
 
 void Reconstruction::FreeScratch::operator()(Scratch* scratch) const { delete scratch; }
@@ -356,7 +377,8 @@ Reconstruction::Difference Reconstruction::difference(int x, int y, const Tabula
 /// Takes further samples of a pixel as long as one more is worth it.
 void Reconstruction::take_further(int x, int y, const Further& further, Own& own) const
 {
-    while (const int number = further_samples(further.rule, own.samples, own.noise, own.part())) {
+    while (const int number = further_samples(further.rule, own.samples, own.noise, own.part(),
+                                              own.mirrored)) {
         LinearColour sum{};
         const int taken = further.take(x, y, own.samples.tried, number, sum);
         own.add(number, taken, sum);
@@ -383,7 +405,8 @@ Reconstruction::Surroundings Reconstruction::surroundings(
     int x, int y, const BlockWindow<Difference>& differences) const
 {
     const Difference& own = differences.at(x, y);
-    float smooth = 0, smooth_noise = 0, signal = 0, weight = 0, noise = 0;
+    Surroundings result;
+    float smooth = 0, smooth_noise = 0, weight = 0;
     int number = 0;
     differences.for_each_around<reach_around>(x, y, [&](int, int, const Difference& other) {
         if (!other.any || other.lens != own.lens)
@@ -391,13 +414,33 @@ Reconstruction::Surroundings Reconstruction::surroundings(
         smooth += other.smooth_square;
         smooth_noise += other.smooth_noise;
         const float like = likeness(own.noise, other.noise);
-        signal += like * (other.rest_square - margin_of_rest * other.noise);
+        result.rest_square += like * other.rest_square;
+        result.rest_noise += like * other.noise;
         weight += like;
-        noise += other.noise;
+        result.noise += other.noise;
         ++number;
     });
-    return {smooth > smooth_noise ? 1 - smooth_noise / smooth : 0, std::max(0.0f, signal / weight),
-            noise / number};
+    result.smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0;
+    result.rest_square /= weight;
+    result.rest_noise /= weight;
+    result.noise /= number;
+    return result;
+}
+
+/// Finds the surroundings of a block's pixels that have differences, row by row. Returns by how
+/// much the block's pixels show signals of their own: 0: few do, 1: many.
+float Reconstruction::find_surroundings(const PictureBlock& block, Scratch& scratch) const
+{
+    scratch.surroundings.clear();
+    float parts = 0;
+    for (int y = block.top; y <= block.bottom; ++y)
+        for (int x = block.left; x <= block.right; ++x)
+            if (const Difference& difference = scratch.differences.at(x, y); difference.any) {
+                scratch.surroundings.push_back(surroundings(x, y, scratch.differences));
+                parts += Own{scratch.surroundings.back().signal(0), difference.noise}.part();
+            }
+    const float number = float(std::max<std::size_t>(1, scratch.surroundings.size()));
+    return std::clamp((parts / number - few) / (many - few), 0.0f, 1.0f);
 }
 
 void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve& encode,
@@ -405,6 +448,8 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
                                  const Further* further) const
 {
     find_differences(block, encode, scratch);
+    const float mirrored = find_surroundings(block, scratch);
+    auto surroundings = scratch.surroundings.begin();
     pixels.clear();
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x) {
@@ -413,9 +458,12 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
             const Difference& difference = scratch.differences.at(x, y);
             if (!difference.any)
                 continue;
-            const Surroundings around = surroundings(x, y, scratch.differences);
-            Own own{
-                around.signal, difference.noise, pixel.mean.light(), {pixel.tried, pixel.taken}};
+            const Surroundings& around = *surroundings++;
+            Own own{around.signal(mirrored),
+                    difference.noise,
+                    mirrored,
+                    pixel.mean.light(),
+                    {pixel.tried, pixel.taken}};
             if (further)
                 take_further(x, y, *further, own);
             const float part = own.part();

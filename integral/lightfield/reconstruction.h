@@ -158,6 +158,7 @@ private:
     void find_differences(const PictureBlock& block, const TabulatedCurve& encode,
                           Scratch& scratch) const;
     Surroundings surroundings(int x, int y, const BlockWindow<Difference>& differences) const;
+    float find_surroundings(const PictureBlock& block, Scratch& scratch) const;
     void take_further(int x, int y, const Further& further, Own& own) const;
 
     const IntegralCamera& camera_;

@@ -25,9 +25,14 @@ constexpr double order = 1.2;
 double threshold_of_worth(const RefinementRule& rule) { return rule.lent ? 0.5 : 3; }
 
 // The same for a pixel's further samples, if all of its own mean counts. Found by trying on sample
-// scenes of POV-Ray's: at low thresholds it is what it would be without other pixels' samples, at
-// high ones the few pixels that need them are worth more.
-double threshold_of_further(const RefinementRule& rule) { return 20 * std::sqrt(rule.threshold); }
+// scenes of POV-Ray's: where few pixels need them, it is at low thresholds what it would be without
+// other pixels' samples, and at high ones these pixels are worth more, since they have most of the
+// error that is left. Where many need them, none is worth more than the pixels beside them.
+double threshold_of_further(const RefinementRule& rule, double of_many)
+{
+    const double few = 20 * std::sqrt(rule.threshold), many = std::min(few, 1.5);
+    return few + of_many * (many - few);
+}
 
 constexpr double greatest_contrast = 3;
 
@@ -64,12 +69,13 @@ Refinement::Refinement(const RefinementRule& rule, double contrast)
 }
 
 int further_samples(const RefinementRule& rule, const SamplesTaken& samples, double squared_error,
-                    double own_part)
+                    double own_part, double of_many)
 {
     if (rule.method == 1 || samples.tried >= std::min(most_samples(rule), SamplesTaken::most))
         return 0;
     const double worth = own_part * std::sqrt(3 * squared_error / samples.taken);
-    return threshold_of_further(rule) * worth > rule.threshold ? next_step(samples.tried) : 0;
+    return threshold_of_further(rule, of_many) * worth > rule.threshold ? next_step(samples.tried)
+                                                                        : 0;
 }
 
 double squared_error_falls(int taken, int more)

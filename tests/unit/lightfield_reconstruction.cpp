@@ -292,6 +292,10 @@ BOOST_AUTO_TEST_CASE(further_samples_are_taken_where_a_pixels_own_light_counts)
     // As above.
     const Scene behind = chequers(50, 10);
     const Scene reflection = [&](const BeamRay& ray) { return Look{behind(ray).grey, 5}; };
+    const Scene small_mirror = [&](const BeamRay& ray) {
+        const Vec2 place = place_at(ray, 5);
+        return Look{std::hypot(place.x, place.y) < 1.3 ? reflection(ray).grey : 0.3, 5};
+    };
     struct Result {
         double without, with; // the error
         double number;        // of further samples, a pixel
@@ -305,12 +309,17 @@ BOOST_AUTO_TEST_CASE(further_samples_are_taken_where_a_pixels_own_light_counts)
         return Result{without, with, double(number) / (width * height)};
     };
     const Result mirror = try_on(reflection, {2, 0.03, 4, true}),
-                 rough = try_on(reflection, {2, 0.3, 4, true}),
+                 rough = try_on(reflection, {2, 0.1, 4, true}),
+                 roughest = try_on(reflection, {2, 0.3, 4, true}),
+                 small = try_on(small_mirror, {2, 0.3, 4, true}),
                  at_once = try_on(reflection, {1, 0.03, 4, true}),
                  matte = try_on(chequers(5, 10), {2, 0.03, 4, true});
-    BOOST_TEST(mirror.with < 0.5 * mirror.without);
+    BOOST_TEST(mirror.with < 0.6 * mirror.without);
     BOOST_TEST(rough.number < 0.5 * mirror.number);
     BOOST_TEST(rough.with < rough.without);
+    // At a high threshold only where few pixels need them.
+    BOOST_TEST(roughest.number < 0.1 * small.number);
+    BOOST_TEST(small.with < 0.85 * small.without);
     BOOST_TEST(at_once.number == 0);
     BOOST_TEST(matte.number < 0.05 * mirror.number);
     BOOST_TEST(matte.with < 1.05 * matte.without);

@@ -248,8 +248,8 @@ BOOST_AUTO_TEST_CASE(method_2_goes_on_while_samples_are_worth_it)
 BOOST_AUTO_TEST_CASE(further_samples_are_taken_as_long_as_one_is_worth_it)
 {
     const RefinementRule rule{2, 0.1, 3, true};
-    const auto further = [&](int tried, double squared_error, double part) {
-        return further_samples(rule, {tried, tried}, squared_error, part);
+    const auto further = [&](int tried, double squared_error, double part, double of_many = 0) {
+        return further_samples(rule, {tried, tried}, squared_error, part, of_many);
     };
     BOOST_TEST(further(1, 0.1, 1) == 3);
     BOOST_TEST(further(4, 0.1, 1) == 4);
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(further_samples_are_taken_as_long_as_one_is_worth_it)
     BOOST_TEST(further(64, 0.1, 1) == 0); // 4^depth
     BOOST_TEST(further(4, 0.1, 0) == 0);
     BOOST_TEST(further(4, 0, 1) == 0);
-    BOOST_TEST(further_samples({1, 0.1, 3, true}, {4, 4}, 0.1, 1) == 0);
+    BOOST_TEST(further_samples({1, 0.1, 3, true}, {4, 4}, 0.1, 1, 0) == 0);
     // What matters is the part times the root of the squared error by the number of samples.
     double least = 1;
     while (further(4, least, 1))
@@ -266,7 +266,10 @@ BOOST_AUTO_TEST_CASE(further_samples_are_taken_as_long_as_one_is_worth_it)
     BOOST_TEST(further(16, 4.5 * least, 1) == 16);
     BOOST_TEST(further(4, 3.6 * least, 0.5) == 0);
     BOOST_TEST(further(4, 4.5 * least, 0.5) == 4);
-    BOOST_TEST(further_samples({2, 0.05, 3, true}, {4, 4}, least, 1) == 4);
+    // Less is worth it where many pixels take them.
+    BOOST_TEST(further(4, 4 * least, 1, 0.5) == 4);
+    BOOST_TEST(further(4, 4 * least, 1, 1) == 0);
+    BOOST_TEST(further_samples({2, 0.05, 3, true}, {4, 4}, least, 1, 0) == 4);
 
     BOOST_TEST(squared_error_falls(4, 0) == 1);
     BOOST_TEST(squared_error_falls(4, 4) > 0.25); // between random samples and an even grid's
