@@ -140,7 +140,7 @@ struct Reconstruction::Own {
     float noise = 0;    ///< the variance of such a difference that comes of the mean's noise
     float mirrored = 0; ///< from 0, where few pixels around have a signal, to 1, where many do
     LinearColour light{};
-    SamplesTaken samples;
+    SamplesTaken samples{};
 
     /// The part of it that counts (Wiener's filter).
     float part() const

@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(audited_error_is_unbiased_and_the_plain_error_is_not)
     const int trials = random_sheets::count(12000, 1000000);
     for (const Distribution& light : distributions)
         for (const double off : {0.0, 0.05, -0.02, 1.0}) { // 1: the pixel is one sample
-            Mean audit, plain;
+            Mean audit, plain, error;
             for (int trial = 0; trial < trials; ++trial) {
                 const double pixel = off == 1 ? light.sample() : std::max(0.0, light.mean + off);
                 const double exact = squared(srgb(pixel) - srgb(light.mean));
@@ -98,13 +98,16 @@ BOOST_AUTO_TEST_CASE(audited_error_is_unbiased_and_the_plain_error_is_not)
                 audit.add(audited_error(srgb, grey(pixel), grey(halves[0]), grey(halves[1])) -
                           exact);
                 plain.add(squared(srgb(pixel) - srgb(0.5 * (halves[0] + halves[1]))) - exact);
+                error.add(exact);
             }
+            // One sample errs so much that the jackknife's bias is little beside it.
+            const double of_one = off == 1 ? 0.015 * error.value() : 0;
             BOOST_TEST_MESSAGE(light.name << ", off by " << off << ": bias " << audit.value()
                                           << " +- " << audit.error() << ", plain " << plain.value()
                                           << " +- " << plain.error());
             BOOST_TEST(std::fabs(audit.value()) < 4 * audit.error() +
                                                       light.kept * std::fabs(plain.value()) +
-                                                      light.besides,
+                                                      light.besides + of_one,
                        light.name << " off by " << off << ": " << audit.value() << " +- "
                                   << audit.error());
             if (off == 0 && light.mean < 1)
