@@ -24,10 +24,12 @@ constexpr float enough_halves = 8, usual_excess = 1.5f;
 // the noise, and noise_in_rest times the pixel's own noise is set against it. Both are above 1
 // where few of a block's pixels show a signal (the first number): where samples rarely meet
 // something bright, single pixels' noise is often more than is expected. Where many do (the second
-// number), as in a room of mirrors, what a pixel shows is more likely a signal than such noise. Few
-// and many: the mean part of pixels' own rests that counts by the first numbers. Found by trying on
-// sample scenes of POV-Ray's.
-constexpr float margin_of_rest[] = {2, 1}, noise_in_rest[] = {1.5f, 1}, few = 0.15f, many = 0.3f;
+// number), as in a room of mirrors, what a pixel shows is more likely a signal than such noise. How
+// many do is told by the mean part of pixels' rests that counts by the first numbers: from
+// part_of_few to part_of_many of it the second ones take over. Found by trying on sample scenes of
+// POV-Ray's.
+constexpr float margin_of_rest[] = {2, 1}, noise_in_rest[] = {1.5f, 1};
+constexpr float part_of_few = 0.15f, part_of_many = 0.3f;
 
 /// The number between two that belongs to a part from 0 to 1 of the way from the first.
 constexpr float between(const float (&numbers)[2], float part)
@@ -126,26 +128,26 @@ struct Reconstruction::Surroundings {
     float rest_noise = 0;  ///< the mean variance that noise gives to it
     float noise = 0;       ///< the mean variance of all rests
 
-    /// The square that the rest has without noise. `mirrored`: see Own.
-    float signal(float mirrored) const
+    /// The square that the rest has without noise. `of_many`: see Own.
+    float signal(float of_many) const
     {
-        return std::max(0.0f, rest_square - between(margin_of_rest, mirrored) * rest_noise);
+        return std::max(0.0f, rest_square - between(margin_of_rest, of_many) * rest_noise);
     }
 };
 
 /// The mean of a pixel's own samples, and how much of what it shows beside the layers and their
 /// smooth difference is more than noise.
 struct Reconstruction::Own {
-    float signal = 0;   ///< the square that such differences have without noise
-    float noise = 0;    ///< the variance of such a difference that comes of the mean's noise
-    float mirrored = 0; ///< from 0, where few pixels around have a signal, to 1, where many do
+    float signal = 0;  ///< the square that such differences have without noise
+    float noise = 0;   ///< the variance of such a difference that comes of the mean's noise
+    float of_many = 0; ///< from 0, where few pixels of the block have a signal, to 1, where many do
     LinearColour light{};
     SamplesTaken samples{};
 
     /// The part of it that counts (Wiener's filter).
     float part() const
     {
-        return signal > 0 ? signal / (signal + between(noise_in_rest, mirrored) * noise) : 0;
+        return signal > 0 ? signal / (signal + between(noise_in_rest, of_many) * noise) : 0;
     }
 
     /// Adds the light of more samples, of which `number` belonged to the pixel's lens.
@@ -166,7 +168,7 @@ struct Reconstruction::Scratch {
     BlockWindow<Noise> noise;
     BlockWindow<BesideLayers> beside;
     BlockWindow<Difference> differences;
-    std::vector<Surroundings> surroundings;
+    BlockWindow<Surroundings> surroundings;
 };
 
 void Reconstruction::FreeScratch::operator()(Scratch* scratch) const { delete scratch; }
@@ -378,7 +380,7 @@ Reconstruction::Difference Reconstruction::difference(int x, int y, const Tabula
 void Reconstruction::take_further(int x, int y, const Further& further, Own& own) const
 {
     while (const int number = further_samples(further.rule, own.samples, own.noise, own.part(),
-                                              own.mirrored)) {
+                                              own.of_many)) {
         LinearColour sum{};
         const int taken = further.take(x, y, own.samples.tried, number, sum);
         own.add(number, taken, sum);
@@ -427,20 +429,24 @@ Reconstruction::Surroundings Reconstruction::surroundings(
     return result;
 }
 
-/// Finds the surroundings of a block's pixels that have differences, row by row. Returns by how
-/// much the block's pixels show signals of their own: 0: few do, 1: many.
+/// Finds the surroundings of a block's pixels that have differences. Returns how many of the
+/// block's pixels show a signal of their own: from 0, few, to 1, many.
 float Reconstruction::find_surroundings(const PictureBlock& block, Scratch& scratch) const
 {
-    scratch.surroundings.clear();
+    scratch.surroundings.begin(block, 0);
     float parts = 0;
+    int number = 0;
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x)
             if (const Difference& difference = scratch.differences.at(x, y); difference.any) {
-                scratch.surroundings.push_back(surroundings(x, y, scratch.differences));
-                parts += Own{scratch.surroundings.back().signal(0), difference.noise}.part();
+                Surroundings& around = scratch.surroundings.at(x, y);
+                around = surroundings(x, y, scratch.differences);
+                parts += Own{around.signal(0), difference.noise}.part();
+                ++number;
             }
-    const float number = float(std::max<std::size_t>(1, scratch.surroundings.size()));
-    return std::clamp((parts / number - few) / (many - few), 0.0f, 1.0f);
+    return std::clamp((parts / float(std::max(1, number)) - part_of_few) /
+                          (part_of_many - part_of_few),
+                      0.0f, 1.0f);
 }
 
 void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve& encode,
@@ -448,8 +454,7 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
                                  const Further* further) const
 {
     find_differences(block, encode, scratch);
-    const float mirrored = find_surroundings(block, scratch);
-    auto surroundings = scratch.surroundings.begin();
+    const float of_many = find_surroundings(block, scratch);
     pixels.clear();
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x) {
@@ -458,10 +463,10 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
             const Difference& difference = scratch.differences.at(x, y);
             if (!difference.any)
                 continue;
-            const Surroundings& around = *surroundings++;
-            Own own{around.signal(mirrored),
+            const Surroundings& around = scratch.surroundings.at(x, y);
+            Own own{around.signal(of_many),
                     difference.noise,
-                    mirrored,
+                    of_many,
                     pixel.mean.light(),
                     {pixel.tried, pixel.taken}};
             if (further)

@@ -38,7 +38,7 @@ struct SamplesTaken {
 /// The number of samples to try next in a pixel of a reconstructed frame, whose light takes
 /// `own_part` (0 to 1) of the mean of its own samples, and the rest of other pixels'; 0: no further
 /// one is worth it. `squared_error`: that of what its own mean adds to the rest, summed over the
-/// colour's components. `of_many`: from 0, where few pixels around take further samples, to 1,
+/// colour's components. `of_many`: from 0, where few pixels of a block need further samples, to 1,
 /// where many do. With method 1 always 0.
 int further_samples(const RefinementRule& rule, const SamplesTaken& samples, double squared_error,
                     double own_part, double of_many);
