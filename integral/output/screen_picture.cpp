@@ -53,7 +53,10 @@ PicturesAhead::~PicturesAhead()
 
 bool PicturesAhead::may_begin() const
 {
-    return (source_.loop || next_ < source_.count) && int(ready_.size()) + begun_ < source_.keep;
+    // A file that is kept waits for the thread that decodes it already.
+    const bool waits = !files_.empty() && begun_.count(file(next_)) > 0;
+    return (source_.loop || next_ < source_.count) && !waits &&
+           int(ready_.size() + begun_.size()) < source_.keep;
 }
 
 void PicturesAhead::work()
@@ -64,15 +67,15 @@ void PicturesAhead::work()
         if (stop_ || failure_)
             return;
         const long long number = next_++;
-        const std::size_t file = std::size_t(number % source_.count);
-        std::shared_ptr<const ScreenPicture> picture = files_.empty() ? nullptr : files_[file];
-        ++begun_;
+        const std::size_t which = file(number);
+        std::shared_ptr<const ScreenPicture> picture = files_.empty() ? nullptr : files_[which];
+        const auto begun = begun_.insert(which);
         if (!picture) {
             lock.unlock();
             std::exception_ptr failure;
             try {
                 picture = std::make_shared<const ScreenPicture>(
-                    source_.load(static_cast<long long>(file)));
+                    source_.load(static_cast<long long>(which)));
             } catch (...) {
                 failure = std::current_exception();
             }
@@ -83,9 +86,9 @@ void PicturesAhead::work()
                 return;
             }
         }
-        --begun_;
+        begun_.erase(begun);
         if (!files_.empty())
-            files_[file] = picture;
+            files_[which] = picture;
         if (number > taken_)
             ready_.emplace(number, std::move(picture));
         room_.notify_all();
@@ -97,7 +100,7 @@ bool PicturesAhead::is_full()
     const std::lock_guard<std::mutex> lock(mutex_);
     if (failure_)
         std::rethrow_exception(failure_);
-    return begun_ == 0 && !may_begin();
+    return begun_.empty() && !may_begin();
 }
 
 std::optional<PicturesAhead::Ready> PicturesAhead::take(long long due)

@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -65,6 +66,7 @@ public:
 private:
     void work();
     bool may_begin() const;
+    std::size_t file(long long number) const { return std::size_t(number % source_.count); }
 
     const Source source_;
     std::mutex mutex_;
@@ -74,7 +76,7 @@ private:
     std::vector<std::shared_ptr<const ScreenPicture>> files_;
     std::exception_ptr failure_;
     long long next_ = 0, taken_ = -1; ///< numbers of the next to be decoded and the last taken
-    int begun_ = 0;                   ///< pictures that are being decoded
+    std::multiset<std::size_t> begun_; ///< files that are being decoded
     bool stop_ = false;
     std::vector<std::thread> threads_;
 };

@@ -168,6 +168,27 @@ BOOST_AUTO_TEST_CASE(every_picture_is_taken_once_and_in_order)
         }
 }
 
+BOOST_AUTO_TEST_CASE(a_loop_waits_for_a_picture_that_is_being_decoded)
+{
+    std::atomic<int> loads{0};
+    PicturesAhead pictures({3, true, 5, 2, [&](long long file) {
+                                ++loads;
+                                if (file == 0) { // until the other thread is round the loop
+                                    wait_for([&] { return loads >= 3; });
+                                    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                                }
+                                return numbered_picture(file);
+                            }});
+    wait_for([&] { return pictures.is_full(); });
+    BOOST_TEST(loads == 3);
+    for (int k = 0; k < 7; ++k) {
+        std::optional<PicturesAhead::Ready> ready;
+        wait_for([&] { return (ready = pictures.take(k)).has_value(); });
+        BOOST_TEST(ready->picture->pixels[0] == unsigned(k % 3));
+    }
+    BOOST_TEST(loads == 3);
+}
+
 BOOST_AUTO_TEST_CASE(late_pictures_are_skipped)
 {
     std::atomic<int> loads{0};
