@@ -49,11 +49,13 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
                     ++compared;
                 }
                 BOOST_TEST_REQUIRE(equal(automatic, closest.ray ? closest : accurate));
-                if (farthest_lens(s, {0, 0}) < 60 * s.sheet.pitch) // farther, a search may give up
-                    BOOST_TEST_REQUIRE(automatic.ray.has_value() == accurate.ray.has_value());
+                // A search does not reach lenses that are hundreds of pitches away.
+                const bool missed = closest.ray && !accurate.ray;
+                if (farthest_lens(s, {0, 0}) < 60 * s.sheet.pitch)
+                    BOOST_TEST_REQUIRE(!missed);
                 BOOST_TEST(automatic.searched == !closest.ray);
-                BOOST_TEST((grazing || accurate.empty == automatic.empty));
-                BOOST_TEST((grazing || accurate.ray || closest.empty == accurate.empty));
+                BOOST_TEST((grazing || missed || accurate.empty == automatic.empty));
+                BOOST_TEST((grazing || accurate.ray || missed || closest.empty == accurate.empty));
                 BOOST_TEST(accurate.searched);
                 for (const MappedPoint& mapped : {closest, automatic, accurate})
                     BOOST_TEST((mapped.empty == Empty::none) == mapped.ray.has_value());
