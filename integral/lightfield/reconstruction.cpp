@@ -88,6 +88,22 @@ private:
     float expected_ = 0, seen_ = 0, number_ = 0;
 };
 
+/// The light of a pixel's layers and its own mean, of which a part counts, with what is to be
+/// added. At least half of the lesser of the two is left: where those around are much brighter,
+/// what they differ by may be more than this pixel's light.
+LinearColour together(const LinearColour& layers, const LinearColour& own, float part,
+                      const FourFloats& added)
+{
+    LinearColour light;
+    for (std::size_t k = 0; k < light.size(); ++k) {
+        const float lesser = std::min(layers[k], own[k]);
+        light[k] = std::max(layers[k] + part * (own[k] - layers[k]) + added[int(k)],
+                            lesser - 0.5f * std::fabs(lesser));
+    }
+    light[3] = std::clamp(light[3], 0.0f, 1.0f);
+    return light;
+}
+
 LinearColour colour_of(FourFloats light)
 {
     LinearColour colour;
@@ -472,11 +488,9 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
             if (further)
                 take_further(x, y, *further, own);
             const float part = own.part();
-            LinearColour light = pixel.layers.light();
-            for (std::size_t k = 0; k < light.size(); ++k)
-                light[k] += around.smooth_part * difference.smooth[k] +
-                            part * (own.light[k] - light[k] - difference.smooth[k]);
-            pixels.back() = {light, part * part * own.noise + left_by_others * around.noise};
+            pixels.back() = {together(pixel.layers.light(), own.light, part,
+                                      (around.smooth_part - part) * difference.smooth),
+                             part * part * own.noise + left_by_others * around.noise};
         }
 }
 

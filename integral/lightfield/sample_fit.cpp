@@ -51,11 +51,11 @@ void PlaceRegression::solve(float weight, float squared_weight, const FourFloats
 
 FourFloats PlaceRegression::mean_over_beam(const ValueSums& sums) const
 {
-    const FourFloats mean = of_weight_ * sums.values;
+    const FourFloats mean = this->mean(sums);
     FourFloats result = mean;
     for (int k = 0; k < 4; ++k)
         result += by_covariance_[k] * (of_weight_ * sums.by_place[k] - mean_place_[k] * mean);
-    return most(result, FourFloats{});
+    return result;
 }
 
 } // namespace integral

@@ -131,9 +131,11 @@ public:
         solve(weights[0], weights[1], sums_of_eight(all[0], all[1], all[2], all[3]), products);
     }
 
-    /// The mean over the beam of what is fitted to these values; 0 if that is below 0. The sums
-    /// may leave out samples whose values are 0.
+    /// The mean over the beam of what is fitted to these values, which may be outside their range.
+    /// The sums may leave out samples whose values are 0.
     FourFloats mean_over_beam(const ValueSums& sums) const;
+    /// The mean of the samples' values.
+    FourFloats mean(const ValueSums& sums) const { return of_weight_ * sums.values; }
 
 private:
     using Matrix = std::array<FourFloats, 4>;

@@ -241,11 +241,46 @@ template <class Floats> INTEGRAL_INLINE ValueSums SampleLayers::light_of(const L
     return ValueSums(sums);
 }
 
+/// The least light of a layer's samples, component by component.
+template <class Floats>
+INTEGRAL_INLINE FourFloats SampleLayers::least_light(const Layer* layer) const
+{
+    const WeighedSamples::Met& met = samples_.met();
+    const Floats none = eight_of<Floats>(0);
+    FourFloats least_of_all{};
+    for (int component = 0; component < 4; ++component) {
+        Floats all = eight_of<Floats>(1e9f);
+        for (std::size_t eight = 0; eight < met.eights(); ++eight) {
+            Floats light[2];
+            met.light_pair(component / 2, eight, light);
+            all = chosen(weights_in<Floats>(layer, eight) > none, least(all, light[component % 2]),
+                         all);
+        }
+        Eight each;
+        store(each, all);
+        least_of_all[component] = *std::min_element(each.values, each.values + 8);
+    }
+    return least_of_all;
+}
+
+/// The light that a regression finds for a layer, which covers a part of the beam: not less than
+/// that part of the least light of its samples. Beside bright spots a fit may pass below it.
+template <class Floats>
+INTEGRAL_INLINE FourFloats SampleLayers::fitted_light(const PlaceRegression& regression,
+                                                      const Layer* layer, float covered) const
+{
+    const ValueSums sums = light_of<Floats>(layer);
+    const FourFloats light = regression.mean_over_beam(sums) / std::max(1.0f, covered);
+    if (!any(light < 0.5f * regression.mean(sums)))
+        return light;
+    return most(light, std::clamp(covered, 0.0f, 1.0f) * least_light<Floats>(layer));
+}
+
 /// The beam's mean light, of all samples that ended in it: of one layer.
 template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::only_layer()
 {
     find_squares<Floats>(nullptr);
-    return PlaceRegression(places_of<Floats>(nullptr)).mean_over_beam(light_of<Floats>(nullptr));
+    return fitted_light<Floats>(PlaceRegression(places_of<Floats>(nullptr)), nullptr, 1);
 }
 
 /// The samples that reach a layer's plane inside the beam. `before`: the furthest depth of the
@@ -319,8 +354,7 @@ INTEGRAL_INLINE SampleLayers::Part SampleLayers::fitted_part(const Layer& layer,
     for (int k = 0; k < 4; ++k)
         cover.by_place[k][0] = sum_of_eight(ended.places[k]);
     const float covered = regression.mean_over_beam(cover)[0];
-    const FourFloats light = regression.mean_over_beam(light_of<Floats>(&layer));
-    return {light / std::max(1.0f, covered), std::min(1.0f, covered)};
+    return {fitted_light<Floats>(regression, &layer, covered), std::clamp(covered, 0.0f, 1.0f)};
 }
 
 /// A layer's part by means over its samples, as far as they are seen through the layers before it.

@@ -56,6 +56,10 @@ private:
     template <class Floats> void fitted_places(std::size_t eight, Floats (&places)[4]) const;
     template <class Floats> PlaceSums<Floats> places_of(const Layer* layer) const;
     template <class Floats> ValueSums light_of(const Layer* layer) const;
+    template <class Floats> FourFloats least_light(const Layer* layer) const;
+    template <class Floats>
+    FourFloats fitted_light(const PlaceRegression& regression, const Layer* layer,
+                            float covered) const;
     template <class Floats> FourFloats only_layer();
     template <class Floats>
     ReachingSamples<float> reaching(const Layer& layer, float before,

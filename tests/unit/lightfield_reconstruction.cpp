@@ -73,6 +73,38 @@ BOOST_AUTO_TEST_CASE(negative_light_counts)
     BOOST_TEST(ratio(sheet(Arrangement::square), scene, 4) < 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(pixels_are_not_darker_than_all_they_show)
+{
+    // Beside bright light, and before negative light.
+    const Scene squares = chequers(6, 3);
+    const struct {
+        double bright, dark, least;
+    } all[] = {{40, 0.1, 0.0499}, {0.5, -0.6, -0.901}};
+    for (const auto& one : all)
+        for (const int number : {1, 4}) {
+            const Scene scene = [&](const BeamRay& ray) {
+                return Look{squares(ray).grey > 0.5 ? one.bright : one.dark, 6};
+            };
+            Sampled frame(sheet(Arrangement::square), scene, number);
+            const auto pixels = frame.pixels();
+            double sum = 0;
+            int dark = 0;
+            for (int y = 5; y < height - 5; ++y)
+                for (int x = 5; x < width - 5; ++x) {
+                    const auto& light = pixels[Sampled::at(x, y)].light;
+                    if (!light)
+                        continue;
+                    BOOST_TEST_REQUIRE((*light)[0] >= one.least, x << ' ' << y);
+                    if (std::fabs(frame.truth(scene, x, y) - one.dark) < 1e-3) {
+                        sum += (*light)[0];
+                        ++dark;
+                    }
+                }
+            BOOST_TEST_REQUIRE(dark > 20);
+            BOOST_TEST((one.bright > 1 || std::fabs(sum / dark - one.dark) < 0.03), sum / dark);
+        }
+}
+
 BOOST_AUTO_TEST_CASE(light_that_cannot_be_stored_tells_nothing_of_noise)
 {
     // One pixel of a sun, or without a colour at all: the others are reconstructed as before.

@@ -176,6 +176,16 @@ struct Sampled {
         return result;
     }
 
+    /// A pixel's converged light, about.
+    double truth(const Scene& scene, int x, int y) const
+    {
+        double sum = 0;
+        const auto rays = random_rays_at(sampler, {x + 0.5, y + 0.5}, 400);
+        for (const PixelRay& ray : rays)
+            sum += scene(ray.ray).grey / double(rays.size());
+        return sum;
+    }
+
     /// The RMS errors of some pixels, away from the frame's edge: before and after.
     std::array<double, 2> errors(const Scene& scene,
                                  const Reconstruction::Further* further = nullptr)
@@ -187,13 +197,10 @@ struct Sampled {
             for (int x = 14; x < width - 14; x += 3) {
                 if (std::isnan(mean[at(x, y)]))
                     continue;
-                double truth = 0;
-                const auto rays = random_rays_at(sampler, {x + 0.5, y + 0.5}, 400);
-                for (const PixelRay& ray : rays)
-                    truth += scene(ray.ray).grey / double(rays.size());
+                const double right = truth(scene, x, y);
                 const auto& light = reconstructed[at(x, y)].light;
                 const auto square = [&](double grey) {
-                    return std::pow(encode(float(grey)) - encode(float(truth)), 2);
+                    return std::pow(encode(float(grey)) - encode(float(right)), 2);
                 };
                 sums[0] += square(mean[at(x, y)]);
                 sums[1] += square(light ? (*light)[1] : mean[at(x, y)]);
