@@ -41,7 +41,8 @@ Vec2 slit_direction(const Lattice& lattice)
 
 } // namespace
 
-BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec2 size)
+BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec2 size,
+                     float furthest)
 {
     const Lattice& lattice = camera.optics.lattice();
     const Medium& medium = camera.optics.medium();
@@ -72,21 +73,30 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec
         return;
     }
     lent(axes_[0], most_pixels_across_lines, most_lenses_across_lines);
-    // A pixel's rays spread along the lines by its height, seen from the slit in the aperture. If
-    // the lines lean, they spread along them by a part of its width, too.
-    const Vec2 slit = slit_direction(lattice);
+    // A pixel's rays spread along the lines by its height, seen from the slit in the aperture.
     const double d = camera.optics.aperture().distance;
     const double by_film = n * d / (n * d + medium.t),
                  height = by_film * pixel_along(part, lattice.along());
     axes_[1].pixel_at_sheet = float(height);
     axes_[1].pixel_slope = float(height / d);
     axes_[1].step_slope = float(by_film * pixel_along(pixel, lattice.along()) / d);
-    axes_[1].cell_slope = float(camera.slit_height({0, 0}) / d +
-                                axes_[0].pixel_slope * std::fabs(dot(slit, lattice.along())));
+    axes_[1].cell_slope = float(camera.slit_height({0, 0}) / d);
     // In the plane of the eye all of them are at one height. There the patch is this high, so that
     // the rounding of stored samples does not decide which count.
     axes_[1].cell_at_sheet = little_height * axes_[0].cell_at_sheet;
     axes_[1].cell_slope += little_height * axes_[0].pixel_slope;
+    // If the lines lean, a pixel's width adds to the one along them, or a lens's to the one off the
+    // slit, whichever is less.
+    const Vec2 slit = slit_direction(lattice);
+    const float lean = float(dot(slit, lattice.along()) / dot(slit, lattice.across())),
+                by_pixel = axes_[0].pixel_slope * float(std::fabs(dot(slit, lattice.along()))),
+                by_cell = std::fabs(lean) * axes_[0].cell_at_sheet;
+    if (furthest * by_pixel < by_cell) {
+        axes_[1].cell_slope += by_pixel;
+    } else {
+        axes_[1].cell_at_sheet += by_cell;
+        lean_ = lean;
+    }
 }
 
 LendingPixels::LendingPixels(const Lattice& lattice, const Film& film)
@@ -115,7 +125,10 @@ void LendingPixels::add_lens(const Lattice& lattice, const Film& film, int row, 
         way = (dot(way, a) / dot(slit, a)) * slit;
         furthest = most_pixels_across_lines;
         fall_across = fall_across_lines;
-        furthest_along = std::fabs(dot(slit, b)) > 1e-6 ? most_pixels : 0.5;
+        // Beams of pixels that are further away along the lines do not meet.
+        const double rows = std::fabs(dot(slit, b) / dot(slit, a)) * lattice.pitch() /
+                            pixel_along(pixel, b);
+        furthest_along = std::min(most_pixels, 0.5 + rows);
     }
     // How far the direction of a pixel is from that of the pixel's own, in pixels along both axes.
     const int right = int(std::lround(way.x / pixel.x)), down = int(std::lround(-way.y / pixel.y));

@@ -4,6 +4,11 @@
 // A beam fills the cell of its lens and a pixel's span of slopes. So at a depth z it covers a patch
 // whose density is, along either axis of the lattice, that of the sum of two evenly distributed
 // variables: a lens's width, and a pixel's width as it is seen at that depth.
+//
+// Behind leaning lines these two widths are not in one direction: a lens is wide across the lines, a
+// pixel is wide along the slit in the aperture. So where the pixel's width is the larger one, the
+// patch's first axis is the slit: `lean` is taken off the places and slopes along the second axis
+// for each unit across.
 #ifndef INTEGRAL_LIGHTFIELD_BEAM_PATCH_H
 #define INTEGRAL_LIGHTFIELD_BEAM_PATCH_H
 
@@ -19,7 +24,8 @@ class BeamPatch {
 public:
     BeamPatch() = default;
     /// `centre`: the pixel's line. `size`: of the part of it that counts, in pixels, right and up.
-    BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec2 size = {1, 1});
+    /// `furthest`: the greatest depth that it shows on either side of the sheet, mm.
+    BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec2 size, float furthest);
 
     /// The two widths of which a patch's density is made, along one axis, in mm at the depth z
     /// (mm): the lens's, cell_at_sheet + cell_slope |z|, and the pixel's, |pixel_at_sheet +
@@ -51,9 +57,11 @@ public:
     };
     /// Across and along the lattice.
     const Axis& axis(int which) const { return axes_[which]; }
+    float lean() const { return lean_; }
 
 private:
     std::array<Axis, 2> axes_; ///< across and along the lattice
+    float lean_ = 0;
 };
 
 /// The pixels whose samples a pixel uses: itself, and those of nearly the same direction behind its

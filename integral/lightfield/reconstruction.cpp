@@ -309,12 +309,13 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
     const BeamSamples::Pixel& own = samples_.pixel(x, y);
     const auto cut = first_.lens_around(x, y) ? std::nullopt : cut_pixel(camera_, first_, x, y);
     const SightSlope& centre = cut ? cut->centre : own.centre;
-    const BeamPatch patch(camera_, centre, cut ? cut->size : Vec2{1, 1});
     std::array<float, 2> depths = first_.depths_around(x, y);
     for (int k = 0; k + 1 < own.number; ++k)
         depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
     for (float& depth : depths)
         depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
+    const BeamPatch patch(camera_, centre, cut ? cut->size : Vec2{1, 1},
+                          std::max(-depths[0], depths[1]));
     WeighedSamples& weighed = scratch.layers.samples();
     const std::ptrdiff_t own_index = index(x, y);
     weighed.begin(patch, centre, samples_);

@@ -93,12 +93,16 @@ INTEGRAL_INLINE void WeighedSamples::read(Group& group, Floats (&tilts)[2], Floa
         transpose(numbers[half]);
     }
     const auto& [depths, point_x, point_y, slope_x] = numbers[0];
+    const Floats lean = eight_of<Floats>(patch_.lean()),
+                 way_x = point_x - loaded<Floats>(axes_[0].centre_point),
+                 turn_x = slope_x - loaded<Floats>(axes_[0].centre_slope);
     store(group.depths, depths);
-    store(group.lines[0], point_x - loaded<Floats>(axes_[0].centre_point));
-    store(group.lines[1], point_y - loaded<Floats>(axes_[1].centre_point));
-    store(group.lines[2], slope_x - loaded<Floats>(axes_[0].centre_slope));
-    store(group.lines[3], numbers[1][0] - loaded<Floats>(axes_[1].centre_slope));
+    store(group.lines[0], way_x);
+    store(group.lines[1], point_y - loaded<Floats>(axes_[1].centre_point) - lean * way_x);
+    store(group.lines[2], turn_x);
+    store(group.lines[3], numbers[1][0] - loaded<Floats>(axes_[1].centre_slope) - lean * turn_x);
     split_pairs(numbers[1][1], tilts[0], tilts[1]);
+    tilts[0] = tilts[0] + lean * tilts[1];
     for (Floats& tilt : tilts)
         tilt = eight_of<Floats>(tilt_unit_) * tilt;
     light[0] = numbers[1][2];
@@ -212,8 +216,8 @@ float WeighedSamples::part_askew(float depth, const std::array<float, 2>& slopes
         if (!(weight > 0 && sample.depth < depth))
             continue;
         all += weight;
-        if (tilt_unit_ *
-                (std::abs(sample.tilt[0]) * slopes[0] + std::abs(sample.tilt[1]) * slopes[1]) >=
+        const float across = sample.tilt[0] + patch_.lean() * sample.tilt[1];
+        if (tilt_unit_ * (std::fabs(across) * slopes[0] + std::abs(sample.tilt[1]) * slopes[1]) >=
             change)
             askew += weight;
     }

@@ -23,8 +23,8 @@ BOOST_AUTO_TEST_CASE(far_places_are_seen_by_more_lenses)
         const FirstSamples::StoredLens own{100, 100};
         LendingPixels::Scratch scratch;
         int most = 0;
-        lending.find(side / 2, side / 2, own, BeamPatch(camera, SightSlope{}), depth, depth,
-                     scratch);
+        lending.find(side / 2, side / 2, own, BeamPatch(camera, SightSlope{}, {1, 1}, 0), depth,
+                     depth, scratch);
         for (const LendingPixels::Found& found : scratch)
             most = std::max(most, std::abs(found.lens[0] - own[0]));
         return most;

@@ -166,6 +166,23 @@ BOOST_AUTO_TEST_CASE(outlines_become_clear)
     BOOST_TEST(sum / number < 0.335, sum / number);
 }
 
+BOOST_AUTO_TEST_CASE(level_outlines_stay_sharp_behind_leaning_lines)
+{
+    // A pixel is wide along the slit, not across the lines: far away it shows one height only.
+    const Scene horizon = [](const BeamRay& ray) {
+        return Look{ray.direction.y / ray.direction.z < -0.0003 ? 0.5 : 0.9, INFINITY};
+    };
+    const Scene edge = [](const BeamRay& ray) {
+        return place_at(ray, 5).y < 0.1 ? Look{0.8, 5} : Look{0.2, 40};
+    };
+    for (const double slant : {2.0, 5.0, 15.0, 30.0}) {
+        const CameraParameters leaning = sheet(Arrangement::lenticular, slant);
+        BOOST_TEST(Sampled(leaning, horizon, 1).errors(horizon)[1] < 0.001, "slant " << slant);
+        if (slant > 10)
+            BOOST_TEST(ratio(leaning, edge, 1) < 0.2, "slant " << slant);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(what_stands_beside_the_eye_hides_its_part)
 {
     // Behind a lenticular sheet all rays of a pixel cross the plane of the eye at one height.
