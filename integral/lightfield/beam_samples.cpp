@@ -35,7 +35,8 @@ SightSlope sight_slope(const Lattice& lattice, const BeamRay& ray)
 BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
     : width_(camera.film.width),
       size_(std::ptrdiff_t(camera.film.width) * camera.film.height),
-      memory_(memory ? std::move(memory) : zeroed_memory(bytes_a_pixel * size_)),
+      memory_(memory ? std::move(memory)
+                     : zeroed_memory((bytes_of_pixels + bytes_of_lenders) * size_)),
       pixels_(static_cast<Pixel*>(memory_.get())),
       lenders_(reinterpret_cast<std::uint32_t*>(pixels_ + size_))
 {

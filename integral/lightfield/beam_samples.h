@@ -48,9 +48,10 @@ public:
         const Sample* more = nullptr; ///< those after the first
         std::uint16_t number = 0;     ///< 0: the pixel is empty
     };
-    static constexpr std::size_t bytes_a_pixel = 68;
+    /// The bytes a pixel of the two parts of the memory: the second part follows the first.
+    static constexpr std::size_t bytes_of_pixels = 64, bytes_of_lenders = 4;
 
-    /// `memory`: bytes_a_pixel for each of the film's pixels, all 0, aligned to 8; null: the object
+    /// `memory`: both parts, for each of the film's pixels, all 0, aligned to 8; null: the object
     /// allocates its own.
     explicit BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory = nullptr);
 
@@ -139,7 +140,8 @@ private:
     std::mutex mutex_;
     std::multimap<int, std::unique_ptr<Sample[]>> further_; ///< by the first row of their block
 };
-static_assert(sizeof(BeamSamples::Pixel) + sizeof(std::uint32_t) == BeamSamples::bytes_a_pixel);
+static_assert(sizeof(BeamSamples::Pixel) == BeamSamples::bytes_of_pixels &&
+              sizeof(std::uint32_t) == BeamSamples::bytes_of_lenders);
 
 } // namespace integral
 

@@ -22,7 +22,8 @@ namespace
 
 enum Part
 {
-    lent_part, ///< the first one, because it needs the greatest alignment
+    lent_part,    ///< the first one, because it needs the greatest alignment
+    lenders_part, ///< belongs to it
     colours_part,
     first_part,
     reconstruction_part
@@ -30,10 +31,11 @@ enum Part
 
 std::vector<std::size_t> Parts(bool reconstructs)
 {
-    std::vector<std::size_t> parts = {0, sizeof(Colour), integral::FirstSamples::bytes_a_pixel};
+    std::vector<std::size_t> parts = {0, 0, sizeof(Colour), integral::FirstSamples::bytes_a_pixel};
     if (reconstructs)
     {
-        parts[lent_part] = integral::BeamSamples::bytes_a_pixel;
+        parts[lent_part] = integral::BeamSamples::bytes_of_pixels;
+        parts[lenders_part] = integral::BeamSamples::bytes_of_lenders;
         parts.push_back(integral::Reconstruction::bytes_a_pixel);
     }
     return parts;
