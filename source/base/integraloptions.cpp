@@ -244,6 +244,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
         options.TryGetInt(kPOVAttrib_RenderBlockSize, result.block_side));
     if (const int megabytes = options.TryGetInt(kPOVAttrib_MaxImageBufferMem, 128); megabytes > 0)
         result.most_memory = std::size_t(megabytes) << 20;
+    result.continued = options.Exist(kPOVAttrib_PixelSkipList) ||
+                       options.TryGetInt(kPOVAttrib_PixelId, 0) > 0;
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&
                        options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
 

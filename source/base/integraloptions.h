@@ -61,6 +61,7 @@ struct IntegralRenderOptions
     std::string depth_picture;  ///< Integral_Depth_Image=; empty: none
     IntegralRows rows;          ///< Integral_Rows=
     std::optional<integral::ViewGrid> quilt; ///< Integral_Quilt=; nothing: a frame
+    bool continued = false;                  ///< +C: some pixels are kept from before
     bool antialias = false;                  ///< +A with a method other than 0
     bool light_field = true;                 ///< Integral_Antialiasing=light_field; false: pixels
     bool reconstruct = true;                 ///< Integral_Reconstruction=

@@ -43,6 +43,9 @@ static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
     else
         out->printf("  by the two halves of the %d samples of each of %.0f lit pixels\n", samples,
                     pixels);
+    if (statistics.TryGetBool(kIntegralAttrib_Continued, false))
+        out->printf(
+            "  of the pixels that this run rendered (+C); that of the others is not known\n");
     if (statistics.TryGetLong(kPOVAttrib_RadGatherCount, 0) > 0)
         out->printf("  with the noise of radiosity's points, but for those of the pretrace\n");
     if (statistics.Exist(kIntegralAttrib_ErrorPicture))
@@ -57,8 +60,7 @@ static void Print_Geometry(POVMS_Object& statistics, TextStreamBuffer *out)
     out->printf("%-19s %15.1f x %.1f mm\n", "Picture size:", number(kIntegralAttrib_PrintWidth),
                 number(kIntegralAttrib_PrintHeight));
     if (const int draft = statistics.TryGetInt(kIntegralAttrib_Draft, 1); draft > 1)
-        out->printf("%-19s %15d   times fewer pixels across and down\n",
-                    "  a draft, with:", draft);
+        out->printf("%-19s %15d   times fewer pixels across and down\n", "  a draft, with:", draft);
     out->printf("%-19s %15.1f   mm", "Viewing distance:", number(kIntegralAttrib_ViewingDistance));
     if (statistics.Exist(kIntegralAttrib_SceneDistance))
         out->printf(" (the scene's own camera: %.1f mm)", number(kIntegralAttrib_SceneDistance));

@@ -135,8 +135,9 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
         // The two halves do not include anti-aliasing's samples and cannot make an error picture.
         const bool by_halves = given.audit && !given.antialias && given.error_picture.empty() &&
                                view->sampler->halves_tell_error();
-        view->error = {by_halves, scene.radiositySettings.radiosityEnabled, given.audit_share,
-                       given.output, given.error_picture};
+        view->error = {by_halves,           scene.radiositySettings.radiosityEnabled,
+                       given.audit_share,   given.output,
+                       given.error_picture, given.continued};
         // What is shared and reconstructed takes the aperture for the eyes' place.
         if (given.antialias && given.light_field && !projects)
             view->sampling = std::make_shared<IntegralSampling>(
@@ -233,7 +234,8 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
             integral::scene_viewing_distance(View_Of(camera), view.optics->placement.units_per_mm));
 
     const auto error = Error_Of(view);
-    pov_base::IntegralFrame::End(error);
+    // The error of some pixels is not the frame's.
+    pov_base::IntegralFrame::End(view.error.continued ? std::nullopt : error);
     statistics.SetFloat(kIntegralAttrib_Seconds, pov_base::IntegralFrame::Seconds());
     if (view.audit && view.audit->Picture_Failed())
         statistics.SetString(kIntegralAttrib_ErrorPicture, view.error.picture.c_str());
@@ -249,6 +251,7 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
         statistics.SetLong(kIntegralAttrib_ErrorLitPixels, error->lit_pixels);
         statistics.SetInt(kIntegralAttrib_ErrorSamples, error->samples);
         statistics.SetInt(kIntegralAttrib_ErrorMethod, int(error->method));
+        statistics.SetBool(kIntegralAttrib_Continued, view.error.continued);
     }
 }
 

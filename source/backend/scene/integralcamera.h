@@ -76,7 +76,8 @@ struct IntegralErrorOptions
     double share = 0; ///< fraction of the lit pixels to audit; 0: the default, by the frame's rays
                       ///< (integralaudit.cpp); 0.05 with an error picture
     integral::OutputCurve output;
-    std::string picture; ///< file of the error picture; empty: none
+    std::string picture;    ///< file of the error picture; empty: none
+    bool continued = false; ///< of pixels that are kept from before (+C) nothing is known
 };
 
 /// The settings of a camera statement or of Integral_Camera=. They do not change after parsing, and
@@ -109,7 +110,7 @@ struct IntegralView
     std::shared_ptr<IntegralAudit> audit;       ///< null: no audit
     std::shared_ptr<IntegralDepth> depth;       ///< null: no depth frame
     IntegralErrorOptions error;
-    std::uint64_t seed = 0;     ///< Integral_Seed=
+    std::uint64_t seed = 0;      ///< Integral_Seed=
     pov_base::IntegralRows rows; ///< the rows that count
 };
 
