@@ -228,8 +228,37 @@ private:
     std::vector<Cost> costs_;          ///< in the order of measuring
 };
 
+/// An option of which tune has no use. Names in small letters: see values_of_option.
+struct UnfitOption {
+    const char *keyword, *letters, *shown, *why;
+};
+const char *const whole_frames = "settings are found for whole frames",
+                  *const no_error = "of these frames no error is estimated";
+const UnfitOption unfit_options[] = {
+    {"integral_quilt", "", "Integral_Quilt", no_error},
+    {"integral_rows", "", "Integral_Rows", whole_frames},
+    {"start_row", "sr", "+SR", whole_frames},
+    {"end_row", "er", "+ER", whole_frames},
+    {"start_column", "sc", "+SC", whole_frames},
+    {"end_column", "ec", "+EC", whole_frames},
+    {"final_frame", "kff", "+KFF", "settings are found for one frame, as with Clock=0.5"},
+};
+
+void check_unfit_options(const std::vector<std::string>& options)
+{
+    for (const UnfitOption& unfit : unfit_options)
+        if (!values_of_option(options, unfit.keyword, unfit.letters).empty())
+            throw std::invalid_argument(std::string(unfit.shown) + ": " + unfit.why +
+                                        "; leave it out");
+    const std::string audit = value_of_option(options, "integral_audit", "");
+    if (std::regex_match(audit, std::regex("off|no|false|0", std::regex::icase)))
+        throw std::invalid_argument("Integral_Audit=" + audit +
+                                    ": settings are found by the estimated error; leave it out");
+}
+
 void check_options(const std::string& scene, const std::vector<std::string>& options)
 {
+    check_unfit_options(options);
     for (const std::string& word : options)
         for (const RendererOption& option : renderer_options_in(word)) {
             const bool antialias = option.kind == RendererOption::Kind::letters &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral tune: error against seconds of settings, on this scene and machine.
 #include "integral/batch/renderer.h"
+#include "integral/batch/renderer_options.h"
 #include "integral/batch/tune.h"
 #include "integral/batch/tune_report.h"
 #include "integral/cli/command.h"
@@ -59,8 +60,16 @@ int run(const TuneOptions& o)
     const TuneResult result = tune(scene, words, goal, progress_bar("tune"));
     if (o.plot)
         write_plot(tune_plot(scene, result), *o.plot);
-    print_result(o.output, o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
-                                  : tune_text(scene, words, goal, result));
+    const std::string text = o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
+                                    : tune_text(scene, words, goal, result);
+    // Standard output may be for the picture.
+    if (o.render && !o.output && value_of_option(words, "output_file_name", "o") == "-")
+        std::fputs(text.c_str(), stderr);
+    else
+        print_result(o.output, text);
+    if (o.render && !result.best)
+        say("tune", "no picture was rendered, as none of the settings reaches the target; ask for "
+                    "what the nearest one reaches");
     if (o.render && result.best) {
         std::fflush(stdout);
         become_renderer(tuned_words(scene, words, result, result.points[*result.best].setting));
