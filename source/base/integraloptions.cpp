@@ -10,6 +10,7 @@
 #include "base/povmsgid.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
+#include "integral/base/file_bytes.h"
 #include "integral/lightfield/pass_schedule.h"
 #include "integral/lightfield/refinement.h"
 
@@ -229,6 +230,10 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     if (!result.error_picture.empty() && !result.audit)
         throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, "
                                     "which Integral_Audit=off leaves out");
+    const std::string ending = integral::extension_of(result.error_picture);
+    if (!result.error_picture.empty() && ending != "png" && ending != "exr")
+        throw std::invalid_argument("Integral_Error_Image=" + result.error_picture +
+                                    ": its name has to end in .png or .exr");
     if (!result.error_picture.empty() && !May_Write_Integral_Picture(result.error_picture))
         throw std::invalid_argument("Integral_Error_Image=" + result.error_picture +
                                     " cannot be written there");

@@ -55,7 +55,7 @@ void IntegralGrammar::Parse_Text(const std::string& text)
     option_level = ++parser.Include_File_Index;
     parser.Input_File = &parser.Include_Files[option_level];
     parser.Input_File->In_File = new pov_base::ITextStream(
-        ASCIItoUCS2String("Integral_Camera").c_str(), new OptionTextStream("{ " + text + " }"));
+        ASCIItoUCS2String("Integral_Camera").c_str(), new OptionTextStream("{ " + text + "\n}"));
     parser.Input_File->R_Flag = false;
     parser.Echo_Indx = 0;
     parser.Add_Sym_Table();
