@@ -5,10 +5,9 @@
 // whose density is, along either axis of the lattice, that of the sum of two evenly distributed
 // variables: a lens's width, and a pixel's width as it is seen at that depth.
 //
-// Behind leaning lines these two widths are not in one direction: a lens is wide across the lines, a
-// pixel is wide along the slit in the aperture. So where the pixel's width is the larger one, the
-// patch's first axis is the slit: `lean` is taken off the places and slopes along the second axis
-// for each unit across.
+// Behind leaning lines these two widths are not in one direction: a lens is wide across the lines,
+// a pixel is wide along the slit in the aperture. So where the pixel's width is the larger one,
+// places along the lines are counted from the slit's direction: less `lean` times the place across.
 #ifndef INTEGRAL_LIGHTFIELD_BEAM_PATCH_H
 #define INTEGRAL_LIGHTFIELD_BEAM_PATCH_H
 
@@ -57,6 +56,7 @@ public:
     };
     /// Across and along the lattice.
     const Axis& axis(int which) const { return axes_[which]; }
+    /// What is taken off places and slopes along the lines, for each unit across them.
     float lean() const { return lean_; }
 
 private:

@@ -75,7 +75,7 @@ private:
     /// A loop whose files all fit into `keep`: each file's picture, decoded once.
     std::vector<std::shared_ptr<const ScreenPicture>> files_;
     std::exception_ptr failure_;
-    long long next_ = 0, taken_ = -1; ///< numbers of the next to be decoded and the last taken
+    long long next_ = 0, taken_ = -1;  ///< numbers of the next to be decoded and the last taken
     std::multiset<std::size_t> begun_; ///< files that are being decoded
     bool stop_ = false;
     std::vector<std::thread> threads_;
