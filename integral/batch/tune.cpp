@@ -241,7 +241,7 @@ const UnfitOption unfit_options[] = {
     {"end_row", "er", "+ER", whole_frames},
     {"start_column", "sc", "+SC", whole_frames},
     {"end_column", "ec", "+EC", whole_frames},
-    {"final_frame", "kff", "+KFF", "settings are found for one frame, as with Clock=0.5"},
+    {"final_frame", "kff", "+KFF", "settings are found for one frame, not for an animation"},
 };
 
 void check_unfit_options(const std::vector<std::string>& options)

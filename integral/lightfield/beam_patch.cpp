@@ -39,6 +39,13 @@ Vec2 slit_direction(const Lattice& lattice)
     return std::fabs(lattice.along().y) >= std::fabs(lattice.along().x) ? Vec2{1, 0} : Vec2{0, 1};
 }
 
+/// How far a way along the slit goes along the lines, for each unit that it goes across them.
+double lean_of_slit(const Lattice& lattice)
+{
+    const Vec2 slit = slit_direction(lattice);
+    return dot(slit, lattice.along()) / dot(slit, lattice.across());
+}
+
 } // namespace
 
 BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec2 size,
@@ -87,9 +94,9 @@ BeamPatch::BeamPatch(const IntegralCamera& camera, const SightSlope& centre, Vec
     axes_[1].cell_slope += little_height * axes_[0].pixel_slope;
     // If the lines lean, a pixel's width adds to the one along them, or a lens's to the one off the
     // slit, whichever is less.
-    const Vec2 slit = slit_direction(lattice);
-    const float lean = float(dot(slit, lattice.along()) / dot(slit, lattice.across())),
-                by_pixel = axes_[0].pixel_slope * float(std::fabs(dot(slit, lattice.along()))),
+    const float lean = float(lean_of_slit(lattice)),
+                by_pixel = axes_[0].pixel_slope *
+                           float(std::fabs(dot(slit_direction(lattice), lattice.along()))),
                 by_cell = std::fabs(lean) * axes_[0].cell_at_sheet;
     if (furthest * by_pixel < by_cell) {
         axes_[1].cell_slope += by_pixel;
@@ -126,7 +133,7 @@ void LendingPixels::add_lens(const Lattice& lattice, const Film& film, int row, 
         furthest = most_pixels_across_lines;
         fall_across = fall_across_lines;
         // Beams of pixels that are further away along the lines do not meet.
-        const double rows = std::fabs(dot(slit, b) / dot(slit, a)) * lattice.pitch() /
+        const double rows = std::fabs(lean_of_slit(lattice)) * lattice.pitch() /
                             pixel_along(pixel, b);
         furthest_along = std::min(most_pixels, 0.5 + rows);
     }

@@ -144,6 +144,19 @@ void Check_Depth_Picture(const std::string& file)
         throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written there");
 }
 
+void Check_Error_Picture(const std::string& file, bool audit)
+{
+    if (!audit)
+        throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, "
+                                    "which Integral_Audit=off leaves out");
+    const std::string ending = integral::extension_of(file);
+    if (ending != "png" && ending != "exr")
+        throw std::invalid_argument("Integral_Error_Image=" + file +
+                                    ": its name has to end in .png or .exr");
+    if (!May_Write_Integral_Picture(file))
+        throw std::invalid_argument("Integral_Error_Image=" + file + " cannot be written there");
+}
+
 /// `height`: height of the frame, pixels; 0 if unknown.
 void Read_Rows(const std::string& text, int height, IntegralRows& rows)
 {
@@ -227,16 +240,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     Read_Sharing(word(kIntegralAttrib_Sharing), result);
     result.seed = std::uint64_t(std::int64_t(options.TryGetInt(kIntegralAttrib_Seed, 0)));
     result.error_picture = text(kIntegralAttrib_ErrorPicture);
-    if (!result.error_picture.empty() && !result.audit)
-        throw std::invalid_argument("Integral_Error_Image is a picture of the audit's errors, "
-                                    "which Integral_Audit=off leaves out");
-    const std::string ending = integral::extension_of(result.error_picture);
-    if (!result.error_picture.empty() && ending != "png" && ending != "exr")
-        throw std::invalid_argument("Integral_Error_Image=" + result.error_picture +
-                                    ": its name has to end in .png or .exr");
-    if (!result.error_picture.empty() && !May_Write_Integral_Picture(result.error_picture))
-        throw std::invalid_argument("Integral_Error_Image=" + result.error_picture +
-                                    " cannot be written there");
+    if (!result.error_picture.empty())
+        Check_Error_Picture(result.error_picture, result.audit);
     result.edge_samples = Samples_At_Edges(options);
     result.depth_picture = text(kIntegralAttrib_DepthPicture);
     if (!result.depth_picture.empty())

@@ -9,6 +9,7 @@
 #include "base/image/integralmetadata.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
+#include "integral/base/file_bytes.h"
 #include "integral/base/unfinished_file.h"
 
 #include <cmath>
@@ -41,7 +42,7 @@ bool May_Write_Integral_Picture(const std::string& file)
 bool Write_Integral_Picture(const std::string& file, int width, int height,
                             const std::vector<double>& values)
 {
-    const bool exr = file.size() > 4 && file.compare(file.size() - 4, 4, ".exr") == 0;
+    const bool exr = integral::extension_of(file) == "exr";
     const std::unique_ptr<Image> image(Image::Create(width, height, Image::RGB_Int16, false));
     std::size_t index = 0;
     for (int y = 0; y < height; y++)

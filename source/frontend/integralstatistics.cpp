@@ -60,7 +60,8 @@ static void Print_Geometry(POVMS_Object& statistics, TextStreamBuffer *out)
     out->printf("%-19s %15.1f x %.1f mm\n", "Picture size:", number(kIntegralAttrib_PrintWidth),
                 number(kIntegralAttrib_PrintHeight));
     if (const int draft = statistics.TryGetInt(kIntegralAttrib_Draft, 1); draft > 1)
-        out->printf("%-19s %15d   times fewer pixels across and down\n", "  a draft, with:", draft);
+        out->printf("%-19s %15d   times fewer pixels across and down\n",
+                    "  a draft, with:", draft);
     out->printf("%-19s %15.1f   mm", "Viewing distance:", number(kIntegralAttrib_ViewingDistance));
     if (statistics.Exist(kIntegralAttrib_SceneDistance))
         out->printf(" (the scene's own camera: %.1f mm)", number(kIntegralAttrib_SceneDistance));

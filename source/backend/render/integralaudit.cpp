@@ -163,7 +163,7 @@ void IntegralAudit::Choose()
     for (const IntegralTally& tally : counts->tallies)
         rays += double(tally.rays.Get());
     samples = rays < 1.5 * lit_pixels && picture.empty() ? samples_after_one_ray : usual_samples;
-    // A picture shows all places alike.
+    // Without anti-aliasing nothing is known of single pixels. A picture shows all places alike.
     const bool by_errors = share == 0 && picture.empty() &&
                            std::all_of(candidates.begin(), candidates.end(),
                                        [](const Candidate& pixel) {

@@ -135,9 +135,8 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
         // The two halves do not include anti-aliasing's samples and cannot make an error picture.
         const bool by_halves = given.audit && !given.antialias && given.error_picture.empty() &&
                                view->sampler->halves_tell_error();
-        view->error = {by_halves,           scene.radiositySettings.radiosityEnabled,
-                       given.audit_share,   given.output,
-                       given.error_picture, given.continued};
+        view->error = {by_halves, scene.radiositySettings.radiosityEnabled, given.audit_share,
+                       given.output, given.error_picture, given.continued};
         // What is shared and reconstructed takes the aperture for the eyes' place.
         if (given.antialias && given.light_field && !projects)
             view->sampling = std::make_shared<IntegralSampling>(

@@ -110,7 +110,7 @@ struct IntegralView
     std::shared_ptr<IntegralAudit> audit;       ///< null: no audit
     std::shared_ptr<IntegralDepth> depth;       ///< null: no depth frame
     IntegralErrorOptions error;
-    std::uint64_t seed = 0;      ///< Integral_Seed=
+    std::uint64_t seed = 0;     ///< Integral_Seed=
     pov_base::IntegralRows rows; ///< the rows that count
 };
 
