@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/first_samples.h"
 
-#include "integral/lightfield/four_floats.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,14 +12,6 @@ namespace integral {
 namespace {
 
 int rounded(double x) { return int(std::lround(x)); }
-
-FourIntegers integers_from(const StoredColour& colour)
-{
-    typedef std::uint16_t FourUnsignedShorts __attribute__((vector_size(8)));
-    FourUnsignedShorts narrow;
-    std::memcpy(&narrow, colour.data(), sizeof narrow);
-    return __builtin_convertvector(narrow, FourIntegers);
-}
 
 } // namespace
 
@@ -100,6 +90,11 @@ void FirstSamples::set(int x, int y, const ComparedColour& colour, LensIndex len
     entry.depth = std::isnan(depth) ? std::numeric_limits<float>::infinity() : float(depth);
     if (entry.depth == 0)
         entry.depth = -0.0f;
+}
+
+void FirstSamples::recolour(int x, int y, const ComparedColour& colour)
+{
+    entries_[std::size_t(y) * width_ + x].colour = stored_colour(colour);
 }
 
 double FirstSamples::depth(int x, int y) const

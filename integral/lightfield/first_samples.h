@@ -6,11 +6,13 @@
 #ifndef INTEGRAL_LIGHTFIELD_FIRST_SAMPLES_H
 #define INTEGRAL_LIGHTFIELD_FIRST_SAMPLES_H
 
+#include "integral/lightfield/four_floats.h"
 #include "integral/optics/camera.h"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -52,6 +54,9 @@ public:
     /// of the surface that it shows: mm from the sheet away from the viewer, or infinite.
     void set(int x, int y, const ComparedColour& colour, LensIndex lens, double depth);
 
+    /// Sets the colour of a pixel that has been set anew, clamped as before.
+    void recolour(int x, int y, const ComparedColour& colour);
+
     /// The depth that was set; NaN for an empty pixel.
     double depth(int x, int y) const;
 
@@ -77,6 +82,12 @@ public:
     /// not behind the expected lens. Infinite if all neighbours are missing; -1 for an empty pixel.
     double contrast(int x, int y) const;
 
+    /// Calls visit(axis, difference) for each axis along which neither neighbour of a pixel is
+    /// missing. `axis`: 0 across the frame, 1 down the frame, 2 to the next lenses in a row.
+    /// Further rows of lenses are left out: neighbours are at most one row of pixels away.
+    /// `difference`: the mean colour of both neighbours, less the pixel's own.
+    template <class Visit> void for_each_second_difference(int x, int y, Visit visit) const;
+
     /// The lens of a pixel, if all eight pixels around it are behind the same one, and its indices
     /// fit in 16 bits.
     std::optional<LensIndex> lens_around(int x, int y) const;
@@ -99,6 +110,13 @@ private:
     struct Step {
         int i[2], j, x, y; // i[0]: from an even row of lenses; i[1]: from an odd one
     };
+    static FourIntegers integers_from(const StoredColour& colour)
+    {
+        typedef std::uint16_t FourUnsignedShorts __attribute__((vector_size(8)));
+        FourUnsignedShorts narrow;
+        std::memcpy(&narrow, colour.data(), sizeof narrow);
+        return __builtin_convertvector(narrow, FourIntegers);
+    }
     static bool empty(const Entry& entry)
     {
         std::uint32_t bits;
@@ -120,6 +138,13 @@ private:
         return entry && entry->i == i && entry->j == j ? entry : nullptr;
     }
 
+    /// The entry of the pixel that is a step away from `own`, at (x, y), if it is behind that lens.
+    const Entry* at_step(const Entry& own, int x, int y, const Step& step) const
+    {
+        return at(x + step.x, y + step.y, std::uint16_t(own.i + step.i[own.j & 1]),
+                  std::uint16_t(own.j + step.j));
+    }
+
     /// Calls visit(a, b) for each axis, with the two neighbours of `own`; null for a missing one.
     template <class Visit> void for_each_axis(const Entry& own, int x, int y, Visit visit) const;
 
@@ -136,13 +161,28 @@ void FirstSamples::for_each_axis(const Entry& own, int x, int y, Visit visit) co
     const auto beside = [&](int dx, int dy) { return at(x + dx, y + dy, own.i, own.j); };
     visit(beside(-1, 0), beside(1, 0));
     visit(beside(0, -1), beside(0, 1));
-    for (const auto& axis : axes_) {
-        const auto next = [&](const Step& step) {
-            return at(x + step.x, y + step.y, std::uint16_t(own.i + step.i[own.j & 1]),
-                      std::uint16_t(own.j + step.j));
-        };
-        visit(next(axis[1]), next(axis[0]));
-    }
+    for (const auto& axis : axes_)
+        visit(at_step(own, x, y, axis[1]), at_step(own, x, y, axis[0]));
+}
+
+template <class Visit>
+void FirstSamples::for_each_second_difference(int x, int y, Visit visit) const
+{
+    const Entry* own = at(x, y);
+    if (!own)
+        return;
+    const FourIntegers twice = 2 * integers_from(own->colour);
+    const auto compare = [&](int axis, const Entry* a, const Entry* b) {
+        if (!a || !b)
+            return;
+        const FourIntegers sum = integers_from(a->colour) + integers_from(b->colour);
+        visit(axis, float(0.5 / colour_levels) * __builtin_convertvector(sum - twice, FourFloats));
+    };
+    const auto beside = [&](int dx, int dy) { return at(x + dx, y + dy, own->i, own->j); };
+    compare(0, beside(-1, 0), beside(1, 0));
+    compare(1, beside(0, -1), beside(0, 1));
+    if (std::abs(axes_[0][0].y) <= 1)
+        compare(2, at_step(*own, x, y, axes_[0][1]), at_step(*own, x, y, axes_[0][0]));
 }
 
 template <class Visit> void FirstSamples::for_each_neighbour(int x, int y, Visit visit) const

@@ -42,6 +42,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/linear_colour.h \
   integral/lightfield/names.cpp \
   integral/lightfield/names.h \
+  integral/lightfield/noise_filter.cpp \
+  integral/lightfield/noise_filter.h \
   integral/lightfield/pass_schedule.cpp \
   integral/lightfield/pass_schedule.h \
   integral/lightfield/pixel_sampler.cpp \

@@ -2,6 +2,7 @@
 #include "integral/lightfield/reconstruction.h"
 
 #include "integral/lightfield/cut_pixel.h"
+#include "integral/lightfield/noise_filter.h"
 #include "integral/lightfield/sample_layers.h"
 
 #include <algorithm>
@@ -209,7 +210,8 @@ int rows_reconstructed_from(const LensSheet& sheet, const Film& film)
 
 int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side)
 {
-    const int blocks = (rows_reconstructed_from(sheet, film) + block_side - 1) / block_side;
+    const int rows = rows_filtered_from() + rows_reconstructed_from(sheet, film),
+              blocks = (rows + block_side - 1) / block_side;
     return blocks * block_side + rows_looked_at(sheet, film);
 }
 
@@ -468,15 +470,16 @@ float Reconstruction::find_surroundings(const PictureBlock& block, Scratch& scra
 
 void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve& encode,
                                  Scratch& scratch, std::vector<Result>& pixels,
-                                 const Further* further) const
+                                 const Further* further)
 {
     find_differences(block, encode, scratch);
     const float of_many = find_surroundings(block, scratch);
     pixels.clear();
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x) {
-            const Pixel& pixel = pixels_[index(x, y)];
-            pixels.push_back({{}, std::max<float>(0, pixel.variance)});
+            Pixel& pixel = pixels_[index(x, y)];
+            pixel.error = std::max<float>(0, pixel.variance);
+            pixels.emplace_back();
             const Difference& difference = scratch.differences.at(x, y);
             if (!difference.any)
                 continue;
@@ -489,9 +492,9 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
             if (further)
                 take_further(x, y, *further, own);
             const float part = own.part();
-            pixels.back() = {together(pixel.layers.light(), own.light, part,
-                                      (around.smooth_part - part) * difference.smooth),
-                             part * part * own.noise + left_by_others * around.noise};
+            pixels.back() = together(pixel.layers.light(), own.light, part,
+                                     (around.smooth_part - part) * difference.smooth);
+            pixel.error = part * part * own.noise + left_by_others * around.noise;
         }
 }
 

@@ -51,7 +51,7 @@ class Reconstruction {
 public:
     /// Refers to `camera`, to `first` and to `samples`, which must outlive it. `least_error`: the
     /// standard error of a colour's component from which on a pixel is worked on. `memory`:
-    /// bytes_a_pixel for each of the film's pixels, all 0, aligned to 4; null: the object allocates
+    /// bytes_a_pixel for each of the film's pixels, all 0, aligned to 2; null: the object allocates
     /// its own.
     Reconstruction(const IntegralCamera& camera, const FirstSamples& first,
                    const BeamSamples& samples, double least_error,
@@ -65,7 +65,7 @@ public:
     /// other beams than a lens's cell and a pixel's area.
     static bool possible(const IntegralCamera& camera);
 
-    static constexpr std::size_t bytes_a_pixel = 28;
+    static constexpr std::size_t bytes_a_pixel = 30;
 
     /// The mean light of the pixel's samples, and the squared error expected of it in the encoding
     /// of comparison, summed over the colour's components: by the samples' variance
@@ -94,18 +94,28 @@ public:
         std::function<int(int x, int y, int begin, int number, LinearColour& sum)> take;
     };
 
-    struct Result {
-        /// Nothing for pixels that are to be left alone: empty ones, and those whose error is less
-        /// than least_error.
-        std::optional<LinearColour> light;
-        /// About the squared error that is left, up to a factor: it tells where to look for errors.
-        float error = 0;
-    };
+    /// The light of a reconstructed pixel. Nothing for pixels that are to be left alone: empty
+    /// ones, and those whose error is less than least_error.
+    using Result = std::optional<LinearColour>;
+
     /// The reconstructed light of a block's pixels, row by row. Those around have been estimated.
     /// `encode`: linear light to the encoding of comparison. `further`: null if no further samples
     /// can be taken. They count for their own pixel only.
     void reconstruct(const PictureBlock& block, const TabulatedCurve& encode, Scratch& scratch,
-                     std::vector<Result>& pixels, const Further* further = nullptr) const;
+                     std::vector<Result>& pixels, const Further* further = nullptr);
+
+    /// About the squared error that is left in a reconstructed pixel, up to a factor: it tells
+    /// where to look for errors.
+    float error_left(int x, int y) const { return pixels_[index(x, y)].error; }
+
+    /// The variance that samples' noise leaves in the light of a reconstructed pixel, in the
+    /// encoding of comparison, summed over the colour's components. 0: the pixel is to be left
+    /// alone.
+    float noise_left(int x, int y) const
+    {
+        const Pixel& pixel = pixels_[index(x, y)];
+        return pixel.others > 0 ? (1 - pixel.others) * pixel.noise : 0;
+    }
 
 private:
     /// A float in 2 bytes: its upper half, with an error of less than 1 in 128. 0 in zeroed memory.
@@ -138,6 +148,7 @@ private:
         ShortFloat noise;  ///< the variance that is expected of the mean, by the pixels around;
                            ///< if it is of one sample, by all samples in the beam, too
         std::uint16_t tried, taken; ///< SamplesTaken
+        ShortFloat error;           ///< error_left, once the pixel is reconstructed
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
     struct Noise;

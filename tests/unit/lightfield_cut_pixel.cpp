@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(pixels_at_borders_are_as_clear_as_others)
         const auto pixels = frame.pixels();
         for (int y = 14; y < height - 14; ++y)
             for (int x = 14; x < width - 14; ++x) {
-                const auto& light = pixels[Sampled::at(x, y)].light;
+                const auto& light = pixels[Sampled::at(x, y)];
                 if (!light)
                     continue;
                 double truth = 0;

@@ -198,7 +198,7 @@ struct Sampled {
                 if (std::isnan(mean[at(x, y)]))
                     continue;
                 const double right = truth(scene, x, y);
-                const auto& light = reconstructed[at(x, y)].light;
+                const auto& light = reconstructed[at(x, y)];
                 const auto square = [&](double grey) {
                     return std::pow(encode(float(grey)) - encode(float(right)), 2);
                 };

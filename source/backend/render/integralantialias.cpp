@@ -12,6 +12,7 @@
 #include "backend/scene/view.h"
 #include "integral/lightfield/sample_halves.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -221,7 +222,7 @@ public:
     {
         further.rule = options.rule;
         further.take = [&](int x, int y, int begin, int number, integral::LinearColour& sum)
-        { return Rows().Have(y) ? refinement.Take_Further(x, y, begin, number, sum) : 0; };
+        { return refinement.Take_Further(x, y, begin, number, sum); };
     }
 
     void Run()
@@ -252,6 +253,8 @@ private:
         radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left : 0);
         if (is_last)
             Finish(block);
+        else if (pass == IntegralSampling::reconstruction)
+            Reconstruct(block);
         else
             Trace_Pass(pass, block);
         radiosity.AfterTile();
@@ -295,15 +298,15 @@ private:
         trace.Integral().Take_Camera_Rays();
     }
 
-    /// Hands over a block as it is now, reconstructed if that is wanted.
+    /// Hands over a block as it is now, filtered if it has been reconstructed.
     void Finish(const integral::PictureBlock& block)
     {
         unsigned int serial;
         if (!sampling.Is_Wanted(block, serial))
             return;
         Take(block);
-        if (sampling.Reconstruction())
-            Reconstruct(block);
+        if (sampling.Filter())
+            Filter(block);
         if (IntegralAudit *const audit = view.GetCamera().Integral_View->audit.get())
             audit->Note(To_Rect(block), pixels, Squared_Errors(block));
         // A block without rows that count is never marked final, so that +C may be used with other
@@ -313,7 +316,7 @@ private:
                                 1 - sampling.Progress(block));
     }
 
-    /// Sets `pixels` to the reconstructed light of a block.
+    /// Reconstructs the light of a block.
     void Reconstruct(const integral::PictureBlock& block)
     {
         sampling.Reconstruction()->reconstruct(block, compared.Curve(), *scratch, reconstructed,
@@ -321,11 +324,35 @@ private:
         std::size_t k = 0;
         for (int y = block.top; y <= block.bottom; y++)
             for (int x = block.left; x <= block.right; x++, k++)
-                if (const auto& light = reconstructed[k].light; light && Rows().Have(y))
+            {
+                Colour& colour = sampling.At(x, y);
+                if (const auto& light = reconstructed[k])
                 {
                     for (int channel = 0; channel < 3; channel++)
-                        pixels[k][channel] = (*light)[channel];
-                    pixels[k].transm() = (*light)[3];
+                        colour[channel] = (*light)[channel];
+                    colour.transm() = (*light)[3];
+                }
+                sampling.First().recolour(x, y, compared(colour));
+            }
+    }
+
+    /// Lowers the noise in `pixels`, the reconstructed light of a block.
+    void Filter(const integral::PictureBlock& block)
+    {
+        const auto noise = [&](int x, int y)
+        { return sampling.Reconstruction()->noise_left(x, y); };
+        sampling.Filter()->filter(block, noise, *filter_scratch, changes);
+        std::size_t k = 0;
+        for (int y = block.top; y <= block.bottom; y++)
+            for (int x = block.left; x <= block.right; x++, k++)
+                if (Rows().Have(y))
+                {
+                    for (int channel = 0; channel < 3; channel++)
+                        pixels[k][channel] = compared.Changed(pixels[k][channel],
+                                                              changes[k][channel]);
+                    if (changes[k][3] != 0)
+                        pixels[k].transm() = std::clamp(pixels[k].transm() + changes[k][3], 0.0f,
+                                                        1.0f);
                 }
     }
 
@@ -338,8 +365,9 @@ private:
             {
                 float expected = IntegralAudit::unlit;
                 if (sampling.First().lens(x, y))
-                    expected = sampling.Reconstruction() ? reconstructed[squared_errors.size()].error
-                                                         : IntegralAudit::unknown;
+                    expected = sampling.Reconstruction()
+                                   ? sampling.Reconstruction()->error_left(x, y)
+                                   : IntegralAudit::unknown;
                 squared_errors.push_back(expected);
             }
         return squared_errors;
@@ -376,6 +404,8 @@ private:
     integral::Reconstruction::Further further;
     integral::Reconstruction::ScratchPointer scratch = integral::Reconstruction::make_scratch();
     std::vector<integral::Reconstruction::Result> reconstructed;
+    integral::NoiseFilter::ScratchPointer filter_scratch = integral::NoiseFilter::make_scratch();
+    std::vector<integral::FourFloats> changes;
 };
 
 }

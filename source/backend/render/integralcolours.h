@@ -16,7 +16,8 @@ class ComparedEncoding
 {
 public:
     explicit ComparedEncoding(const GammaCurvePtr& gamma)
-        : curve([&](float value) { return GammaCurve::Encode(gamma, value); })
+        : curve([&](float value) { return GammaCurve::Encode(gamma, value); }),
+          inverse([&](float value) { return GammaCurve::Decode(gamma, value); })
     {
     }
     integral::ComparedColour operator()(const Colour& colour) const
@@ -24,9 +25,16 @@ public:
         return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
     }
     const integral::TabulatedCurve& Curve() const { return curve; }
+    /// The value whose encoding differs by `change` from that of a value. Exactly the same if it
+    /// does not differ.
+    float Changed(float value, float change) const
+    {
+        const float encoded = curve(value);
+        return value + (inverse(encoded + change) - inverse(encoded));
+    }
 
 private:
-    integral::TabulatedCurve curve;
+    integral::TabulatedCurve curve, inverse;
 };
 
 inline integral::LinearColour Linear(const Colour& colour)

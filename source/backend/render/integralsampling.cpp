@@ -53,7 +53,8 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       reconstructs(reconstructs && integral::Reconstruction::possible(camera)),
       reach(integral::rows_looked_at(camera.optics.sheet(), camera.film)),
       halo(this->reconstructs
-               ? integral::rows_reconstructed_from(camera.optics.sheet(), camera.film)
+               ? integral::rows_filtered_from() +
+                     integral::rows_reconstructed_from(camera.optics.sheet(), camera.film)
                : 0),
       parts(Parts(this->reconstructs)),
       memory(Memory(camera.film, most_memory)),
@@ -65,6 +66,7 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
     lent.reset(new integral::BeamSamples(camera, Part(lent_part)));
     reconstructor.reset(
         new integral::Reconstruction(camera, first, *lent, least_error, Part(reconstruction_part)));
+    filter.reset(new integral::NoiseFilter(camera, first));
 }
 
 std::size_t IntegralSampling::Bytes_A_Pixel() const
@@ -169,10 +171,15 @@ void IntegralSampling::Make_Schedule()
     // A block is refined as a whole, because a pixel can cause its neighbours to be refined.
     const std::vector<bool> refined = Rows_Of_Blocks(Around(counting, halo));
     scheduled = {{Around(refined, reach), 0}, {refined, reach}};
+    const int filtered_from = integral::rows_filtered_from();
     if (reconstructs)
-        scheduled.push_back({Around(counting, integral::rows_finished_from()),
-                             halo - integral::rows_finished_from()});
-    scheduled.push_back({wanted, reconstructs ? integral::rows_finished_from() : 0});
+    {
+        const int finished_from = integral::rows_finished_from(),
+                  last = filtered_from + finished_from;
+        scheduled.push_back({Around(counting, last), halo - last});
+        scheduled.push_back({Around(counting, filtered_from), finished_from});
+    }
+    scheduled.push_back({wanted, reconstructs ? filtered_from : 0});
     schedule.reset(new integral::PassSchedule(
         {int(area.left), int(area.top), int(area.right), int(area.bottom)}, side, scheduled));
     for (const auto& block : serials)

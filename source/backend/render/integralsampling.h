@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Anti-aliases (+A) the frame of an integral camera in passes over its blocks: the first takes one
 // sample of every pixel; the second takes more samples of pixels that differ from their neighbours
-// in the light field; the third and the last reconstruct the frame from the samples of all pixels.
+// in the light field; two more reconstruct the frame from the samples of all pixels, and the last
+// lowers the noise that this leaves.
 #ifndef POVRAY_BACKEND_INTEGRALSAMPLING_H
 #define POVRAY_BACKEND_INTEGRALSAMPLING_H
 
@@ -16,6 +17,7 @@
 #include "base/image/colourspace.h"
 #include "base/integralmemory.h"
 #include "base/integraloptions.h"
+#include "integral/lightfield/noise_filter.h"
 #include "integral/lightfield/pass_schedule.h"
 #include "integral/lightfield/reconstruction.h"
 #include "integral/lightfield/refinement.h"
@@ -35,7 +37,7 @@ struct IntegralRefinementOptions
     bool jitter, reproducible, final;
 };
 
-/// The results of the passes: 36 bytes per pixel of the rows that need samples, and 96 more with
+/// The results of the passes: 36 bytes per pixel of the rows that need samples, and 98 more with
 /// reconstruction. They are kept in a file if they exceed POV-Ray's limit for images in main
 /// memory. Further samples (32 bytes each, at most 15 a pixel) are kept in main memory, for the
 /// rows between the second pass and the last.
@@ -47,9 +49,11 @@ public:
         sampling,
         refinement,
         estimation,
-        reconstruction
+        reconstruction,
+        filtering
     };
-    /// The shares of the passes in the displayed progress; the rest is the reconstruction's.
+    /// The shares of the passes in the displayed progress; the rest is the reconstruction's and the
+    /// filter's.
     static constexpr float sampling_share = 0.4f, refinement_share = 0.5f;
 
     /// `rows`: the rows that count. `side`: width and height of the view's blocks, pixels.
@@ -86,6 +90,8 @@ public:
     integral::FirstSamples& First() { return first; }
     /// Null: the frame is not reconstructed.
     integral::Reconstruction *Reconstruction() const { return reconstructor.get(); }
+    /// Null: the frame is not reconstructed.
+    const integral::NoiseFilter *Filter() const { return filter.get(); }
     /// The samples that pixels lend each other; null if the frame is not reconstructed.
     integral::BeamSamples *Lent() const { return lent.get(); }
     Colour& At(int x, int y) { return colours[std::size_t(y) * width + x]; }
@@ -101,6 +107,7 @@ private:
     integral::FirstSamples first;
     std::unique_ptr<integral::BeamSamples> lent;
     std::unique_ptr<integral::Reconstruction> reconstructor;
+    std::unique_ptr<integral::NoiseFilter> filter;
     Colour *colours;
     std::mutex mutex;             ///< of Begin and of rows_left
     std::map<int, int> rows_left; ///< unfinished blocks to be rendered, by their first row
