@@ -439,6 +439,34 @@ BOOST_AUTO_TEST_CASE(no_pixel_depends_on_further_rows)
     }
 }
 
+// What noise_left tells of a frame is about what frames of other samples differ by. It is more,
+// since samples are spread more evenly than chance would do it.
+BOOST_AUTO_TEST_CASE(noise_left_is_about_what_other_samples_change)
+{
+    for (const Arrangement arrangement : {Arrangement::square, Arrangement::lenticular}) {
+        constexpr int seeds = 12;
+        std::vector<double> sums(width * height), squares(sums);
+        double told = 0, seen = 0;
+        for (int seed = 1; seed <= seeds; ++seed) {
+            Sampled frame(sheet(arrangement), chequers(8, 3), 4, 0.0005, std::uint64_t(seed));
+            const auto pixels = frame.pixels();
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    if (const auto& light = pixels[Sampled::at(x, y)]) {
+                        const double value = encode((*light)[0]);
+                        sums[Sampled::at(x, y)] += value;
+                        squares[Sampled::at(x, y)] += value * value;
+                        told += frame.reconstruction.noise_left(x, y) / seeds;
+                    } else
+                        BOOST_TEST_REQUIRE(frame.reconstruction.noise_left(x, y) == 0);
+        }
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            seen += 3 * (squares[k] - sums[k] * sums[k] / seeds) / (seeds - 1);
+        BOOST_TEST(seen > 0.1 * told, int(arrangement) << ": " << seen << " of " << told);
+        BOOST_TEST(seen < told, int(arrangement) << ": " << seen << " of " << told);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(other_cameras_are_left_out)
 {
     const auto possible = [](auto change) {
