@@ -2,7 +2,8 @@
 // Stores one sample per pixel, from which anti-aliasing finds the pixels that differ from their
 // neighbours in the light field. There are two kinds of neighbours, for the two domains of an
 // integral image: the next pixels behind the same lens, and the pixels of the same direction behind
-// the next lenses.
+// the next lenses. Once a pixel is finished, its colour here can be replaced by the finished one,
+// which NoiseFilter compares in the same way.
 #ifndef INTEGRAL_LIGHTFIELD_FIRST_SAMPLES_H
 #define INTEGRAL_LIGHTFIELD_FIRST_SAMPLES_H
 

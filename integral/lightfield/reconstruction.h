@@ -108,9 +108,9 @@ public:
     /// where to look for errors.
     float error_left(int x, int y) const { return pixels_[index(x, y)].error; }
 
-    /// The variance that samples' noise leaves in the light of a reconstructed pixel, in the
-    /// encoding of comparison, summed over the colour's components. 0: the pixel is to be left
-    /// alone.
+    /// The variance that independent samples would leave in the light of a reconstructed pixel, in
+    /// the encoding of comparison, summed over the colour's components. 0: the pixel is to be left
+    /// alone. As samples are spread evenly, it is some three times as much as there is.
     float noise_left(int x, int y) const
     {
         const Pixel& pixel = pixels_[index(x, y)];
