@@ -2,7 +2,7 @@
 // Lowers the noise that a reconstructed frame has left, by mixing pixels with their neighbours in
 // the light field (FirstSamples): the next pixels behind the same lens, and the pixels of the same
 // direction behind the next lenses in a row. (Those behind the rows above and below would lower the
-// error by 0.7% more, and double the rows that a strip of a frame has to render beside its own.)
+// error by 0.7% more, and cost a strip of a frame more rows beside its own.)
 //
 // The mean of a pixel's two neighbours along an axis is another estimate of the pixel's light.
 // Their difference has two causes: the pixel's noise, whose square is expected, and the error of

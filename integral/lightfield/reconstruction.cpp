@@ -210,9 +210,9 @@ int rows_reconstructed_from(const LensSheet& sheet, const Film& film)
 
 int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side)
 {
-    const int rows = rows_filtered_from() + rows_reconstructed_from(sheet, film),
-              blocks = (rows + block_side - 1) / block_side;
-    return blocks * block_side + rows_looked_at(sheet, film);
+    const auto blocks = [&](int rows) { return (rows + block_side - 1) / block_side; };
+    return (blocks(rows_filtered_from()) + blocks(rows_reconstructed_from(sheet, film))) *
+               block_side + rows_looked_at(sheet, film);
 }
 
 bool Reconstruction::possible(const IntegralCamera& camera)

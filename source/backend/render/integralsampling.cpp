@@ -52,8 +52,9 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       side(side),
       reconstructs(reconstructs && integral::Reconstruction::possible(camera)),
       reach(integral::rows_looked_at(camera.optics.sheet(), camera.film)),
+      estimated_from(integral::rows_estimated_from(camera.optics.sheet(), camera.film)),
       halo(this->reconstructs
-               ? integral::rows_filtered_from() +
+               ? integral::rows_filtered_from() + side +
                      integral::rows_reconstructed_from(camera.optics.sheet(), camera.film)
                : 0),
       parts(Parts(this->reconstructs)),
@@ -168,16 +169,19 @@ void IntegralSampling::Make_Schedule()
             wanted[y - area.top] = true;
             counting[y - area.top] = rows.Have(y);
         }
-    // A block is refined as a whole, because a pixel can cause its neighbours to be refined.
-    const std::vector<bool> refined = Rows_Of_Blocks(Around(counting, halo));
+    const int filtered_from = integral::rows_filtered_from(),
+              finished_from = integral::rows_finished_from();
+    // A block is reconstructed as a whole, because its pixels tell how many show a signal of their
+    // own, and refined as a whole, because a pixel can cause its neighbours to be refined.
+    const std::vector<bool> reconstructed = Rows_Of_Blocks(Around(counting, filtered_from)),
+                            estimated = Around(reconstructed, finished_from),
+                            refined = Rows_Of_Blocks(
+                                reconstructs ? Around(estimated, estimated_from) : counting);
     scheduled = {{Around(refined, reach), 0}, {refined, reach}};
-    const int filtered_from = integral::rows_filtered_from();
     if (reconstructs)
     {
-        const int finished_from = integral::rows_finished_from(),
-                  last = filtered_from + finished_from;
-        scheduled.push_back({Around(counting, last), halo - last});
-        scheduled.push_back({Around(counting, filtered_from), finished_from});
+        scheduled.push_back({estimated, estimated_from});
+        scheduled.push_back({reconstructed, finished_from});
     }
     scheduled.push_back({wanted, reconstructs ? filtered_from : 0});
     schedule.reset(new integral::PassSchedule(

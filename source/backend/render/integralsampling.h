@@ -100,8 +100,9 @@ private:
     pov_base::IntegralRows rows;
     int width, height, side;
     bool reconstructs;
-    /// Rows to a pixel's neighbours, and to all that its reconstruction needs.
-    int reach, halo;
+    /// Rows to a pixel's neighbours, to refined pixels on which its layers depend, and to all that
+    /// its finished light needs.
+    int reach, estimated_from, halo;
     std::vector<std::size_t> parts; ///< bytes a pixel of each part of the memory
     std::shared_ptr<pov_base::IntegralMemory> memory;
     integral::FirstSamples first;
