@@ -211,8 +211,9 @@ int rows_reconstructed_from(const LensSheet& sheet, const Film& film)
 int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side)
 {
     const auto blocks = [&](int rows) { return (rows + block_side - 1) / block_side; };
-    return (blocks(rows_filtered_from()) + blocks(rows_reconstructed_from(sheet, film))) *
-               block_side + rows_looked_at(sheet, film);
+    const int refined = blocks(rows_filtered_from()) +
+                        blocks(rows_reconstructed_from(sheet, film));
+    return refined * block_side + rows_looked_at(sheet, film);
 }
 
 bool Reconstruction::possible(const IntegralCamera& camera)
