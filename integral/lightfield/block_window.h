@@ -4,6 +4,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_BLOCK_WINDOW_H
 #define INTEGRAL_LIGHTFIELD_BLOCK_WINDOW_H
 
+#include "integral/lightfield/first_samples.h"
 #include "integral/lightfield/pass_schedule.h"
 
 #include <cstddef>
@@ -48,6 +49,23 @@ private:
     int width_ = 0;
     std::vector<Value> values_;
 };
+
+/// Fills a window with what set(x, y, value) tells of the block's pixels and of those at most
+/// `margin` away, as far as they are behind a lens, and with the number of this lens.
+template <class Value, class Set>
+void fill_behind_lenses(BlockWindow<Value>& window, const PictureBlock& block, int margin,
+                        const FirstSamples& first, Set set)
+{
+    window.begin(block, margin);
+    const PictureBlock& all = window.pixels();
+    for (int y = all.top; y <= all.bottom; ++y)
+        for (int x = all.left; x <= all.right; ++x)
+            if (const auto lens = first.lens(x, y)) {
+                Value& value = window.at(x, y);
+                value.lens = FirstSamples::number_of(*lens);
+                set(x, y, value);
+            }
+}
 
 } // namespace integral
 

@@ -36,7 +36,7 @@ NoiseFilter::ScratchPointer NoiseFilter::make_scratch() { return ScratchPointer(
 int rows_filtered_from() { return NoiseFilter::reach_around + 1; }
 
 NoiseFilter::NoiseFilter(const IntegralCamera& camera, const FirstSamples& finished)
-    : finished_(finished), width_(camera.film.width), height_(camera.film.height)
+    : finished_(finished)
 {
     const Lattice& lattice = camera.optics.lattice();
     const bool lenticular = lattice.arrangement() == Arrangement::lenticular;
@@ -48,21 +48,15 @@ NoiseFilter::NoiseFilter(const IntegralCamera& camera, const FirstSamples& finis
     }
 }
 
-/// `noise`: that of the pixel.
-NoiseFilter::Squares NoiseFilter::squares(int x, int y, float noise) const
+/// `noise`: that of the pixel. Leaves the lens as it is.
+void NoiseFilter::set_squares(int x, int y, float noise, Squares& squares) const
 {
-    Squares result;
-    const auto lens = finished_.lens(x, y);
-    if (!lens)
-        return result;
-    result.any = true;
-    result.lens = FirstSamples::number_of(*lens);
-    result.is_noisy = noise > 0;
+    squares.any = true;
+    squares.is_noisy = noise > 0;
     finished_.for_each_second_difference(x, y, [&](int axis, FourFloats difference) {
-        result.seen[axis] = sum_of(difference * difference);
-        result.noise[axis] = noise * apart_[axis];
+        squares.seen[axis] = sum_of(difference * difference);
+        squares.noise[axis] = noise * apart_[axis];
     });
-    return result;
 }
 
 /// `around`: of this pixel and those around.
@@ -93,11 +87,9 @@ void NoiseFilter::filter(const PictureBlock& block, const Noise& noise, Scratch&
                          std::vector<FourFloats>& changes) const
 {
     BlockWindow<Squares>& window = scratch.squares;
-    window.begin(block, reach_around);
-    const PictureBlock& all = window.pixels();
-    for (int y = std::max(0, all.top); y <= std::min(height_ - 1, all.bottom); ++y)
-        for (int x = std::max(0, all.left); x <= std::min(width_ - 1, all.right); ++x)
-            window.at(x, y) = squares(x, y, noise(x, y));
+    fill_behind_lenses(window, block, reach_around, finished_, [&](int x, int y, Squares& squares) {
+        set_squares(x, y, noise(x, y), squares);
+    });
     changes.clear();
     for (int y = block.top; y <= block.bottom; ++y)
         for (int x = block.left; x <= block.right; ++x)

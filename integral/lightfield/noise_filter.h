@@ -13,7 +13,6 @@
 #define INTEGRAL_LIGHTFIELD_NOISE_FILTER_H
 
 #include "integral/lightfield/block_window.h"
-#include "integral/lightfield/first_samples.h"
 #include "integral/lightfield/four_floats.h"
 
 #include <functional>
@@ -55,11 +54,10 @@ public:
 private:
     struct Squares;
 
-    Squares squares(int x, int y, float noise) const;
+    void set_squares(int x, int y, float noise, Squares& squares) const;
     FourFloats change(int x, int y, const BlockWindow<Squares>& around) const;
 
     const FirstSamples& finished_;
-    int width_, height_;
     FourFloats apart_; ///< along each axis, the part of a pixel's noise that its neighbours do not
                        ///< share
 };

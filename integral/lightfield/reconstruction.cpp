@@ -250,23 +250,6 @@ void Reconstruction::set(int x, int y, const LinearColour& mean, double variance
     pixel.taken = std::uint16_t(std::min(samples.taken, SamplesTaken::most));
 }
 
-/// Fills a window with what set(x, y, value) tells of the block's pixels and of those around,
-/// as far as they are behind a lens.
-template <class Value, class Set>
-void Reconstruction::fill(BlockWindow<Value>& window, const PictureBlock& block, int margin,
-                          Set set) const
-{
-    window.begin(block, margin);
-    const PictureBlock& all = window.pixels();
-    for (int y = std::max(0, all.top); y <= std::min(height_ - 1, all.bottom); ++y)
-        for (int x = std::max(0, all.left); x <= std::min(width_ - 1, all.right); ++x)
-            if (const auto lens = first_.lens(x, y)) {
-                Value& value = window.at(x, y);
-                value.lens = FirstSamples::number_of(*lens);
-                set(x, y, value);
-            }
-}
-
 /// The ratio of squared errors that is usual in a block.
 float Reconstruction::excess_of(const PictureBlock& block) const
 {
@@ -338,13 +321,14 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
                               Scratch& scratch)
 {
     const float usual = excess_of(block);
-    fill(scratch.noise, pixels, reach_around, [&](int x, int y, Noise& noise) {
-        const Pixel& pixel = pixels_[index(x, y)];
-        noise.variance = pixel.variance;
-        noise.of_one = noise.variance * samples_.pixel(x, y).number;
-        if (noise.variance >= 0 && pixel.of_halves >= 0)
-            noise.halves = FourFloats{noise.variance, float(pixel.of_halves), 1, 0};
-    });
+    fill_behind_lenses(
+        scratch.noise, pixels, reach_around, first_, [&](int x, int y, Noise& noise) {
+            const Pixel& pixel = pixels_[index(x, y)];
+            noise.variance = pixel.variance;
+            noise.of_one = noise.variance * samples_.pixel(x, y).number;
+            if (noise.variance >= 0 && pixel.of_halves >= 0)
+                noise.halves = FourFloats{noise.variance, float(pixel.of_halves), 1, 0};
+        });
     for (int y = pixels.top; y <= pixels.bottom; ++y)
         for (int x = pixels.left; x <= pixels.right; ++x) {
             Pixel& pixel = pixels_[index(x, y)];
@@ -411,15 +395,17 @@ void Reconstruction::take_further(int x, int y, const Further& further, Own& own
 void Reconstruction::find_differences(const PictureBlock& block, const TabulatedCurve& encode,
                                       Scratch& scratch) const
 {
-    fill(scratch.beside, block, 2 * reach_around, [&](int x, int y, BesideLayers& beside) {
-        const Pixel& pixel = pixels_[index(x, y)];
-        beside.any = pixel.others > 0;
-        if (pixel.others > 0)
-            beside.light = pixel.mean.four() - pixel.layers.four();
-    });
-    fill(scratch.differences, block, reach_around, [&](int x, int y, Difference& result) {
-        result = difference(x, y, encode, scratch.beside);
-    });
+    fill_behind_lenses(scratch.beside, block, 2 * reach_around, first_,
+                       [&](int x, int y, BesideLayers& beside) {
+                           const Pixel& pixel = pixels_[index(x, y)];
+                           beside.any = pixel.others > 0;
+                           if (pixel.others > 0)
+                               beside.light = pixel.mean.four() - pixel.layers.four();
+                       });
+    fill_behind_lenses(scratch.differences, block, reach_around, first_,
+                       [&](int x, int y, Difference& result) {
+                           result = difference(x, y, encode, scratch.beside);
+                       });
 }
 
 /// What the differences around a pixel tell, if it has one itself.

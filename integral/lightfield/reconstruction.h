@@ -159,8 +159,6 @@ private:
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
     float excess_of(const PictureBlock& block) const;
-    template <class Value, class Set>
-    void fill(BlockWindow<Value>& window, const PictureBlock& block, int margin, Set set) const;
     float smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise,
                           float& most) const;
     void gather(int x, int y, Scratch& scratch) const;
