@@ -26,11 +26,19 @@ constexpr float enough_halves = 8, usual_excess = 1.5f;
 // where few of a block's pixels show a signal (the first number): where samples rarely meet
 // something bright, single pixels' noise is often more than is expected. Where many do (the second
 // number), as in a room of mirrors, what a pixel shows is more likely a signal than such noise. How
-// many do is told by the mean part of pixels' rests that counts by the first numbers: from
-// part_of_few to part_of_many of it the second ones take over. Found by trying on sample scenes of
-// POV-Ray's.
+// many do is told by the mean part of pixels' rests that counts by the first numbers, both in the
+// encoding and in linear light: from part_of_few to part_of_many of it the second ones take over.
+// Found by trying on sample scenes of POV-Ray's.
 constexpr float margin_of_rest[] = {2, 1}, noise_in_rest[] = {1.5f, 1};
 constexpr float part_of_few = 0.15f, part_of_many = 0.3f;
+
+// The variance that noise gives to differences in linear light, divided by what samples let expect
+// there: that of a pixel's rest, when it is decided whether many pixels show a signal; and that of
+// a smooth difference, behind a lenticular sheet and behind others. (A pixel behind a lenticular
+// sheet has its light from three dimensions, not four, so that samples lie more evenly.) Found by
+// trying on sample scenes of POV-Ray's.
+constexpr float linear_noise_in_rest = 0.5f, linear_noise_in_smooth_lines = 0.6f,
+                linear_noise_in_smooth = 1.7f;
 
 /// The number between two that belongs to a part from 0 to 1 of the way from the first.
 constexpr float between(const float (&numbers)[2], float part)
@@ -105,6 +113,28 @@ LinearColour together(const LinearColour& layers, const LinearColour& own, float
     return light;
 }
 
+/// What is known of a difference: its square and the variance that noise gives to it, in the
+/// encoding of comparison, and both in linear light. Samples are averaged before they are encoded.
+/// So on the dark side of an outline the means of a few samples differ much more in the encoding
+/// than the variance of encoded samples lets expect; in linear light they do not, but what is dark
+/// hardly counts there.
+enum { square, noise, linear_square, linear_noise };
+
+/// `in_encoding`, `variance`: the square and the noise there. `difference`: in linear light.
+/// `in_linear_light`: the variance there divided by that in the encoding; 0: it is not known, so
+/// that of the squares is taken.
+FourFloats squares_of(float in_encoding, FourFloats difference, float variance,
+                      float in_linear_light)
+{
+    const float linear = sum_of(difference * difference);
+    if (!(in_linear_light > 0))
+        in_linear_light = in_encoding > 0 ? linear / in_encoding : 0;
+    return FourFloats{in_encoding, variance, linear, in_linear_light * variance};
+}
+
+/// The part of a square that is not noise (Wiener's filter).
+float part_above(float noise, float square) { return square > noise ? 1 - noise / square : 0; }
+
 LinearColour colour_of(FourFloats light)
 {
     LinearColour colour;
@@ -115,10 +145,10 @@ LinearColour colour_of(FourFloats light)
 } // namespace
 
 /// By how much a pixel's own mean differs from its layers: smoothed over the pixels around, and the
-/// squares of that and of the rest in the encoding of comparison, with what noise lets expect.
+/// squares of that and of the rest, with what noise lets expect (squares_of).
 struct Reconstruction::Difference {
     FourFloats smooth{};
-    float smooth_square = 0, smooth_noise = 0, rest_square = 0, noise = 0;
+    FourFloats smooth_squares{}, rest_squares{};
     std::uint32_t lens = 0; ///< FirstSamples::number_of
     bool any = false;
 };
@@ -128,6 +158,8 @@ struct Reconstruction::Difference {
 struct Reconstruction::Noise {
     FourFloats halves{};
     float variance = -1, of_one = 0;
+    float linear_of_one = 0, known_of_one = 0; ///< in linear light, and the same in the encoding;
+                                               ///< 0: not known
     std::uint32_t lens = 0; ///< FirstSamples::number_of
 };
 
@@ -141,14 +173,19 @@ struct Reconstruction::BesideLayers {
 /// What the differences of the pixels around tell of that of a pixel.
 struct Reconstruction::Surroundings {
     float smooth_part = 0; ///< as how much the smooth difference counts (Wiener's filter)
-    float rest_square = 0; ///< the mean square of the rest, of pixels of similar noise
-    float rest_noise = 0;  ///< the mean variance that noise gives to it
-    float noise = 0;       ///< the mean variance of all rests
+    FourFloats rest_squares{}; ///< the means of those of pixels of similar noise
+    float all_noise = 0;       ///< the mean variance of all rests, in the encoding
 
-    /// The square that the rest has without noise. `of_many`: see Own.
-    float signal(float of_many) const
+    /// The square that the rest has without noise, if so many times the noise is set against it:
+    /// in the encoding, and in linear light.
+    float signal(float margin) const
     {
-        return std::max(0.0f, rest_square - between(margin_of_rest, of_many) * rest_noise);
+        return std::max(0.0f, rest_squares[square] - margin * rest_squares[noise]);
+    }
+    float linear_signal(float margin) const
+    {
+        return std::max(0.0f, rest_squares[linear_square] -
+                                  margin * linear_noise_in_rest * rest_squares[linear_noise]);
     }
 };
 
@@ -233,6 +270,9 @@ Reconstruction::Reconstruction(const IntegralCamera& camera, const FirstSamples&
       width_(camera.film.width),
       height_(camera.film.height),
       least_variance_(float(3 * least_error * least_error)),
+      linear_noise_in_smooth_(camera.optics.lattice().arrangement() == Arrangement::lenticular
+                                  ? linear_noise_in_smooth_lines
+                                  : linear_noise_in_smooth),
       memory_(memory ? std::move(memory)
                      : zeroed_memory(bytes_a_pixel * camera.film.width * camera.film.height)),
       pixels_(static_cast<Pixel*>(memory_.get()))
@@ -240,12 +280,13 @@ Reconstruction::Reconstruction(const IntegralCamera& camera, const FirstSamples&
 }
 
 void Reconstruction::set(int x, int y, const LinearColour& mean, double variance, double of_halves,
-                         SamplesTaken samples)
+                         SamplesTaken samples, double in_linear_light)
 {
     Pixel& pixel = pixels_[index(x, y)];
     pixel.mean = StoredLight(mean);
     pixel.variance = StoredLight::holds(mean) && variance >= 0 ? float(variance) : -1;
     pixel.of_halves = of_halves >= 0 ? float(of_halves) : -1;
+    pixel.of_samples_in_linear_light = float(in_linear_light);
     pixel.tried = std::uint16_t(std::min(samples.tried, SamplesTaken::most));
     pixel.taken = std::uint16_t(std::min(samples.taken, SamplesTaken::most));
 }
@@ -264,16 +305,19 @@ float Reconstruction::excess_of(const PictureBlock& block) const
 /// The variance of the pixel's mean, by that of the samples of the pixel and those beside it, times
 /// how much more the halves of the samples around differ than their variance lets expect. A pixel's
 /// own samples are not enough: it may have few because they happened to be alike. `usual`:
-/// excess_of() the block. `most`: is set to the greatest variance around.
+/// excess_of() the block. `most` is set to the greatest variance around, `in_linear_light` to the
+/// variance in linear light of the samples around, divided by that in the encoding; 0: not known.
 float Reconstruction::smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise,
-                                      float& most) const
+                                      float& most, float& in_linear_light) const
 {
-    float sum_of_one = 0;
+    float sum_of_one = 0, linear = 0, known = 0;
     int number = 0;
     const std::uint32_t lens = noise.at(x, y).lens;
     noise.for_each_around<1>(x, y, [&](int, int, const Noise& other) {
         if (other.lens == lens && other.variance >= 0) {
             sum_of_one += other.of_one;
+            linear += other.linear_of_one;
+            known += other.known_of_one;
             ++number;
         }
     });
@@ -285,6 +329,7 @@ float Reconstruction::smooth_variance(int x, int y, float usual, const BlockWind
         halves += other.halves;
         most = std::max(most, other.variance);
     });
+    in_linear_light = known > 0 ? linear / known : 0;
     return sum_of_one / number / samples_.pixel(x, y).number *
            Excess(halves[0], halves[1], halves[2]).ratio(usual);
 }
@@ -326,6 +371,10 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
             const Pixel& pixel = pixels_[index(x, y)];
             noise.variance = pixel.variance;
             noise.of_one = noise.variance * samples_.pixel(x, y).number;
+            if (noise.variance >= 0 && pixel.of_samples_in_linear_light > 0) {
+                noise.known_of_one = noise.of_one;
+                noise.linear_of_one = noise.of_one * pixel.of_samples_in_linear_light;
+            }
             if (noise.variance >= 0 && pixel.of_halves >= 0)
                 noise.halves = FourFloats{noise.variance, float(pixel.of_halves), 1, 0};
         });
@@ -335,8 +384,10 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
             pixel.others = 0;
             if (scratch.noise.at(x, y).variance < 0)
                 continue;
-            float around = 0;
-            const float variance = smooth_variance(x, y, usual, scratch.noise, around);
+            float around = 0, in_linear_light = 0;
+            const float variance = smooth_variance(x, y, usual, scratch.noise, around,
+                                                   in_linear_light);
+            pixel.in_linear_light = in_linear_light;
             // One sample tells nothing of its own error.
             const bool is_one = samples_.pixel(x, y).number == 1;
             if (std::max(variance, is_one ? around : 0) < least_variance_)
@@ -373,10 +424,11 @@ Reconstruction::Difference Reconstruction::difference(int x, int y, const Tabula
     const FourFloats layers = own.layers.four();
     const LinearColour smooth = colour_of(layers + result.smooth);
     const float all = own.others * own.noise, part = squares / (weights * weights);
-    result.smooth_square = squared_difference(encode, smooth, colour_of(layers));
-    result.smooth_noise = part * all;
-    result.noise = (1 + part - 2 * tent(0, 0) / weights) * all;
-    result.rest_square = squared_difference(encode, own.mean.light(), smooth);
+    result.smooth_squares = squares_of(squared_difference(encode, smooth, colour_of(layers)),
+                                       result.smooth, part * all, own.in_linear_light);
+    result.rest_squares = squares_of(
+        squared_difference(encode, own.mean.light(), smooth), rest.light - result.smooth,
+        (1 + part - 2 * tent(0, 0) / weights) * all, own.in_linear_light);
     return result;
 }
 
@@ -414,24 +466,24 @@ Reconstruction::Surroundings Reconstruction::surroundings(
 {
     const Difference& own = differences.at(x, y);
     Surroundings result;
-    float smooth = 0, smooth_noise = 0, weight = 0;
+    FourFloats smooth{};
+    float weight = 0;
     int number = 0;
     differences.for_each_around<reach_around>(x, y, [&](int, int, const Difference& other) {
         if (!other.any || other.lens != own.lens)
             return;
-        smooth += other.smooth_square;
-        smooth_noise += other.smooth_noise;
-        const float like = likeness(own.noise, other.noise);
-        result.rest_square += like * other.rest_square;
-        result.rest_noise += like * other.noise;
+        smooth += other.smooth_squares;
+        const float like = likeness(own.rest_squares[noise], other.rest_squares[noise]);
+        result.rest_squares += like * other.rest_squares;
         weight += like;
-        result.noise += other.noise;
+        result.all_noise += other.rest_squares[noise];
         ++number;
     });
-    result.smooth_part = smooth > smooth_noise ? 1 - smooth_noise / smooth : 0;
-    result.rest_square /= weight;
-    result.rest_noise /= weight;
-    result.noise /= number;
+    result.smooth_part = 0.5f * (part_above(smooth[noise], smooth[square]) +
+                                 part_above(linear_noise_in_smooth_ * smooth[linear_noise],
+                                            smooth[linear_square]));
+    result.rest_squares /= weight;
+    result.all_noise /= number;
     return result;
 }
 
@@ -447,7 +499,12 @@ float Reconstruction::find_surroundings(const PictureBlock& block, Scratch& scra
             if (const Difference& difference = scratch.differences.at(x, y); difference.any) {
                 Surroundings& around = scratch.surroundings.at(x, y);
                 around = surroundings(x, y, scratch.differences);
-                parts += Own{around.signal(0), difference.noise}.part();
+                // Both must say so: few samples at an outline look like a signal in the encoding.
+                const FourFloats& rest = difference.rest_squares;
+                parts += std::min(Own{around.signal(margin_of_rest[0]), rest[noise]}.part(),
+                                  Own{around.linear_signal(margin_of_rest[0]),
+                                      linear_noise_in_rest * rest[linear_noise]}
+                                      .part());
                 ++number;
             }
     return std::clamp((parts / float(std::max(1, number)) - part_of_few) /
@@ -471,8 +528,8 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
             if (!difference.any)
                 continue;
             const Surroundings& around = scratch.surroundings.at(x, y);
-            Own own{around.signal(of_many),
-                    difference.noise,
+            Own own{around.signal(between(margin_of_rest, of_many)),
+                    difference.rest_squares[noise],
                     of_many,
                     pixel.mean.light(),
                     {pixel.tried, pixel.taken}};
@@ -481,7 +538,7 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
             const float part = own.part();
             pixels.back() = together(pixel.layers.light(), own.light, part,
                                      (around.smooth_part - part) * difference.smooth);
-            pixel.error = part * part * own.noise + left_by_others * around.noise;
+            pixel.error = part * part * own.noise + left_by_others * around.all_noise;
         }
 }
 

@@ -65,14 +65,15 @@ public:
     /// other beams than a lens's cell and a pixel's area.
     static bool possible(const IntegralCamera& camera);
 
-    static constexpr std::size_t bytes_a_pixel = 30;
+    static constexpr std::size_t bytes_a_pixel = 34;
 
     /// The mean light of the pixel's samples, and the squared error expected of it in the encoding
     /// of comparison, summed over the colour's components: by the samples' variance
-    /// (Refinement::squared_error), and as the halves of the samples show it (-1: not at all). A
-    /// pixel that StoredLight does not hold is left alone.
+    /// (Refinement::squared_error), and as the halves of the samples show it (-1: not at all).
+    /// `in_linear_light`: the variance of the samples' linear light, divided by that in the
+    /// encoding; 0 if it is not known. A pixel that StoredLight does not hold is left alone.
     void set(int x, int y, const LinearColour& mean, double variance, double of_halves = -1,
-             SamplesTaken samples = {});
+             SamplesTaken samples = {}, double in_linear_light = 0);
 
     /// Working memory of one thread.
     struct Scratch;
@@ -147,6 +148,8 @@ private:
         ShortFloat others; ///< the part of other pixels' samples in the layers; 0: no layers
         ShortFloat noise;  ///< the variance that is expected of the mean, by the pixels around;
                            ///< if it is of one sample, by all samples in the beam, too
+        ShortFloat of_samples_in_linear_light; ///< set()'s in_linear_light
+        ShortFloat in_linear_light;            ///< the same of the pixels around, by their variance
         std::uint16_t tried, taken; ///< SamplesTaken
         ShortFloat error;           ///< error_left, once the pixel is reconstructed
     };
@@ -159,8 +162,8 @@ private:
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
     float excess_of(const PictureBlock& block) const;
-    float smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise,
-                          float& most) const;
+    float smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise, float& most,
+                          float& in_linear_light) const;
     void gather(int x, int y, Scratch& scratch) const;
     Difference difference(int x, int y, const TabulatedCurve& encode,
                           const BlockWindow<BesideLayers>& beside) const;
@@ -176,6 +179,7 @@ private:
     LendingPixels lending_;
     int width_, height_;
     float least_variance_;
+    float linear_noise_in_smooth_; ///< see reconstruction.cpp
     std::shared_ptr<void> memory_;
     Pixel* pixels_;
 };

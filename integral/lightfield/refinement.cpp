@@ -115,12 +115,17 @@ double Refinement::scatter() const
 
 double Refinement::contrast_shown() const { return scatter() / scatter_of_contrast; }
 
+double Refinement::squared_deviations() const
+{
+    double sum = 0;
+    for (std::size_t k = 0; k < sum_.size(); ++k)
+        sum += std::max(0.0, squares_[k] - sum_[k] * sum_[k] / taken_);
+    return sum;
+}
+
 double Refinement::squared_error() const
 {
-    double seen = 0; // the sum over samples and components of squared deviations
-    for (std::size_t k = 0; k < sum_.size(); ++k)
-        seen += std::max(0.0, squares_[k] - sum_[k] * sum_[k] / taken_);
-    const double variance = (seen + weight_of_contrast * variance_of(contrast_)) /
+    const double variance = (squared_deviations() + weight_of_contrast * variance_of(contrast_)) /
                             (taken_ - 1 + weight_of_contrast);
     return variance / std::pow(double(taken_), 2 * order - 1);
 }

@@ -70,6 +70,9 @@ public:
     /// The contrast from which such a scatter is expected.
     double contrast_shown() const;
 
+    /// The sum over the samples and the components of squared deviations from the samples' mean.
+    double squared_deviations() const;
+
     /// The expected squared error of the samples' mean, summed over the colour's components. At
     /// least 1 sample must have been added.
     double squared_error() const;

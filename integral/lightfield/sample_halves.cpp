@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/sample_halves.h"
 
+#include <algorithm>
+
 namespace integral {
 
 void SampleHalves::try_one()
@@ -16,8 +18,18 @@ void SampleHalves::add(const LinearColour& light)
 {
     try_one();
     ++taken_;
-    for (std::size_t k = 0; k < light.size(); ++k)
+    for (std::size_t k = 0; k < light.size(); ++k) {
         sum_[k] += light[k];
+        squares_[k] += light[k] * light[k];
+    }
+}
+
+double SampleHalves::squared_deviations() const
+{
+    double sum = 0;
+    for (int k = 0; taken_ > 0 && k < 3; ++k)
+        sum += std::max(0.0, double(squares_[k]) - double(sum_[k]) * sum_[k] / taken_);
+    return sum;
 }
 
 double SampleHalves::squared_error(const TabulatedCurve& encode) const

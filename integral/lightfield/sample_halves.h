@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Tells how much a pixel's mean errs by how much the halves of its samples differ.
+// Tells how much a pixel's mean errs: by how much its samples, and the halves of them, differ.
 #ifndef INTEGRAL_LIGHTFIELD_SAMPLE_HALVES_H
 #define INTEGRAL_LIGHTFIELD_SAMPLE_HALVES_H
 
@@ -26,11 +26,16 @@ public:
     /// samples.
     double squared_error(const TabulatedCurve& encode) const;
 
+    /// The sum over the samples, and over red, green and blue, of squared deviations from their
+    /// mean.
+    double squared_deviations() const;
+
 private:
     void try_one();
 
     int tried_ = 0, taken_ = 0, half_taken_ = 0;
     LinearColour sum_{}, half_{}; ///< half: before the last doubling
+    LinearColour squares_{};
 };
 
 } // namespace integral

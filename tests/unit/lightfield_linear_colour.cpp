@@ -43,6 +43,7 @@ BOOST_AUTO_TEST_CASE(halves_of_the_samples_show_their_error)
         samples_of_four.add(grey_light(grey));
     }
     BOOST_TEST(std::abs(samples_of_four.squared_error(as_it_is) - 3 * 0.1 * 0.1) < 1e-6);
+    BOOST_TEST(std::abs(samples_of_four.squared_deviations() - 3 * 0.14) < 1e-6); // from 0.3
     // Their mean's squared error, on average over random samples.
     std::mt19937 random(3);
     double sum = 0;

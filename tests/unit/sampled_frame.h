@@ -134,15 +134,16 @@ struct Sampled {
                 count(float(other.grey));
             }
         }
+        const double encoded = refinement.squared_deviations();
         put(x, y, float(sum / taken), refinement.squared_error(), halves.squared_error(encode),
-            {number, int(taken)});
+            {number, int(taken)}, encoded > 0 ? halves.squared_deviations() / encoded : 0);
     }
 
     void put(int x, int y, float grey, double variance, double halves = -1,
-             SamplesTaken samples = {})
+             SamplesTaken samples = {}, double in_linear_light = 0)
     {
         mean[at(x, y)] = grey;
-        reconstruction.set(x, y, {grey, grey, grey, 0}, variance, halves, samples);
+        reconstruction.set(x, y, {grey, grey, grey, 0}, variance, halves, samples, in_linear_light);
     }
 
     /// Further samples of a scene, which count() is told of.

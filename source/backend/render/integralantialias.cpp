@@ -175,18 +175,26 @@ private:
         {
             sampling.At(x, y) = trace.Integral().Refined();
             Keep(x, y, refinement.squared_error(), halves.squared_error(compared.Curve()),
-                 refinement.samples());
+                 refinement.samples(),
+                 In_Linear_Light(halves.squared_deviations(), refinement.squared_deviations()));
         }
         trace.Integral().Take_Camera_Rays();
         return refinement;
     }
 
     void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1,
-              integral::SamplesTaken samples = {})
+              integral::SamplesTaken samples = {}, double in_linear_light = 0)
     {
         if (integral::Reconstruction *const reconstruction = sampling.Reconstruction())
             reconstruction->set(x, y, Linear(sampling.At(x, y)), squared_error,
-                                squared_error_of_halves, samples);
+                                squared_error_of_halves, samples, in_linear_light);
+    }
+
+    /// A ratio of sums of squared deviations; 0 where samples hardly differ.
+    static double In_Linear_Light(double linear, double encoded)
+    {
+        const double little = 1e-7;
+        return encoded > little ? linear / encoded : 0;
     }
 
     ViewData& view;
