@@ -4,6 +4,7 @@
 #include "integral/lightfield/cut_pixel.h"
 #include "integral/lightfield/noise_filter.h"
 #include "integral/lightfield/sample_layers.h"
+#include "integral/lightfield/signal_and_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,49 +15,9 @@ namespace integral {
 
 namespace {
 
-// The squared error that the halves of a pixel's samples show, divided by the one that the variance
-// of the samples lets expect, is averaged over the pixels around, where the ratio of the whole
-// block counts as this many pixels; and that over the block, where the usual one counts as as many.
-// Found by trying on sample scenes of POV-Ray's.
-constexpr float enough_halves = 8, usual_excess = 1.5f;
-
-// What is left of a pixel's difference beside the mean of those around is partly signal, partly
-// noise. The signal's square is taken to be what the squares around have above margin_of_rest times
-// the noise, and noise_in_rest times the pixel's own noise is set against it. Both are above 1
-// where few of a block's pixels show a signal (the first number): where samples rarely meet
-// something bright, single pixels' noise is often more than is expected. Where many do (the second
-// number), as in a room of mirrors, what a pixel shows is more likely a signal than such noise. How
-// many do is told by the mean part of pixels' rests that counts by the first numbers, both in the
-// encoding and in linear light: from part_of_few to part_of_many of it the second ones take over.
-// Found by trying on sample scenes of POV-Ray's.
-constexpr float margin_of_rest[] = {2, 1}, noise_in_rest[] = {1.5f, 1};
-constexpr float part_of_few = 0.15f, part_of_many = 0.3f;
-
-// The variance that noise gives to differences in linear light, divided by what samples let expect
-// there: that of a pixel's rest, when it is decided whether many pixels show a signal; and that of
-// a smooth difference, behind a lenticular sheet and behind others. (A pixel behind a lenticular
-// sheet has its light from three dimensions, not four, so that samples lie more evenly.) Found by
-// trying on sample scenes of POV-Ray's.
-constexpr float linear_noise_in_rest = 0.5f, linear_noise_in_smooth_lines = 0.6f,
-                linear_noise_in_smooth = 1.7f;
-
-/// The number between two that belongs to a part from 0 to 1 of the way from the first.
-constexpr float between(const float (&numbers)[2], float part)
-{
-    return numbers[0] + part * (numbers[1] - numbers[0]);
-}
-
 // The squared error of what others' samples tell, divided by that of pixels' own means. Found by
 // comparing frames of sample scenes of POV-Ray's with converged ones.
 constexpr float left_by_others = 0.1f;
-
-/// How much the difference of a pixel tells of that of a pixel with another noise, from 0 to 1:
-/// pixels of many samples, at outlines, are not like those of few.
-float likeness(float noise, float other)
-{
-    constexpr float little = 1e-9f; // as little noise as nobody sees
-    return (std::min(noise, other) + little) / (std::max(noise, other) + little);
-}
 
 /// A tent over the pixels around, of which the variance of independent values' mean follows.
 constexpr float tent(int i, int j)
@@ -64,38 +25,6 @@ constexpr float tent(int i, int j)
     constexpr int width = Reconstruction::reach_around + 1;
     return float((width - std::abs(i)) * (width - std::abs(j)));
 }
-
-/// By how much more the halves of pixels' samples differ than the variance of the samples lets
-/// expect.
-class Excess {
-public:
-    Excess() = default;
-    /// The sums over some pixels, and their number.
-    Excess(float expected, float seen, float number)
-        : expected_(expected), seen_(seen), number_(number)
-    {
-    }
-    /// Either is below 0 where it is not known.
-    void add(float variance, float of_halves)
-    {
-        if (!(variance >= 0 && of_halves >= 0))
-            return;
-        expected_ += variance;
-        seen_ += of_halves;
-        ++number_;
-    }
-    /// The ratio of squared errors; `usual` as far as few halves are known.
-    float ratio(float usual) const
-    {
-        if (!(expected_ > 0))
-            return usual;
-        const float weight = enough_halves * expected_ / number_;
-        return (seen_ + usual * weight) / (expected_ + weight);
-    }
-
-private:
-    float expected_ = 0, seen_ = 0, number_ = 0;
-};
 
 /// The light of a pixel's layers and its own mean, of which a part counts, with what is to be
 /// added. At least half of the lesser of the two is left: where those around are much brighter,
@@ -112,28 +41,6 @@ LinearColour together(const LinearColour& layers, const LinearColour& own, float
     light[3] = std::clamp(light[3], 0.0f, 1.0f);
     return light;
 }
-
-/// What is known of a difference: its square and the variance that noise gives to it, in the
-/// encoding of comparison, and both in linear light. Samples are averaged before they are encoded.
-/// So on the dark side of an outline the means of a few samples differ much more in the encoding
-/// than the variance of encoded samples lets expect; in linear light they do not, but what is dark
-/// hardly counts there.
-enum { square, noise, linear_square, linear_noise };
-
-/// `in_encoding`, `variance`: the square and the noise there. `difference`: in linear light.
-/// `in_linear_light`: the variance there divided by that in the encoding; 0: it is not known, so
-/// that of the squares is taken.
-FourFloats squares_of(float in_encoding, FourFloats difference, float variance,
-                      float in_linear_light)
-{
-    const float linear = sum_of(difference * difference);
-    if (!(in_linear_light > 0))
-        in_linear_light = in_encoding > 0 ? linear / in_encoding : 0;
-    return FourFloats{in_encoding, variance, linear, in_linear_light * variance};
-}
-
-/// The part of a square that is not noise (Wiener's filter).
-float part_above(float noise, float square) { return square > noise ? 1 - noise / square : 0; }
 
 LinearColour colour_of(FourFloats light)
 {
@@ -163,6 +70,13 @@ struct Reconstruction::Noise {
     std::uint32_t lens = 0; ///< FirstSamples::number_of
 };
 
+/// What the pixels around tell of the noise of a pixel's mean.
+struct Reconstruction::MeanNoise {
+    float variance = 0;
+    float most = 0;            ///< the greatest variance around
+    float in_linear_light = 0; ///< Pixel::in_linear_light
+};
+
 /// A pixel's own mean, less its layers; 0 where there are none.
 struct Reconstruction::BesideLayers {
     FourFloats light{};
@@ -176,16 +90,18 @@ struct Reconstruction::Surroundings {
     FourFloats rest_squares{}; ///< the means of those of pixels of similar noise
     float all_noise = 0;       ///< the mean variance of all rests, in the encoding
 
-    /// The square that the rest has without noise, if so many times the noise is set against it:
-    /// in the encoding, and in linear light.
+    /// The square of the rest less `margin` times that of its noise: in the encoding, and in
+    /// linear light.
     float signal(float margin) const
     {
-        return std::max(0.0f, rest_squares[square] - margin * rest_squares[noise]);
+        return std::max(0.0f,
+                        rest_squares[squares::square] - margin * rest_squares[squares::noise]);
     }
     float linear_signal(float margin) const
     {
-        return std::max(0.0f, rest_squares[linear_square] -
-                                  margin * linear_noise_in_rest * rest_squares[linear_noise]);
+        return std::max(0.0f,
+                        rest_squares[squares::linear_square] -
+                            margin * linear_noise_in_rest * rest_squares[squares::linear_noise]);
     }
 };
 
@@ -305,11 +221,11 @@ float Reconstruction::excess_of(const PictureBlock& block) const
 /// The variance of the pixel's mean, by that of the samples of the pixel and those beside it, times
 /// how much more the halves of the samples around differ than their variance lets expect. A pixel's
 /// own samples are not enough: it may have few because they happened to be alike. `usual`:
-/// excess_of() the block. `most` is set to the greatest variance around, `in_linear_light` to the
-/// variance in linear light of the samples around, divided by that in the encoding; 0: not known.
-float Reconstruction::smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise,
-                                      float& most, float& in_linear_light) const
+/// excess_of() the block.
+Reconstruction::MeanNoise Reconstruction::mean_noise(int x, int y, float usual,
+                                                     const BlockWindow<Noise>& noise) const
 {
+    MeanNoise result;
     float sum_of_one = 0, linear = 0, known = 0;
     int number = 0;
     const std::uint32_t lens = noise.at(x, y).lens;
@@ -322,16 +238,16 @@ float Reconstruction::smooth_variance(int x, int y, float usual, const BlockWind
         }
     });
     FourFloats halves{};
-    most = 0;
     noise.for_each_around<reach_around>(x, y, [&](int, int, const Noise& other) {
         if (other.lens != lens)
             return;
         halves += other.halves;
-        most = std::max(most, other.variance);
+        result.most = std::max(result.most, other.variance);
     });
-    in_linear_light = known > 0 ? linear / known : 0;
-    return sum_of_one / number / samples_.pixel(x, y).number *
-           Excess(halves[0], halves[1], halves[2]).ratio(usual);
+    result.in_linear_light = known > 0 ? linear / known : 0;
+    result.variance = sum_of_one / number / samples_.pixel(x, y).number *
+                      Excess(halves[0], halves[1], halves[2]).ratio(usual);
+    return result;
 }
 
 /// Sets the layers of a pixel from the samples of all pixels that it may use.
@@ -384,13 +300,11 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
             pixel.others = 0;
             if (scratch.noise.at(x, y).variance < 0)
                 continue;
-            float around = 0, in_linear_light = 0;
-            const float variance = smooth_variance(x, y, usual, scratch.noise, around,
-                                                   in_linear_light);
-            pixel.in_linear_light = in_linear_light;
+            const MeanNoise noise = mean_noise(x, y, usual, scratch.noise);
+            pixel.in_linear_light = noise.in_linear_light;
             // One sample tells nothing of its own error.
             const bool is_one = samples_.pixel(x, y).number == 1;
-            if (std::max(variance, is_one ? around : 0) < least_variance_)
+            if (std::max(noise.variance, is_one ? noise.most : 0) < least_variance_)
                 continue;
             gather(x, y, scratch);
             const auto light = scratch.layers.light();
@@ -398,7 +312,8 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
                 continue;
             pixel.layers = StoredLight(light->light);
             pixel.others = 1 - light->own_part;
-            pixel.noise = is_one ? std::max(variance, scratch.layers.variance()) : variance;
+            pixel.noise = is_one ? std::max(noise.variance, scratch.layers.variance())
+                                 : noise.variance;
         }
 }
 
@@ -473,15 +388,16 @@ Reconstruction::Surroundings Reconstruction::surroundings(
         if (!other.any || other.lens != own.lens)
             return;
         smooth += other.smooth_squares;
-        const float like = likeness(own.rest_squares[noise], other.rest_squares[noise]);
+        const float like = likeness(own.rest_squares[squares::noise],
+                                    other.rest_squares[squares::noise]);
         result.rest_squares += like * other.rest_squares;
         weight += like;
-        result.all_noise += other.rest_squares[noise];
+        result.all_noise += other.rest_squares[squares::noise];
         ++number;
     });
-    result.smooth_part = 0.5f * (part_above(smooth[noise], smooth[square]) +
-                                 part_above(linear_noise_in_smooth_ * smooth[linear_noise],
-                                            smooth[linear_square]));
+    result.smooth_part = 0.5f * (part_above(smooth[squares::noise], smooth[squares::square]) +
+                                 part_above(linear_noise_in_smooth_ * smooth[squares::linear_noise],
+                                            smooth[squares::linear_square]));
     result.rest_squares /= weight;
     result.all_noise /= number;
     return result;
@@ -501,10 +417,11 @@ float Reconstruction::find_surroundings(const PictureBlock& block, Scratch& scra
                 around = surroundings(x, y, scratch.differences);
                 // Both must say so: few samples at an outline look like a signal in the encoding.
                 const FourFloats& rest = difference.rest_squares;
-                parts += std::min(Own{around.signal(margin_of_rest[0]), rest[noise]}.part(),
-                                  Own{around.linear_signal(margin_of_rest[0]),
-                                      linear_noise_in_rest * rest[linear_noise]}
-                                      .part());
+                parts += std::min(
+                    Own{around.signal(margin_of_rest[0]), rest[squares::noise]}.part(),
+                    Own{around.linear_signal(margin_of_rest[0]),
+                        linear_noise_in_rest * rest[squares::linear_noise]}
+                        .part());
                 ++number;
             }
     return std::clamp((parts / float(std::max(1, number)) - part_of_few) /
@@ -529,7 +446,7 @@ void Reconstruction::reconstruct(const PictureBlock& block, const TabulatedCurve
                 continue;
             const Surroundings& around = scratch.surroundings.at(x, y);
             Own own{around.signal(between(margin_of_rest, of_many)),
-                    difference.rest_squares[noise],
+                    difference.rest_squares[squares::noise],
                     of_many,
                     pixel.mean.light(),
                     {pixel.tried, pixel.taken}};

@@ -155,6 +155,7 @@ private:
     };
     static_assert(sizeof(Pixel) == bytes_a_pixel);
     struct Noise;
+    struct MeanNoise;
     struct BesideLayers;
     struct Difference;
     struct Surroundings;
@@ -162,8 +163,7 @@ private:
 
     std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
     float excess_of(const PictureBlock& block) const;
-    float smooth_variance(int x, int y, float usual, const BlockWindow<Noise>& noise, float& most,
-                          float& in_linear_light) const;
+    MeanNoise mean_noise(int x, int y, float usual, const BlockWindow<Noise>& noise) const;
     void gather(int x, int y, Scratch& scratch) const;
     Difference difference(int x, int y, const TabulatedCurve& encode,
                           const BlockWindow<BesideLayers>& beside) const;
