@@ -74,6 +74,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/sheet_list.h \
   integral/lightfield/sheet_report.cpp \
   integral/lightfield/sheet_report.h \
+  integral/lightfield/signal_and_noise.h \
   integral/lightfield/tabulated_curve.h \
   integral/lightfield/view_grid.h \
   integral/lightfield/weighed_samples.cpp \
