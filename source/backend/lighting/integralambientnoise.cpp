@@ -19,7 +19,7 @@ void IntegralAmbientNoise::Begin()
     sums = squares = {};
 }
 
-void IntegralAmbientNoise::Add(const RGBColour& light, double weight, bool pretraced)
+void IntegralAmbientNoise::Add(const RGBColour& light, double weight, bool pretraced, double)
 {
     const double squared_weight = weight * weight;
     weights += weight;
@@ -34,7 +34,7 @@ void IntegralAmbientNoise::Add(const RGBColour& light, double weight, bool pretr
     }
 }
 
-void IntegralAmbientNoise::Disturb(RGBColour& mean) const
+void IntegralAmbientNoise::End(RGBColour& mean)
 {
     // The mean is as noisy as that of so many points of equal weights. One point alone does not
     // tell how noisy it is.

@@ -16,25 +16,22 @@
 #include <array>
 
 #include "backend/frame.h"
+#include "backend/lighting/integralambient.h"
 
 namespace pov
 {
 
-class IntegralAmbientNoise
+class IntegralAmbientNoise : public IntegralAmbient
 {
 public:
     /// In which direction the following lookups are changed.
     void Set_Direction(bool brighter) { direction = brighter ? 1 : -1; }
 
-    /// Begins a lookup.
-    void Begin();
-
-    /// Adds a point with its light, as that is expected at the place of the lookup. `pretraced`:
-    /// gathered before the frame was rendered.
-    void Add(const RGBColour& light, double weight, bool pretraced);
+    virtual void Begin();
+    virtual void Add(const RGBColour& light, double weight, bool pretraced, double radius);
 
     /// Changes the mean of the points' light by its standard error, but no light to less than 0.
-    void Disturb(RGBColour& mean) const;
+    virtual void End(RGBColour& mean);
 
 private:
     double direction = 1;

@@ -426,6 +426,7 @@ bool Antialias_Integral_View(ViewData& view, ViewThreadData& thread, TracePixel&
     if (!sampling)
         return false;
     sampling->Begin(view);
+    radiosity.integralAmbient = trace.Integral().Ambient();
     Antialiasing(view, thread, trace, radiosity, cooperate, options, *sampling).Run();
     return true;
 }

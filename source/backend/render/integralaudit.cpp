@@ -333,7 +333,7 @@ void IntegralAuditTask::Run()
     radiosity.BeforeTile(0);
     trace.integralShading = NULL; // the error that shared shading causes counts too
     IntegralAmbientNoise noise;   // and that of radiosity's points
-    radiosity.integralAmbientNoise = &noise;
+    radiosity.integralAmbient = &noise;
     while (IntegralAudit::Pixel *pixel = audit->Next())
     {
         const bool brighter = integral::random_bits(0, Key(pixel->x, pixel->y)) & 1;
@@ -360,7 +360,7 @@ void IntegralAuditTask::Run()
                                    : integral::audited_error(audit->Output(), pixel->rendered,
                                                              halves[0], halves[1]);
     }
-    radiosity.integralAmbientNoise = NULL;
+    radiosity.integralAmbient = NULL;
     radiosity.AfterTile();
 }
 

@@ -163,7 +163,7 @@ bool IntegralCachedShading::On_Patch(const IntegralShadingCache::Patch& patch, c
                                      const Intersection& isect)
 {
     constexpr float far = 2.5f;
-    return std::fabs(Height_Of(isect, place) - patch.height) <= far;
+    return std::fabs(Height_Of(isect, place) - patch.note) <= far;
 }
 
 /// Finds the patch's point: where a line along the patch's axis, at a random position in the patch,
@@ -203,12 +203,12 @@ bool IntegralCachedShading::Take(const Place& place, const Intersection& isect, 
         Ray from;
         Intersection at;
         patch.key = place.key;
-        patch.height = std::numeric_limits<float>::quiet_NaN();
+        patch.note = std::numeric_limits<float>::quiet_NaN();
         if (Put(place, isect, trace, from, at))
         {
             worked_out = true;
             if (look(from, at))
-                patch.height = Height_Of(at, place);
+                patch.note = Height_Of(at, place);
         }
         patches.Store(slot, patch);
     }

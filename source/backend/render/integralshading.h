@@ -91,6 +91,8 @@ private:
     bool Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser,
                 Place& place) const;
     static Place Of_Light(const Place& place, int light);
+    /// The position of a patch's point on the patch's axis, from the middle, in patch sizes: the
+    /// patch's note; NaN if it has no point.
     static float Height_Of(const Intersection& at, const Place& place);
     static bool On_Patch(const IntegralShadingCache::Patch& patch, const Place& place,
                          const Intersection& isect);

@@ -20,9 +20,8 @@ namespace
 
 /// The table's size: more slots than a frame has patches, except for very large frames. The table
 /// of a small frame fits in the processor's cache.
-std::size_t Slots_For(const integral::Film& film)
+std::size_t Slots_For(const integral::Film& film, double slots_a_pixel)
 {
-    constexpr double slots_a_pixel = 8;
     constexpr std::size_t least = std::size_t(1) << 14, most = std::size_t(1) << 20;
     std::size_t slots = least;
     while (slots < most && slots < slots_a_pixel * film.width * film.height)
@@ -40,13 +39,14 @@ int Exponent(double x)
 
 }
 
-IntegralShadingCache::IntegralShadingCache(const integral::IntegralCamera& camera, double cells)
+IntegralShadingCache::IntegralShadingCache(const integral::IntegralCamera& camera, double cells,
+                                           double slots_a_pixel)
     : camera(camera),
       spread(camera.optics.medium().n * camera.film.pixel_pitch.x /
              camera.optics.sheet().thickness),
       cells(cells),
       scale(length(camera.placement.z)),
-      patches(Slots_For(camera.film)),
+      patches(Slots_For(camera.film, slots_a_pixel)),
       locks(patches.size() / row_length)
 {
 }

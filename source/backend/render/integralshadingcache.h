@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The table of shaded patches that rays of different lenses share (integralshading.h says what a
-// patch is).
+// patch is), or of their ambient light (integralsharedambient.h).
 #ifndef POVRAY_BACKEND_INTEGRALSHADINGCACHE_H
 #define POVRAY_BACKEND_INTEGRALSHADINGCACHE_H
 
@@ -20,8 +20,10 @@ class IntegralShadingCache
 {
 public:
     /// `cells`: the approximate number of patches that a pixel's beam covers, which determines
-    /// their size.
-    IntegralShadingCache(const integral::IntegralCamera& camera, double cells);
+    /// their size. `slots_a_pixel`: about the number of patches in the table, by the frame's
+    /// pixels.
+    IntegralShadingCache(const integral::IntegralCamera& camera, double cells,
+                         double slots_a_pixel = 8);
 
     /// Squares of 4 x 4 neighbouring patches are stored together, in a row of slots.
     static constexpr int square_bits = 2, square = 1 << square_bits;
@@ -31,8 +33,7 @@ public:
     {
         std::uint64_t key = 0;  ///< 0: empty
         float red, green, blue; ///< its colour; for a light, the fractions that reach the patch
-        float height; ///< position of its point on the patch's axis, from the middle, in patch
-                      ///< sizes; NaN: it has no point
+        float note;             ///< what else is known of it
     };
 
     /// Looks up the patch with a key at its slot; false if it is not there.

@@ -45,6 +45,8 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
     area_lights.reset(reconstructs && !shading && IntegralAreaLights::Of_Use(scene)
                           ? new IntegralAreaLights
                           : nullptr);
+    ambient.reset(view->ambient_cells ? new IntegralSharedAmbient(*view->ambient_cells, *tally)
+                                      : nullptr);
 }
 
 void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const

@@ -12,6 +12,7 @@
 #include "backend/render/integralarealights.h"
 #include "backend/render/integralcontainers.h"
 #include "backend/render/integralshading.h"
+#include "backend/lighting/integralsharedambient.h"
 #include "integral/lightfield/beam_samples.h"
 #include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/pixel_run.h"
@@ -43,6 +44,9 @@ public:
 
     /// The choice of the area lights' parts that samples see; null if they see all of them.
     IntegralAreaLights *Area_Lights() { return area_lights.get(); }
+
+    /// Radiosity's ambient light that rays share; null: each ray looks up its own.
+    IntegralAmbient *Ambient() { return ambient.get(); }
 
     /// From now on Trace_Pixel traces one random ray per pixel, number `index` of a `set`
     /// (PixelSampler::append_random_ray), and does not count it.
@@ -140,6 +144,7 @@ private:
     IntegralContainers containers;
     std::unique_ptr<IntegralCachedShading> shading;
     std::unique_ptr<IntegralAreaLights> area_lights;
+    std::unique_ptr<IntegralSharedAmbient> ambient;
     TraceThreadData *thread = nullptr;
     IntegralTally *tally = nullptr;       ///< this thread's counts; null if the view has none
     std::vector<integral::PixelRay> rays; ///< of the pixel or sample that is being traced

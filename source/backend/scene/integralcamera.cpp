@@ -6,6 +6,7 @@
 #include "backend/render/integralaudit.h"
 #include "backend/render/integraldepth.h"
 #include "backend/render/integralsampling.h"
+#include "backend/lighting/integralsharedambient.h"
 #include "backend/render/integralshading.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/objects.h"
@@ -149,6 +150,11 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
                           (view->caches_dear_shading_only && given.antialias && !reconstructs)))
             view->shading_cache = std::make_shared<IntegralShadingCache>(
                 *view->optics, Patches_In_Beam(*view->optics, given));
+        if (reconstructs && scene.radiositySettings.radiosityEnabled &&
+            view->caches_dear_shading_only)
+            view->ambient_cells = std::make_shared<IntegralShadingCache>(
+                *view->optics, IntegralSharedAmbient::cells_in_beam,
+                IntegralSharedAmbient::cells_a_pixel);
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
         // The noise of radiosity's points is in both halves.

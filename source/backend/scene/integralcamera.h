@@ -53,8 +53,9 @@ struct IntegralTally
     OwnCount film_points, imaged, searched, outside_aperture, total_reflection;
     OwnCount rays;               ///< rays traced
     OwnCount container_searches; ///< rays for which objects around their start were searched
-    OwnCount shared_shadings, patch_shadings; ///< ray hits that used a shared colour; and those of
-                                              ///< them for which it had to be computed
+    OwnCount shared_shadings, patch_shadings; ///< ray hits that used a shared colour, or shared
+                                              ///< ambient light; and those of them for which it
+                                              ///< had to be computed
     integral::ErrorSums errors; ///< errors of pixels by their two halves of samples; read only
                                 ///< after the thread has ended
 };
@@ -105,6 +106,7 @@ struct IntegralView
     std::shared_ptr<const integral::QuiltSampler> quilt; ///< null: the picture is a frame
     std::shared_ptr<IntegralCounts> counts;
     std::shared_ptr<IntegralShadingCache> shading_cache; ///< null: rays do not share shading
+    std::shared_ptr<IntegralShadingCache> ambient_cells; ///< null: nor radiosity's ambient light
     bool caches_dear_shading_only = false;      ///< use the cache only where shading is expensive
     std::shared_ptr<IntegralSampling> sampling; ///< null: no anti-aliasing
     std::shared_ptr<IntegralAudit> audit;       ///< null: no audit
