@@ -76,6 +76,7 @@ unit_sources = \
   tests/unit/lightfield_linear_colour.cpp \
   tests/unit/lightfield_metadata.cpp \
   tests/unit/lightfield_noise_filter.cpp \
+  tests/unit/lightfield_pass_rows.cpp \
   tests/unit/lightfield_pass_schedule.cpp \
   tests/unit/lightfield_pixel_beam.cpp \
   tests/unit/lightfield_pixel_sampler.cpp \

@@ -10,7 +10,7 @@
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_files.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/reconstruction.h"
+#include "integral/lightfield/pass_rows.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -99,7 +99,8 @@ StripPlan new_plan(const BatchStep& frame, const std::string& inputs, int number
     const std::string given = value_of_option(frame.words, "render_block_size", "bs");
     const int side = given.empty() ? usual_block_side : block_side_of(std::atoi(given.c_str()));
     const int reach = is_on(said, "Antialiasing")
-                          ? rows_antialiased_from(rows.metadata->sheet, rows.metadata->film, side)
+                          ? PassRows(rows.metadata->sheet, rows.metadata->film, side, true)
+                                .sampled_from()
                           : 0;
     warn_of_randomness(frame, programs, said);
     return {inputs, rows.image.height, row_strips(rows.image.height, number, side, reach)};

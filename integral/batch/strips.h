@@ -24,7 +24,7 @@ constexpr int usual_block_side = 32; ///< of the renderer's blocks without Rende
 /// nearly the same height; a frame with fewer blocks has fewer strips. The renderer anti-aliases
 /// block by block (`block_side` pixels, 32 unless Render_Block_Size says otherwise), counted from
 /// the first row that it renders. So each strip, and the rows above it, begin where a block of the
-/// whole frame does. `reach` is rows_antialiased_from, or 0 without anti-aliasing.
+/// whole frame does. `reach` is PassRows::sampled_from, or 0 without anti-aliasing.
 std::vector<RowStrip> row_strips(int height, int strips, int block_side, int reach);
 
 /// The renderer's options for a strip of a frame of `height` rows: Start_Row, End_Row and, with

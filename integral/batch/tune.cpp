@@ -8,7 +8,7 @@
 #include "integral/batch/slurm.h"
 #include "integral/batch/strips.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/reconstruction.h"
+#include "integral/lightfield/pass_rows.h"
 
 #include <algorithm>
 #include <chrono>
@@ -84,8 +84,9 @@ public:
         start_ = probe.seconds;
         start_processor_ = probe.processor;
         film_ = probe.metadata.film;
-        reach_ = rows_antialiased_from(probe.metadata.sheet, film_, usual_block_side);
-        refined_ = reach_ - rows_looked_at(probe.metadata.sheet, film_);
+        const PassRows rows(probe.metadata.sheet, film_, usual_block_side, true);
+        reach_ = rows.sampled_from();
+        refined_ = rows.refined_from();
         const int blocks = (film_.height + usual_block_side - 1) / usual_block_side;
         bands_ = std::clamp((blocks + blocks_a_band - 1) / blocks_a_band, 1, most_bands);
     }

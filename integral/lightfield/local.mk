@@ -44,6 +44,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/names.h \
   integral/lightfield/noise_filter.cpp \
   integral/lightfield/noise_filter.h \
+  integral/lightfield/pass_rows.cpp \
+  integral/lightfield/pass_rows.h \
   integral/lightfield/pass_schedule.cpp \
   integral/lightfield/pass_schedule.h \
   integral/lightfield/pixel_sampler.cpp \

@@ -33,8 +33,6 @@ void NoiseFilter::FreeScratch::operator()(Scratch* scratch) const { delete scrat
 
 NoiseFilter::ScratchPointer NoiseFilter::make_scratch() { return ScratchPointer(new Scratch); }
 
-int rows_filtered_from() { return NoiseFilter::reach_around + 1; }
-
 NoiseFilter::NoiseFilter(const IntegralCamera& camera, const FirstSamples& finished)
     : finished_(finished)
 {

@@ -21,9 +21,6 @@
 
 namespace integral {
 
-/// How many rows away reconstructed pixels may be on which a filtered pixel depends.
-int rows_filtered_from();
-
 /// Different threads may filter different blocks.
 class NoiseFilter {
 public:

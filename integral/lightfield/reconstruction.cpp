@@ -2,7 +2,6 @@
 #include "integral/lightfield/reconstruction.h"
 
 #include "integral/lightfield/cut_pixel.h"
-#include "integral/lightfield/noise_filter.h"
 #include "integral/lightfield/sample_layers.h"
 #include "integral/lightfield/signal_and_noise.h"
 
@@ -146,27 +145,6 @@ void Reconstruction::FreeScratch::operator()(Scratch* scratch) const { delete sc
 Reconstruction::ScratchPointer Reconstruction::make_scratch()
 {
     return ScratchPointer(new Scratch);
-}
-
-int rows_estimated_from(const LensSheet& sheet, const Film& film)
-{
-    return std::max({Reconstruction::reach_around, LendingPixels(Lattice(sheet), film).rows(),
-                     rows_looked_at(sheet, film)});
-}
-
-int rows_finished_from() { return 2 * Reconstruction::reach_around; }
-
-int rows_reconstructed_from(const LensSheet& sheet, const Film& film)
-{
-    return rows_finished_from() + rows_estimated_from(sheet, film);
-}
-
-int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side)
-{
-    const auto blocks = [&](int rows) { return (rows + block_side - 1) / block_side; };
-    const int refined = blocks(rows_filtered_from()) +
-                        blocks(rows_reconstructed_from(sheet, film));
-    return refined * block_side + rows_looked_at(sheet, film);
 }
 
 bool Reconstruction::possible(const IntegralCamera& camera)

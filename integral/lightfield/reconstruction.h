@@ -33,19 +33,6 @@
 
 namespace integral {
 
-/// How many rows away refined pixels may be on which a pixel's layers depend.
-int rows_estimated_from(const LensSheet& sheet, const Film& film);
-
-/// How many rows away pixels may be on whose layers a reconstructed pixel depends.
-int rows_finished_from();
-
-/// How many rows away refined pixels may be on which a reconstructed pixel depends.
-int rows_reconstructed_from(const LensSheet& sheet, const Film& film);
-
-/// How many rows away samples may be on which a row of blocks depends. Refinement and
-/// reconstruction work on whole blocks of `block_side` x `block_side` pixels.
-int rows_antialiased_from(const LensSheet& sheet, const Film& film, int block_side);
-
 /// Different threads may work on different pixels in the same step.
 class Reconstruction {
 public:

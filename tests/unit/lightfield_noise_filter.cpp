@@ -2,6 +2,7 @@
 // Tests how the noise that reconstruction leaves is lowered: on frames whose light and noise are
 // known.
 #include "integral/lightfield/noise_filter.h"
+#include "integral/lightfield/pass_rows.h"
 #include "tests/unit/sampled_frame.h"
 
 #include <random>
@@ -237,7 +238,8 @@ BOOST_AUTO_TEST_CASE(no_pixel_depends_on_further_rows)
          {sheet(Arrangement::square), sheet(Arrangement::hexagonal), sheet(Arrangement::lenticular),
           sheet(Arrangement::lenticular, 88)}) {
         Finished frame(p, [&](int x, int y) { return 0.5 + noise[y * width + x]; });
-        const int reach = rows_filtered_from();
+        const int reach = PassRows(frame.camera.optics.sheet(), frame.camera.film, 1, true)
+                              .filtered_from();
         const int middle = height / 2;
         const PictureBlock row{0, middle, width - 1, middle};
         const auto before = frame.changes(expected, row);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests the reconstruction of anti-aliased frames on scenes in closed form.
+#include "integral/lightfield/pass_rows.h"
 #include "integral/lightfield/reconstruction.h"
 #include "integral/lightfield/sample_fit.h"
 #include "integral/lightfield/sample_points.h"
@@ -415,7 +416,8 @@ BOOST_AUTO_TEST_CASE(no_pixel_depends_on_further_rows)
          {sheet(Arrangement::square), sheet(Arrangement::hexagonal, 7),
           sheet(Arrangement::lenticular), sheet(Arrangement::lenticular, 25)}) {
         Sampled frame(p, chequers(20, 3), 2);
-        const int reach = rows_reconstructed_from(frame.camera.optics.sheet(), frame.camera.film);
+        const PassRows rows(frame.camera.optics.sheet(), frame.camera.film, 1, true);
+        const int reach = rows.reconstructed_from() + rows.estimated_from();
         const auto row = [&] {
             const auto pixels = frame.pixels({0, 0, width - 1, 0});
             std::vector<std::optional<LinearColour>> lights;

@@ -51,12 +51,7 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       height(camera.film.height),
       side(side),
       reconstructs(reconstructs && integral::Reconstruction::possible(camera)),
-      reach(integral::rows_looked_at(camera.optics.sheet(), camera.film)),
-      estimated_from(integral::rows_estimated_from(camera.optics.sheet(), camera.film)),
-      halo(this->reconstructs
-               ? integral::rows_filtered_from() + side +
-                     integral::rows_reconstructed_from(camera.optics.sheet(), camera.film)
-               : 0),
+      pass_rows(camera.optics.sheet(), camera.film, side, this->reconstructs),
       parts(Parts(this->reconstructs)),
       memory(Memory(camera.film, most_memory)),
       first(camera, Part(first_part)),
@@ -78,7 +73,7 @@ std::size_t IntegralSampling::Bytes_A_Pixel() const
 std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film,
                                                                    std::size_t most) const
 {
-    const long long around = side + reach + halo;
+    const long long around = side + pass_rows.looked_at() + pass_rows.kept_from();
     const std::size_t pixels = std::size_t(width) * height,
                       above = width * std::size_t(std::max(0LL, rows.first - around)),
                       below = width *
@@ -114,7 +109,8 @@ void IntegralSampling::Done(int pass, const integral::PictureBlock& block)
     if (--row->second == 0)
         rows_left.erase(row);
     // Blocks are at most `side` rows high.
-    lent->forget_above((rows_left.empty() ? height : rows_left.begin()->first) - halo - side);
+    lent->forget_above((rows_left.empty() ? height : rows_left.begin()->first) -
+                       pass_rows.kept_from() - side);
 }
 
 void IntegralSampling::Begin(ViewData& view)
@@ -130,35 +126,6 @@ void IntegralSampling::Begin(ViewData& view)
     Make_Schedule();
 }
 
-namespace
-{
-
-/// The rows that are at most `reach` away from one of `rows`.
-std::vector<bool> Around(const std::vector<bool>& rows, int reach)
-{
-    std::vector<bool> result(rows.size());
-    for (int y = 0; y < int(rows.size()); y++)
-        if (rows[y])
-            std::fill(result.begin() + std::max(0, y - reach),
-                      result.begin() + std::min(int(rows.size()), y + reach + 1), true);
-    return result;
-}
-
-}
-
-/// All rows of the blocks that have one of `of`.
-std::vector<bool> IntegralSampling::Rows_Of_Blocks(const std::vector<bool>& of) const
-{
-    std::vector<bool> result(of.size());
-    for (std::size_t y = 0; y < of.size(); y++)
-        if (of[y])
-        {
-            const std::size_t top = y / side * side;
-            std::fill(result.begin() + top, result.begin() + std::min(of.size(), top + side), true);
-        }
-    return result;
-}
-
 void IntegralSampling::Make_Schedule()
 {
     std::vector<bool> wanted(area.GetHeight()), counting(area.GetHeight());
@@ -169,21 +136,7 @@ void IntegralSampling::Make_Schedule()
             wanted[y - area.top] = true;
             counting[y - area.top] = rows.Have(y);
         }
-    const int filtered_from = integral::rows_filtered_from(),
-              finished_from = integral::rows_finished_from();
-    // A block is reconstructed as a whole, because its pixels tell how many show a signal of their
-    // own, and refined as a whole, because a pixel can cause its neighbours to be refined.
-    const std::vector<bool> reconstructed = Rows_Of_Blocks(Around(counting, filtered_from)),
-                            estimated = Around(reconstructed, finished_from),
-                            refined = Rows_Of_Blocks(
-                                reconstructs ? Around(estimated, estimated_from) : counting);
-    scheduled = {{Around(refined, reach), 0}, {refined, reach}};
-    if (reconstructs)
-    {
-        scheduled.push_back({estimated, estimated_from});
-        scheduled.push_back({reconstructed, finished_from});
-    }
-    scheduled.push_back({wanted, reconstructs ? filtered_from : 0});
+    scheduled = pass_rows.passes(wanted, counting);
     schedule.reset(new integral::PassSchedule(
         {int(area.left), int(area.top), int(area.right), int(area.bottom)}, side, scheduled));
     for (const auto& block : serials)

@@ -18,6 +18,7 @@
 #include "base/integralmemory.h"
 #include "base/integraloptions.h"
 #include "integral/lightfield/noise_filter.h"
+#include "integral/lightfield/pass_rows.h"
 #include "integral/lightfield/pass_schedule.h"
 #include "integral/lightfield/reconstruction.h"
 #include "integral/lightfield/refinement.h"
@@ -100,9 +101,7 @@ private:
     pov_base::IntegralRows rows;
     int width, height, side;
     bool reconstructs;
-    /// Rows to a pixel's neighbours, to refined pixels on which its layers depend, and to all that
-    /// its finished light needs.
-    int reach, estimated_from, halo;
+    integral::PassRows pass_rows;
     std::vector<std::size_t> parts; ///< bytes a pixel of each part of the memory
     std::shared_ptr<pov_base::IntegralMemory> memory;
     integral::FirstSamples first;
@@ -119,7 +118,6 @@ private:
     std::vector<integral::SchedulePass> scheduled; ///< the passes, as the schedule has them
 
     std::size_t Bytes_A_Pixel() const;
-    std::vector<bool> Rows_Of_Blocks(const std::vector<bool>& rows) const;
     void Make_Schedule();
     std::shared_ptr<pov_base::IntegralMemory> Memory(const integral::Film& film,
                                                      std::size_t most) const;
