@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Shares radiosity's ambient light between rays of different lenses. To look it up takes POV-Ray
-// longer than all else that a ray does in many scenes, and it changes slowly: many beams meet the
-// same small cell of a surface. So the light of a cell's first ray is taken for all its rays. A
-// cell is a part of half a beam's area, with about the same normal. It is divided where the points
-// whose mean the light is are used within less than about its size: in corners, for example.
+// Shares radiosity's ambient light between rays of different lenses. It changes slowly, but to look
+// it up takes up to two fifths of a frame's time. Many beams meet the same small cell of a surface,
+// so the light that a cell's first ray looks up is taken for all its rays. A cell covers about half
+// of a beam's area; all of its normals are nearly alike. It is divided where the light is the mean
+// of points each of which counts within less than about the cell's size only: in corners, for
+// example.
 #ifndef POVRAY_BACKEND_INTEGRALSHAREDAMBIENT_H
 #define POVRAY_BACKEND_INTEGRALSHAREDAMBIENT_H
 
