@@ -70,6 +70,10 @@ template <class Floats> INTEGRAL_INLINE void store(Eight& memory, Floats x)
 {
     std::memcpy(&memory, &x, sizeof x);
 }
+template <class Floats> INTEGRAL_INLINE void store(float* memory, Floats x)
+{
+    std::memcpy(memory, &x, sizeof x);
+}
 template <class Floats> INTEGRAL_INLINE Floats eight_of(float x);
 template <> INTEGRAL_INLINE EightFloats eight_of(float x) { return EightFloats{} + x; }
 template <> INTEGRAL_INLINE TwiceFourFloats eight_of(float x)

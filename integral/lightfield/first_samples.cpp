@@ -111,6 +111,19 @@ std::optional<FirstSamples::StoredLens> FirstSamples::lens(int x, int y) const
     return {};
 }
 
+std::array<std::optional<FourFloats>, 2> FirstSamples::colours_behind_next_lenses(int x,
+                                                                                  int y) const
+{
+    const Entry* own = at(x, y);
+    if (!own || std::abs(axes_[0][0].y) > 1)
+        return {};
+    const auto colour_of = [](const Entry* entry) {
+        return entry ? std::optional(encoded(*entry)) : std::nullopt;
+    };
+    return {colour_of(at_step(*own, x, y, axes_[0][0])),
+            colour_of(at_step(*own, x, y, axes_[0][1]))};
+}
+
 std::array<float, 2> FirstSamples::depths_around(int x, int y) const
 {
     const Entry& own = entries_[std::size_t(y) * width_ + x];

@@ -83,11 +83,12 @@ public:
     /// not behind the expected lens. Infinite if all neighbours are missing; -1 for an empty pixel.
     double contrast(int x, int y) const;
 
-    /// Calls visit(axis, difference) for each axis along which neither neighbour of a pixel is
-    /// missing. `axis`: 0 across the frame, 1 down the frame, 2 to the next lenses in a row.
-    /// Further rows of lenses are left out: neighbours are at most one row of pixels away.
-    /// `difference`: the mean colour of both neighbours, less the pixel's own.
-    template <class Visit> void for_each_second_difference(int x, int y, Visit visit) const;
+    /// The colour of a pixel that is not empty.
+    FourFloats colour(int x, int y) const { return encoded(entries_[std::size_t(y) * width_ + x]); }
+
+    /// The colours of the pixels of the same direction behind the next lenses in a row, to both
+    /// sides; nothing for a missing one, or if they are more than one row of pixels away.
+    std::array<std::optional<FourFloats>, 2> colours_behind_next_lenses(int x, int y) const;
 
     /// The lens of a pixel, if all eight pixels around it are behind the same one, and its indices
     /// fit in 16 bits.
@@ -117,6 +118,11 @@ private:
         FourUnsignedShorts narrow;
         std::memcpy(&narrow, colour.data(), sizeof narrow);
         return __builtin_convertvector(narrow, FourIntegers);
+    }
+    static FourFloats encoded(const Entry& entry)
+    {
+        return float(1 / colour_levels) *
+               __builtin_convertvector(integers_from(entry.colour), FourFloats);
     }
     static bool empty(const Entry& entry)
     {
@@ -164,26 +170,6 @@ void FirstSamples::for_each_axis(const Entry& own, int x, int y, Visit visit) co
     visit(beside(0, -1), beside(0, 1));
     for (const auto& axis : axes_)
         visit(at_step(own, x, y, axis[1]), at_step(own, x, y, axis[0]));
-}
-
-template <class Visit>
-void FirstSamples::for_each_second_difference(int x, int y, Visit visit) const
-{
-    const Entry* own = at(x, y);
-    if (!own)
-        return;
-    const FourIntegers twice = 2 * integers_from(own->colour);
-    const auto compare = [&](int axis, const Entry* a, const Entry* b) {
-        if (!a || !b)
-            return;
-        const FourIntegers sum = integers_from(a->colour) + integers_from(b->colour);
-        visit(axis, float(0.5 / colour_levels) * __builtin_convertvector(sum - twice, FourFloats));
-    };
-    const auto beside = [&](int dx, int dy) { return at(x + dx, y + dy, own->i, own->j); };
-    compare(0, beside(-1, 0), beside(1, 0));
-    compare(1, beside(0, -1), beside(0, 1));
-    if (std::abs(axes_[0][0].y) <= 1)
-        compare(2, at_step(*own, x, y, axes_[0][1]), at_step(*own, x, y, axes_[0][0]));
 }
 
 template <class Visit> void FirstSamples::for_each_neighbour(int x, int y, Visit visit) const

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/noise_filter.h"
 
+#include "integral/lightfield/eight_floats.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <optional>
+
+#include "integral/base/vector_loops.h"
 
 namespace integral {
 
@@ -12,21 +19,212 @@ namespace {
 // than the samples' variance lets expect. Most pixels share most of their samples with those beside
 // them. Behind a lenticular sheet they share hardly any with those that look along the lines at
 // another height. Found by comparing frames of sample scenes of POV-Ray's with converged ones.
-constexpr float apart_behind_lenses = 0.25f, apart_across_lines = 0.12f, apart_along_lines = 0.8f;
+constexpr float apart_behind_lenses = 0.25f, apart_across_lines = 0.12f, apart_along_lines = 0.8f,
+                apart_from_one = 0.25f;
+
+// A pixel, the pixels over which squares are averaged, and the furthest ones that are mixed.
+constexpr int around = NoiseFilter::reach_around, margin = NoiseFilter::rows;
+
+using Numbers = std::vector<float>;
+
+template <class Floats>
+INTEGRAL_INLINE Floats sum_of_five(const float* numbers, std::ptrdiff_t step)
+{
+    static_assert(around == 2);
+    return loaded<Floats>(numbers) + loaded<Floats>(numbers + step) +
+           loaded<Floats>(numbers + 2 * step) + loaded<Floats>(numbers + 3 * step) +
+           loaded<Floats>(numbers + 4 * step);
+}
 
 } // namespace
 
-/// The squares of a pixel's differences from the means of its neighbours along each axis, 0 along
-/// an axis on which it has not both neighbours, and what noise lets expect of them.
-struct NoiseFilter::Squares {
-    FourFloats seen{}, noise{};
-    std::uint32_t lens = 0; ///< FirstSamples::number_of
-    bool any = false;       ///< whether the pixel is behind a lens
-    bool is_noisy = false;
+/// What is known of a block's pixels and of those at most `margin` away, number by number, row by
+/// row; or of as many others. All is 0 where no pixel is behind a lens.
+struct NoiseFilter::Pixels {
+    std::array<Numbers, 4> colour;
+    Numbers any;  ///< 1: the pixel is behind a lens
+    Numbers lens; ///< another number for each lens nearby
+
+    void begin(std::size_t size)
+    {
+        for (Numbers* numbers : {&colour[0], &colour[1], &colour[2], &colour[3], &any, &lens})
+            numbers->assign(size, 0);
+    }
+
+    void set(std::size_t at, const FourFloats& encoded, float number_of_lens)
+    {
+        for (std::size_t k = 0; k < 4; ++k)
+            colour[k][at] = encoded[int(k)];
+        any[at] = 1;
+        lens[at] = number_of_lens;
+    }
+
+    /// 1 where other pixels are behind the same lens as these, 0 elsewhere; eight from a place on.
+    template <class Floats>
+    INTEGRAL_INLINE Floats same(std::ptrdiff_t at, const Pixels& others,
+                                std::ptrdiff_t others_at) const
+    {
+        const Floats own = loaded<Floats>(lens.data() + at),
+                     other = loaded<Floats>(others.lens.data() + others_at),
+                     none = eight_of<Floats>(0),
+                     both = loaded<Floats>(any.data() + at) *
+                            loaded<Floats>(others.any.data() + others_at);
+        return chosen(own < other, none, chosen(own > other, none, both));
+    }
 };
 
+/// Eight pixels are worked on side by side, also beyond the ends of rows: what is written there is
+/// not read.
 struct NoiseFilter::Scratch {
-    BlockWindow<Squares> squares;
+    PictureBlock block{};
+    std::ptrdiff_t width = 0; ///< of the rows in memory
+    Pixels own, forth, back;  ///< the block's; of the same direction, behind the next lenses
+    Numbers noise;            ///< as it is told
+    Numbers expected;         ///< its means around; 0 for pixels that are to be left alone
+    /// How pixels differ from others: the colours, the sum of their squares, and 1 where there are
+    /// others; all are 0 where there are none.
+    std::array<Numbers, 4> difference;
+    Numbers squares, any;
+    Numbers columns, any_columns; ///< sums over the rows around one row
+    /// The sums of the weights of others, and of the weighed differences.
+    Numbers weights;
+    std::array<Numbers, 4> mixed;
+
+    void begin(const PictureBlock& wanted)
+    {
+        block = wanted;
+        width = block.right - block.left + 1 + 2 * margin;
+        const std::size_t size = std::size_t(width * (block.bottom - block.top + 1 + 2 * margin)) +
+                                 8;
+        for (Pixels* pixels : {&own, &forth, &back})
+            pixels->begin(size);
+        for (Numbers* numbers : {&noise, &expected, &squares, &any, &weights})
+            numbers->assign(size, 0);
+        for (std::size_t k = 0; k < 4; ++k) {
+            difference[k].assign(size, 0);
+            mixed[k].assign(size, 0);
+        }
+        columns.resize(std::size_t(width) + 8);
+        any_columns.resize(std::size_t(width) + 8);
+    }
+
+    std::ptrdiff_t at(int x, int y) const
+    {
+        return (y - block.top + margin) * width + (x - block.left + margin);
+    }
+
+    /// The first and the last pixel of a row of the block, which goes on so many pixels to both
+    /// sides.
+    std::ptrdiff_t first(int y, int beyond) const { return at(block.left - beyond, y); }
+    std::ptrdiff_t last(int y, int beyond) const { return at(block.right + beyond, y); }
+
+    /// Sums up two numbers over the rows around a row of the block.
+    template <class Floats>
+    INTEGRAL_INLINE void sum_columns(const Numbers& numbers, const Numbers& where_any, int y)
+    {
+        const std::ptrdiff_t begin = first(y, around), above = around * width;
+        for (std::ptrdiff_t at = begin; at <= last(y, around); at += 8) {
+            store(&columns[std::size_t(at - begin)],
+                  sum_of_five<Floats>(numbers.data() + at - above, width));
+            store(&any_columns[std::size_t(at - begin)],
+                  sum_of_five<Floats>(where_any.data() + at - above, width));
+        }
+    }
+
+    template <class Floats> INTEGRAL_INLINE void find_expected()
+    {
+        const Floats none = eight_of<Floats>(0);
+        for (int y = block.top; y <= block.bottom; ++y) {
+            sum_columns<Floats>(noise, own.any, y);
+            const std::ptrdiff_t begin = first(y, 0);
+            for (std::ptrdiff_t at = begin; at <= last(y, 0); at += 8) {
+                const Floats mean = sum_of_five<Floats>(columns.data() + at - begin, 1) /
+                                    sum_of_five<Floats>(any_columns.data() + at - begin, 1);
+                store(&expected[std::size_t(at)],
+                      chosen(loaded<Floats>(noise.data() + at) > none, mean, none));
+            }
+        }
+    }
+
+    /// Finds how pixels differ from the mean of two others: those in `a` and `b` that are so far
+    /// away.
+    template <class Floats>
+    INTEGRAL_INLINE void compare(const Pixels& a, std::ptrdiff_t to_a, const Pixels& b,
+                                 std::ptrdiff_t to_b)
+    {
+        const Floats half = eight_of<Floats>(0.5f);
+        for (int y = block.top - around; y <= block.bottom + around; ++y)
+            for (std::ptrdiff_t at = first(y, around); at <= last(y, around); at += 8) {
+                const Floats both = own.same<Floats>(at, a, at + to_a) *
+                                    own.same<Floats>(at, b, at + to_b);
+                Floats sum = eight_of<Floats>(0);
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const Floats mean = half * (loaded<Floats>(a.colour[k].data() + at + to_a) +
+                                                loaded<Floats>(b.colour[k].data() + at + to_b)),
+                                 by = both * (mean - loaded<Floats>(own.colour[k].data() + at));
+                    store(&difference[k][std::size_t(at)], by);
+                    sum = sum + by * by;
+                }
+                store(&squares[std::size_t(at)], sum);
+                store(&any[std::size_t(at)], both);
+            }
+    }
+
+    /// Mixes each pixel with the mean of two others, which may be the same one: those in `a` and
+    /// `b` that are so far away. `apart`: the part of the noise that this mean does not share.
+    template <class Floats>
+    INTEGRAL_INLINE void mix_with(const Pixels& a, std::ptrdiff_t to_a, const Pixels& b,
+                                  std::ptrdiff_t to_b, float apart)
+    {
+        compare<Floats>(a, to_a, b, to_b);
+        const bool is_one = &a == &b && to_a == to_b;
+        const Floats none = eight_of<Floats>(0), two = eight_of<Floats>(2),
+                     three = eight_of<Floats>(3);
+        for (int y = block.top; y <= block.bottom; ++y) {
+            sum_columns<Floats>(squares, any, y);
+            const std::ptrdiff_t begin = first(y, 0);
+            for (std::ptrdiff_t at = begin; at <= last(y, 0); at += 8) {
+                const Floats pixel_noise = loaded<Floats>(expected.data() + at),
+                             own_noise = eight_of<Floats>(apart) * pixel_noise *
+                                         sum_of_five<Floats>(any_columns.data() + at - begin, 1),
+                             found = most(two * own_noise,
+                                          sum_of_five<Floats>(columns.data() + at - begin, 1));
+                Floats weight = own_noise / (found - own_noise);
+                if (is_one) {
+                    const Floats root = three * own_noise / (found + own_noise);
+                    weight = root * root;
+                }
+                weight = chosen(pixel_noise * loaded<Floats>(any.data() + at) > none, weight, none);
+                store(&weights[std::size_t(at)], loaded<Floats>(weights.data() + at) + weight);
+                for (std::size_t k = 0; k < 4; ++k)
+                    store(&mixed[k][std::size_t(at)],
+                          loaded<Floats>(mixed[k].data() + at) +
+                              weight * loaded<Floats>(difference[k].data() + at));
+            }
+        }
+    }
+
+    /// Mixes each pixel with all others. `apart`: see NoiseFilter.
+    template <class Floats> INTEGRAL_INLINE void mix_with_all(const std::array<float, 3>& apart)
+    {
+        find_expected<Floats>();
+        for (const std::ptrdiff_t step : {std::ptrdiff_t(1), width})
+            for (int way = -reach_along; way <= reach_along; ++way)
+                if (way != 0)
+                    mix_with<Floats>(own, way * step, own, way * step, apart_from_one);
+        mix_with<Floats>(own, -1, own, 1, apart[0]);
+        mix_with<Floats>(own, -width, own, width, apart[1]);
+        mix_with<Floats>(forth, 0, back, 0, apart[2]);
+        mix_with<Floats>(forth, 0, forth, 0, apart_from_one);
+        mix_with<Floats>(back, 0, back, 0, apart_from_one);
+    }
+
+#ifdef INTEGRAL_HAS_AVX2
+    INTEGRAL_TARGET_AVX2 void mix_with_all_avx2(const std::array<float, 3>& apart)
+    {
+        mix_with_all<EightFloats>(apart);
+    }
+#endif
 };
 
 void NoiseFilter::FreeScratch::operator()(Scratch* scratch) const { delete scratch; }
@@ -38,60 +236,62 @@ NoiseFilter::NoiseFilter(const IntegralCamera& camera, const FirstSamples& finis
 {
     const Lattice& lattice = camera.optics.lattice();
     const bool lenticular = lattice.arrangement() == Arrangement::lenticular;
-    const float usual = lenticular ? apart_across_lines : apart_behind_lenses;
-    apart_ = FourFloats{} + usual;
+    apart_.fill(lenticular ? apart_across_lines : apart_behind_lenses);
     if (lenticular) {
         const Vec2 along = lattice.along();
         apart_[std::fabs(along.x) > std::fabs(along.y) ? 0 : 1] = apart_along_lines;
     }
 }
 
-/// `noise`: that of the pixel. Leaves the lens as it is.
-void NoiseFilter::set_squares(int x, int y, float noise, Squares& squares) const
+/// Sets what is known of a block's pixels and of those around.
+void NoiseFilter::read(const PictureBlock& block, const Noise& noise, Scratch& scratch) const
 {
-    squares.any = true;
-    squares.is_noisy = noise > 0;
-    finished_.for_each_second_difference(x, y, [&](int axis, FourFloats difference) {
-        squares.seen[axis] = sum_of(difference * difference);
-        squares.noise[axis] = noise * apart_[axis];
-    });
-}
-
-/// `around`: of this pixel and those around.
-FourFloats NoiseFilter::change(int x, int y, const BlockWindow<Squares>& around) const
-{
-    const std::uint32_t lens = around.at(x, y).lens;
-    FourFloats seen{}, noise{};
-    around.for_each_around<reach_around>(x, y, [&](int, int, const Squares& other) {
-        if (!other.any || other.lens != lens)
-            return;
-        seen += other.seen;
-        noise += other.noise;
-    });
-    float weights = 1; // of the pixel itself
-    FourFloats change{};
-    finished_.for_each_second_difference(x, y, [&](int axis, FourFloats difference) {
-        const float own = noise[axis];
-        if (!(own > 0))
-            return;
-        const float weight = own / std::max(own, seen[axis] - own);
-        change += weight * difference;
-        weights += weight;
-    });
-    return change / weights;
+    scratch.begin(block);
+    std::optional<FirstSamples::StoredLens> some;
+    const auto is_within = [&](int x, int y, int beyond) {
+        return x >= block.left - beyond && y >= block.top - beyond && x <= block.right + beyond &&
+               y <= block.bottom + beyond;
+    };
+    for (int y = block.top - margin; y <= block.bottom + margin; ++y)
+        for (int x = block.left - margin; x <= block.right + margin; ++x) {
+            const auto lens = finished_.lens(x, y);
+            if (!lens)
+                continue;
+            some = some.value_or(*lens);
+            // Lenses nearby are fewer than 2048 steps away.
+            const float number = float(4096 * std::int16_t((*lens)[0] - (*some)[0]) +
+                                       std::int16_t((*lens)[1] - (*some)[1]));
+            const std::size_t at = std::size_t(scratch.at(x, y));
+            scratch.own.set(at, finished_.colour(x, y), number);
+            if (!is_within(x, y, around))
+                continue;
+            scratch.noise[at] = noise(x, y);
+            const auto [forth, back] = finished_.colours_behind_next_lenses(x, y);
+            if (forth)
+                scratch.forth.set(at, *forth, number);
+            if (back)
+                scratch.back.set(at, *back, number);
+        }
 }
 
 void NoiseFilter::filter(const PictureBlock& block, const Noise& noise, Scratch& scratch,
                          std::vector<FourFloats>& changes) const
 {
-    BlockWindow<Squares>& window = scratch.squares;
-    fill_behind_lenses(window, block, reach_around, finished_, [&](int x, int y, Squares& squares) {
-        set_squares(x, y, noise(x, y), squares);
-    });
+    read(block, noise, scratch);
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        scratch.mix_with_all_avx2(apart_);
+    else
+#endif
+        scratch.mix_with_all<TwiceFourFloats>(apart_);
     changes.clear();
     for (int y = block.top; y <= block.bottom; ++y)
-        for (int x = block.left; x <= block.right; ++x)
-            changes.push_back(window.at(x, y).is_noisy ? change(x, y, window) : FourFloats{});
+        for (int x = block.left; x <= block.right; ++x) {
+            const std::size_t at = std::size_t(scratch.at(x, y));
+            const FourFloats sum = {scratch.mixed[0][at], scratch.mixed[1][at],
+                                    scratch.mixed[2][at], scratch.mixed[3][at]};
+            changes.push_back(sum / (1 + scratch.weights[at]));
+        }
 }
 
 } // namespace integral

@@ -34,7 +34,7 @@ PassRows::PassRows(const LensSheet& sheet, const Film& film, int block_side, boo
     estimated_from_ = std::max(
         {Reconstruction::reach_around, LendingPixels(Lattice(sheet), film).rows(), looked_at_});
     reconstructed_from_ = 2 * Reconstruction::reach_around;
-    filtered_from_ = NoiseFilter::reach_around + 1;
+    filtered_from_ = NoiseFilter::rows;
 }
 
 int PassRows::refined_from() const
