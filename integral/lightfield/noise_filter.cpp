@@ -27,6 +27,7 @@ constexpr int around = NoiseFilter::reach_around, margin = NoiseFilter::rows;
 
 using Numbers = std::vector<float>;
 
+/// The sums of eight times five numbers, each of which is a step behind the last.
 template <class Floats>
 INTEGRAL_INLINE Floats sum_of_five(const float* numbers, std::ptrdiff_t step)
 {
@@ -184,8 +185,8 @@ struct NoiseFilter::Scratch {
             sum_columns<Floats>(squares, any, y);
             const std::ptrdiff_t begin = first(y, 0);
             for (std::ptrdiff_t at = begin; at <= last(y, 0); at += 8) {
-                const Floats pixel_noise = loaded<Floats>(expected.data() + at),
-                             own_noise = eight_of<Floats>(apart) * pixel_noise *
+                const Floats own_noise = eight_of<Floats>(apart) *
+                                         loaded<Floats>(expected.data() + at) *
                                          sum_of_five<Floats>(any_columns.data() + at - begin, 1),
                              found = most(two * own_noise,
                                           sum_of_five<Floats>(columns.data() + at - begin, 1));
@@ -194,7 +195,7 @@ struct NoiseFilter::Scratch {
                     const Floats root = three * own_noise / (found + own_noise);
                     weight = root * root;
                 }
-                weight = chosen(pixel_noise * loaded<Floats>(any.data() + at) > none, weight, none);
+                weight = chosen(own_noise * loaded<Floats>(any.data() + at) > none, weight, none);
                 store(&weights[std::size_t(at)], loaded<Floats>(weights.data() + at) + weight);
                 for (std::size_t k = 0; k < 4; ++k)
                     store(&mixed[k][std::size_t(at)],
@@ -204,7 +205,7 @@ struct NoiseFilter::Scratch {
         }
     }
 
-    /// Mixes each pixel with all others. `apart`: see NoiseFilter.
+    /// Mixes each pixel with all its neighbours. `apart`: see NoiseFilter.
     template <class Floats> INTEGRAL_INLINE void mix_with_all(const std::array<float, 3>& apart)
     {
         find_expected<Floats>();
