@@ -305,15 +305,16 @@ BOOST_AUTO_TEST_CASE(blocks_do_not_show)
 }
 
 // Reconstructed frames of scenes in closed form, all of whose light has sharp edges, come nearer to
-// what is right. (Single scenes behind square lenses may come out worse, by up to 5%.)
+// what is right. (Single scenes behind square and hexagonal lenses hardly gain.)
 BOOST_AUTO_TEST_CASE(reconstructed_frames_gain)
 {
     using sampled_frame::Sampled;
     const struct {
         Arrangement arrangement;
         double most;
-    } sheets[] = {
-        {Arrangement::square, 1}, {Arrangement::hexagonal, 1}, {Arrangement::lenticular, 0.85}};
+    } sheets[] = {{Arrangement::square, 0.97},
+                  {Arrangement::hexagonal, 0.97},
+                  {Arrangement::lenticular, 0.75}};
     for (const auto& one : sheets) {
         double before = 0, after = 0;
         for (const double depth : {-20.0, 3.0, 40.0}) {
