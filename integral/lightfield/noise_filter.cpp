@@ -3,10 +3,8 @@
 
 #include "integral/lightfield/eight_floats.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <optional>
 
 #include "integral/base/vector_loops.h"
@@ -27,7 +25,7 @@ constexpr int around = NoiseFilter::reach_around, margin = NoiseFilter::rows;
 
 using Numbers = std::vector<float>;
 
-/// The sums of eight times five numbers, each of which is a step behind the last.
+/// For each of eight numbers beside each other: its sum with four more, each a step further on.
 template <class Floats>
 INTEGRAL_INLINE Floats sum_of_five(const float* numbers, std::ptrdiff_t step)
 {
@@ -74,8 +72,8 @@ struct NoiseFilter::Pixels {
     }
 };
 
-/// Eight pixels are worked on side by side, also beyond the ends of rows: what is written there is
-/// not read.
+/// One thread's memory. Eight pixels are worked on side by side, also beyond the ends of rows: what
+/// is written there is not read.
 struct NoiseFilter::Scratch {
     PictureBlock block{};
     std::ptrdiff_t width = 0; ///< of the rows in memory
@@ -119,7 +117,8 @@ struct NoiseFilter::Scratch {
     std::ptrdiff_t first(int y, int beyond) const { return at(block.left - beyond, y); }
     std::ptrdiff_t last(int y, int beyond) const { return at(block.right + beyond, y); }
 
-    /// Sums up two numbers over the rows around a row of the block.
+    /// Sums up two numbers over the five rows around a row of the block, into `columns` and
+    /// `any_columns`.
     template <class Floats>
     INTEGRAL_INLINE void sum_columns(const Numbers& numbers, const Numbers& where_any, int y)
     {

@@ -149,9 +149,9 @@ BOOST_AUTO_TEST_CASE(slopes_are_kept)
 
 BOOST_AUTO_TEST_CASE(outlines_become_clear)
 {
-    // A bright plane covers half of a dark one behind it. Plain means over the samples that reach
-    // it, which lie unevenly, left 0.36 on average when pixels 2.5 steps away lent theirs, too, and
-    // this way 0.33.
+    // A bright plane covers half of a dark one behind it. The samples that reach it lie unevenly.
+    // When pixels up to 2.5 steps away lent samples (now 2), plain means over them left 0.36 on
+    // average, and the fit 0.33.
     double sum = 0;
     int number = 0;
     for (double back : {14.0, 60.0, 1e9})
