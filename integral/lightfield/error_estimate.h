@@ -82,8 +82,11 @@ constexpr double bias_at_edges = 0.1;
 /// be. So rms is the root of the value expected of a frame's mean that is not below 0. From 3
 /// standard errors on, that differs from the pixels' mean by less than 0.2%.
 ///
-/// The interval is that of the central limit theorem, symmetric in the logarithm of the mean square
-/// if the relative error is small enough. It is widened
+/// The interval's upper bound is that of the central limit theorem in the logarithm of the mean
+/// square, or in the mean square itself if its relative error is large. Its lower bound is that of a
+/// sum of a random number of alike errors (Poisson's distribution) with the same relative error, or
+/// 0: most of a frame's error is in few pixels, and a sample that happens to have more of them tells
+/// too large an error. The interval is widened
 /// - upwards, as if one more pixel had the largest error: most of a frame's error is in few pixels,
 ///   a small sample tends to miss them, and then it underestimates the variance as well;
 /// - for split halves, by the variance of the true error about its expectation;
