@@ -83,10 +83,10 @@ constexpr double bias_at_edges = 0.1;
 /// standard errors on, that differs from the pixels' mean by less than 0.2%.
 ///
 /// The interval's upper bound is that of the central limit theorem in the logarithm of the mean
-/// square, or in the mean square itself if its relative error is large. Its lower bound is that of a
-/// sum of a random number of alike errors (Poisson's distribution) with the same relative error, or
-/// 0: most of a frame's error is in few pixels, and a sample that happens to have more of them tells
-/// too large an error. The interval is widened
+/// square, or in the mean square itself if its relative error is large. Its lower bound is that of
+/// a sum of a random number of alike errors (Poisson's distribution) with the same relative error,
+/// or 0: most of a frame's error is in few pixels, and a sample that happens to have more of them
+/// tells too large an error. The interval is widened
 /// - upwards, as if one more pixel had the largest error: most of a frame's error is in few pixels,
 ///   a small sample tends to miss them, and then it underestimates the variance as well;
 /// - for split halves, by the variance of the true error about its expectation;
