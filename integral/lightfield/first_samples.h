@@ -11,9 +11,7 @@
 #include "integral/optics/camera.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
