@@ -5,6 +5,8 @@
 #include "tests/unit/optics_sheets.h"
 #include "tests/unit/pixel_origins.h"
 
+#include <boost/math/special_functions/gamma.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <random>
@@ -216,6 +218,20 @@ BOOST_AUTO_TEST_CASE(the_interval_holds_the_error_of_heavy_tailed_populations)
         BOOST_TEST(too_high <= 0.025 * audits, population.name << ": " << too_high);
         if (population.name == std::string("normal errors"))
             BOOST_TEST(widest < 1.2); // the interval is narrow enough to be useful
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_lower_bound_is_that_of_a_rate_of_rare_events)
+{
+    // Of very many pixels `count` have an error, all the same one.
+    for (const double count : {4.0, 5.0, 7.0, 10.0, 30.0, 100.0, 1e4, 1e6}) {
+        ErrorSums sums;
+        sums.pixels = 1000000000000;
+        sums.sum = sums.sum_of_squares = count;
+        const auto result = estimate(sums, ErrorMethod::audit, 0);
+        const double mean = std::sqrt(count / sums.pixels),
+                     exact = std::sqrt(boost::math::gamma_p_inv(count, 0.025) / count);
+        BOOST_TEST(result->low / mean == exact, boost::test_tools::tolerance(0.007));
     }
 }
 
