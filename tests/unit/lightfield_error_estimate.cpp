@@ -215,7 +215,8 @@ BOOST_AUTO_TEST_CASE(the_interval_holds_the_error_of_heavy_tailed_populations)
                                            << "%, too high " << 100.0 * too_high / audits
                                            << "%, widest " << widest);
         BOOST_TEST(too_low <= 0.065 * audits, population.name << ": " << too_low);
-        BOOST_TEST(too_high <= 0.025 * audits, population.name << ": " << too_high);
+        const double of_95 = 0.025 * audits; // and two standard deviations, for chance
+        BOOST_TEST(too_high <= of_95 + 2 * std::sqrt(of_95), population.name << ": " << too_high);
         if (population.name == std::string("normal errors"))
             BOOST_TEST(widest < 1.2); // the interval is narrow enough to be useful
     }
