@@ -76,9 +76,10 @@ struct Mean {
     double value, deviation, reach;
 };
 
-/// The lower bound of the root of a sum of k alike errors, in terms of that root, from the sum's
-/// relative reach 1.96/sqrt(k) < 1, if k follows Poisson's distribution: the root of the quantile
-/// of a gamma distribution (Fay and Feuer 1997), by Wilson and Hilferty (1931) within 0.7%.
+/// An RMS error's lower bound, as a part of that error. `reach` is the half-width of the mean
+/// square's interval, as a part of the mean square; it is below 1. The bound is as for alike errors
+/// in a random number of pixels that follows Poisson's distribution: a gamma distribution's
+/// quantile (Fay and Feuer 1997), by the formula of Wilson and Hilferty (1931) to 0.7%.
 double lower_bound_of_root(double reach)
 {
     const double deviation = reach / two_sided_95;

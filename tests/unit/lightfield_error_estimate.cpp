@@ -214,6 +214,8 @@ BOOST_AUTO_TEST_CASE(the_interval_holds_the_error_of_heavy_tailed_populations)
         BOOST_TEST_MESSAGE(population.name << ": too low " << 100.0 * too_low / audits
                                            << "%, too high " << 100.0 * too_high / audits
                                            << "%, widest " << widest);
+        BOOST_TEST(too_low + too_high <= 0.09 * audits,
+                   population.name << ": " << too_low << " and " << too_high);
         BOOST_TEST(too_low <= 0.065 * audits, population.name << ": " << too_low);
         const double of_95 = 0.025 * audits; // and two standard deviations, for chance
         BOOST_TEST(too_high <= of_95 + 2 * std::sqrt(of_95), population.name << ": " << too_high);
