@@ -109,8 +109,8 @@ private:
         return states_.work(parts, std::chrono::duration<double>(Clock::now() - begun_).count());
     }
 
-    /// Deletes what batches that were killed have left: working folders of steps that are done, and
-    /// unfinished files.
+    /// Deletes what batches that were killed have left: working folders and logs of failure of
+    /// steps that are done, and unfinished files.
     void tidy_up()
     {
         for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps",
@@ -121,9 +121,10 @@ private:
             LockFile lock;
             std::string holder;
             if (states_.fate(i) == StepFate::kept &&
-                (exists(folder_.work(step)) || exists(folder_.lock(step.name))) &&
+                (exists(folder_.work(step)) || exists(folder_.log(step)) ||
+                 exists(folder_.lock(step.name))) &&
                 lock.take(folder_.lock(step.name), holder))
-                clean(step);
+                clean_done(step);
         }
     }
 
@@ -219,7 +220,7 @@ private:
     {
         const BatchStep& step = states_.step(i);
         publish_copy(folder_, step, states_.step(twin), record);
-        clean(step);
+        clean_done(step);
         say_remark(i, record);
         states_.set_finished(i, StepFate::copied, read_record(folder_.record(step)));
     }
@@ -254,9 +255,7 @@ private:
         if (!reason.empty())
             return conclude_failed(one.step, record, reason);
         memory_.learn(step, frame_path(step), record);
-        std::error_code ignored;
-        std::filesystem::remove(folder_.log(step), ignored);
-        clean(step);
+        clean_done(step);
         say_remark(one.step, record);
         states_.set_finished(one.step, StepFate::made, read_record(folder_.record(step)));
     }
@@ -290,6 +289,14 @@ private:
     {
         std::error_code ignored;
         std::filesystem::remove_all(folder_.work(step), ignored);
+    }
+
+    /// The same for a step that is done: what a failure of it has said is out of date.
+    void clean_done(const BatchStep& step)
+    {
+        std::error_code ignored;
+        std::filesystem::remove(folder_.log(step), ignored);
+        clean(step);
     }
 
     [[noreturn]] void stop_all()
