@@ -3,6 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integraltracer.h"
+#include "backend/render/integralcolours.h"
 #include "backend/render/integralsampling.h"
 #include "backend/render/ray.h"
 #include "backend/scene/camera.h"
@@ -219,6 +220,14 @@ void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pret
     Make_Ray(ray, integral::sight_line(*view->optics, beam), pretrace, length);
 }
 
+integral::BeamSamples::Seen IntegralTracer::Seen(const Colour& colour) const
+{
+    const integral::SightSlope line = integral::sight_slope(view->optics->optics.lattice(),
+                                                            sampled);
+    return {line, last_depth, Linear(colour), Tilt(line)};
+}
+
+/// How the surface lies that the last ray met along `line` (BeamSamples::Seen::tilt).
 std::array<float, 2> IntegralTracer::Tilt(const integral::SightSlope& line) const
 {
     if (!(last_depth < HUGE_VAL))

@@ -78,9 +78,7 @@ public:
     /// From now on Trace_Pixel traces the camera's own rays again.
     void Take_Camera_Rays() { mode = camera_rays; }
 
-    /// The last ray of the last sample, and, of a first sample, the ray from its pixel's centre
-    /// through the lens's pole.
-    const integral::BeamRay& Sampled() const { return sampled; }
+    /// Of the last first sample: the ray from its pixel's centre through the lens's pole.
     const integral::BeamRay& Centre() const { return centre; }
 
     /// Whether the last pixel, or sample, imaged anything; and the lens that did.
@@ -91,8 +89,8 @@ public:
     /// from the viewer; infinite if it met none. Only with +A.
     double Depth() const { return last_depth; }
 
-    /// How the surface lies that the last ray met along `line` (BeamSamples::Seen::tilt).
-    std::array<float, 2> Tilt(const integral::SightSlope& line) const;
+    /// What the last ray of the last sample saw; `colour`: its light. Only with +A.
+    integral::BeamSamples::Seen Seen(const Colour& colour) const;
 
     /// Computes the colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)`
     /// traces one ray up to the distance `length` (scene units; 0 = unlimited) and returns the
@@ -139,6 +137,7 @@ private:
             Keep_Depth(ray, distance);
     }
     void Keep_Depth(const Ray& ray, DBL distance);
+    std::array<float, 2> Tilt(const integral::SightSlope& line) const;
 
     std::shared_ptr<const IntegralView> view;
     IntegralContainers containers;

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integralrefinement.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/view.h"
+#include "integral/lightfield/sample_halves.h"
+
+#include <algorithm>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+/// A ratio of sums of squared deviations; 0 where samples hardly differ.
+double In_Linear_Light(double linear, double encoded)
+{
+    const double little = 1e-7;
+    return encoded > little ? linear / encoded : 0;
+}
+
+}
+
+IntegralRefinement::IntegralRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                                       Trace::CooperateFunctor& cooperate,
+                                       const IntegralRefinementOptions& options,
+                                       const ComparedEncoding& compared, IntegralSampling& sampling)
+    : view(view),
+      thread(thread),
+      trace(trace),
+      cooperate(cooperate),
+      options(options),
+      rule(options.rule),
+      sampling(sampling),
+      compared(compared)
+{
+    rule.lent = sampling.Lent() != NULL;
+}
+
+void IntegralRefinement::Run(const integral::PictureBlock& of)
+{
+    const double least = integral::least_contrast(rule);
+    block = of;
+    waiting.clear();
+    expected.assign(std::size_t(Width()) * (block.bottom - block.top + 1), -1);
+    for (int y = block.top; y <= block.bottom; y++)
+        for (int x = block.left; x <= block.right; x++)
+        {
+            const double contrast = sampling.First().contrast(x, y);
+            if (contrast >= least)
+                Want(x, y, contrast);
+            if (contrast >= 0)
+                Keep(x, y, integral::squared_error_of_one(contrast));
+        }
+    for (std::size_t next = 0; next < waiting.size(); next++)
+    {
+        const int x = waiting[next].first, y = waiting[next].second;
+        const integral::Refinement result = Refine(x, y);
+        // The first samples of its neighbours may have missed the same edge.
+        if (result.scatter() >= least)
+            sampling.First().for_each_neighbour(
+                x, y, [&](int i, int j) { Want(i, j, result.contrast_shown()); });
+    }
+    if (integral::BeamSamples *const lent = sampling.Lent())
+        lent->store(block.top, gathered);
+}
+
+int IntegralRefinement::Take_Further(int x, int y, int begin, int number,
+                                     integral::LinearColour& sum)
+{
+    int taken = 0;
+    trace.Integral().Refine(x, y, !options.jitter, sampling.First(), NULL);
+    for (int index = begin; index < begin + number; index++)
+    {
+        Colour seen;
+        if (!Take(x, y, index, seen))
+            continue;
+        taken++;
+        const integral::LinearColour light = Linear(seen);
+        for (std::size_t channel = 0; channel < light.size(); channel++)
+            sum[channel] += light[channel];
+    }
+    trace.Integral().Take_Camera_Rays();
+    return taken;
+}
+
+/// Has a pixel refined, if it is one of the block's. `contrast`: what its surroundings let expect.
+void IntegralRefinement::Want(int x, int y, double contrast)
+{
+    if (x < block.left || x > block.right || y < block.top || y > block.bottom)
+        return;
+    double& most = expected[Index(x, y)];
+    if (most < 0)
+        waiting.emplace_back(x, y);
+    most = std::max(most, contrast);
+}
+
+/// Traces one sample of the pixel that is being refined. Returns whether it belongs to the pixel's
+/// lens.
+bool IntegralRefinement::Take(int x, int y, std::uint32_t index, Colour& seen)
+{
+    trace.Integral().Take(index);
+    trace(x, y, view.GetWidth(), view.GetHeight(), seen);
+    thread.Stats()[Number_Of_Samples]++;
+    cooperate();
+    return trace.Integral().Imaged();
+}
+
+integral::Refinement IntegralRefinement::Refine(int x, int y)
+{
+    thread.Stats()[Number_Of_Pixels_Supersampled]++;
+    integral::BeamSamples *const lent = sampling.Lent();
+    integral::Refinement refinement(rule, expected[Index(x, y)]);
+    integral::SampleHalves halves;
+    bool any = false;
+    std::uint32_t index = 0;
+    const Colour first = sampling.At(x, y);
+    trace.Integral().Refine(x, y, !options.jitter, sampling.First(), lent ? &first : NULL);
+    if (lent)
+    {
+        gathered.begin(x, y);
+        refinement.add(compared(first));
+        halves.add(Linear(first));
+        thread.Stats()[Number_Of_Samples]++;
+        index++;
+    }
+    while (const int wanted = refinement.wanted())
+        for (int k = 0; k < wanted; k++)
+        {
+            Colour seen;
+            if (Take(x, y, index++, seen))
+            {
+                refinement.add(compared(seen));
+                halves.add(Linear(seen));
+                if (lent)
+                    gathered.add(*lent, trace.Integral().Seen(seen));
+                any = true;
+            }
+            else
+            {
+                refinement.add_none();
+                halves.add_none();
+            }
+        }
+    if (any)
+    {
+        sampling.At(x, y) = trace.Integral().Refined();
+        Keep(x, y, refinement.squared_error(), halves.squared_error(compared.Curve()),
+             refinement.samples(),
+             In_Linear_Light(halves.squared_deviations(), refinement.squared_deviations()));
+    }
+    trace.Integral().Take_Camera_Rays();
+    return refinement;
+}
+
+void IntegralRefinement::Keep(int x, int y, double squared_error, double squared_error_of_halves,
+                              integral::SamplesTaken samples, double in_linear_light)
+{
+    if (integral::Reconstruction *const reconstruction = sampling.Reconstruction())
+        reconstruction->set(x, y, Linear(sampling.At(x, y)), squared_error, squared_error_of_halves,
+                            samples, in_linear_light);
+}
+
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The second pass of anti-aliasing (integralsampling.h): takes more samples of the pixels of a
+// block that differ from their neighbours in the light field. And takes the further samples that
+// reconstruction asks for.
+#ifndef POVRAY_BACKEND_INTEGRALREFINEMENT_H
+#define POVRAY_BACKEND_INTEGRALREFINEMENT_H
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "backend/frame.h"
+#include "backend/render/integralcolours.h"
+#include "backend/render/integralsampling.h"
+
+namespace pov
+{
+
+/// One thread's.
+class IntegralRefinement
+{
+public:
+    /// Refers to all of these, which must outlive it.
+    IntegralRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+                       Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options,
+                       const ComparedEncoding& compared, IntegralSampling& sampling);
+
+    /// Refines the pixels of a block, of which first samples have been taken, also around it.
+    void Run(const integral::PictureBlock& of);
+
+    /// integral::Reconstruction::Further::take
+    int Take_Further(int x, int y, int begin, int number, integral::LinearColour& sum);
+
+private:
+    int Width() const { return block.right - block.left + 1; }
+    std::size_t Index(int x, int y) const
+    {
+        return std::size_t(y - block.top) * Width() + (x - block.left);
+    }
+    void Want(int x, int y, double contrast);
+    bool Take(int x, int y, std::uint32_t index, Colour& seen);
+    integral::Refinement Refine(int x, int y);
+    void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1,
+              integral::SamplesTaken samples = {}, double in_linear_light = 0);
+
+    ViewData& view;
+    ViewThreadData& thread;
+    TracePixel& trace;
+    Trace::CooperateFunctor& cooperate;
+    const IntegralRefinementOptions& options;
+    integral::RefinementRule rule;
+    IntegralSampling& sampling;
+    const ComparedEncoding& compared;
+    integral::PictureBlock block;
+    std::vector<double> expected; ///< the contrast of each pixel in `waiting`, -1 elsewhere
+    std::vector<std::pair<int, int>> waiting;
+    integral::BeamSamples::Gathered gathered;
+};
+
+}
+
+#endif
