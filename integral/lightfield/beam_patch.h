@@ -14,6 +14,7 @@
 #include "integral/lightfield/beam_samples.h"
 #include "integral/lightfield/eight_floats.h"
 
+#include <cmath>
 #include <vector>
 
 namespace integral {
@@ -53,11 +54,29 @@ public:
         {
             return eight_of<Number>(0.5f) * (cell(depth) + magnitude(pixel(depth)));
         }
+        /// The square of a place (-1 to 1 in the patch), less the mean of such squares over the
+        /// beam at a depth.
+        template <class Number>
+        INTEGRAL_INLINE Number square_above_mean(Number place, Number depth) const
+        {
+            const Number lens = cell(depth), own = magnitude(pixel(depth)), both = lens + own;
+            return place * place -
+                   eight_of<Number>(1.0f / 3) * (lens * lens + own * own) / (both * both);
+        }
     };
     /// Across and along the lattice.
     const Axis& axis(int which) const { return axes_[which]; }
     /// What is taken off places and slopes along the lines, for each unit across them.
     float lean() const { return lean_; }
+    /// By how much the slopes of the beam's lines differ from the central one's, at most, along
+    /// both axes.
+    std::array<float, 2> half_slopes() const
+    {
+        const auto along = [](const Axis& axis) {
+            return 0.5f * (std::fabs(axis.pixel_slope) + axis.cell_slope);
+        };
+        return {along(axes_[0]), along(axes_[1])};
+    }
 
 private:
     std::array<Axis, 2> axes_; ///< across and along the lattice

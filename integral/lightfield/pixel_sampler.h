@@ -130,8 +130,18 @@ private:
     std::uint64_t pixel_key(Vec2 centre) const;
     double random_shift(std::uint64_t key, std::uint64_t index, int dimension) const; // in [0, 1)
     Vec2 channel_centre(Vec2 centre, int channel) const;
-    Vec2 moved(Vec2 film_point, Vec2 unit) const;
+    /// The film point at coordinates `unit`, in the unit square, of the area of the pixel (or
+    /// subpixel) centred at `film_point`.
+    Vec2 moved(Vec2 film_point, Vec2 unit) const
+    {
+        if (camera_.display_prefilter)
+            unit = {tent_coordinate(unit.x), tent_coordinate(unit.y)};
+        return {film_point.x + (unit.x - 0.5) * area_.x, film_point.y + (unit.y - 0.5) * area_.y};
+    }
     std::optional<LensRay> sample_ray(Vec2 film_point, LensIndex lens) const;
+    /// The sequences that the pixels behind a lens share: one for the shifted points, and one for
+    /// the first points of each square of pixels.
+    static constexpr std::uint64_t shifted_points = 0, first_points = 1;
     PointSeeds lens_seeds(LensIndex lens, int channel, std::uint64_t sequence) const;
     BeamRay first_ray(const LensRay& pole_ray, Vec2 film_point, const UnitPoint& unit,
                       const std::optional<LensRay>& at) const;

@@ -290,7 +290,7 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
                 continue;
             pixel.layers = StoredLight(light->light);
             pixel.others = 1 - light->own_part;
-            pixel.noise = is_one ? std::max(noise.variance, scratch.layers.variance())
+            pixel.noise = is_one ? std::max(noise.variance, scratch.layers.samples().variance())
                                  : noise.variance;
         }
 }

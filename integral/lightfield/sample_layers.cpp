@@ -37,30 +37,6 @@ template <class Floats> INTEGRAL_INLINE Floats logarithm(Floats x)
     return bits_as_number(x) * eight_of<Floats>(0x1p-23f) - eight_of<Floats>(127);
 }
 
-/// Sums of samples' light by weight, component by component, eight samples at a time; or of other
-/// numbers of each component.
-template <class Floats> struct LightSums {
-    Floats light[2][2]{};
-
-    INTEGRAL_INLINE void add(Floats weights, const WeighedSamples::Met& met, std::size_t eight)
-    {
-        for (int pair = 0; pair < 2; ++pair) {
-            Floats more[2];
-            met.light_pair(pair, eight, more);
-            add_pair(pair, weights, more);
-        }
-    }
-    INTEGRAL_INLINE void add_pair(int pair, Floats weights, const Floats (&more)[2])
-    {
-        for (int k = 0; k < 2; ++k)
-            light[pair][k] = light[pair][k] + weights * more[k];
-    }
-    INTEGRAL_INLINE FourFloats sums() const
-    {
-        return sums_of_eight(light[0][0], light[0][1], light[1][0], light[1][1]);
-    }
-};
-
 } // namespace
 
 /// A depth on the scale on which layers are told apart.
@@ -168,26 +144,6 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::place_layers()
     }
 }
 
-/// By how much the slopes of a beam's lines differ from the central one's, at most, along both
-/// axes.
-inline std::array<float, 2> half_slopes(const BeamPatch& patch)
-{
-    const auto along = [](const BeamPatch::Axis& axis) {
-        return 0.5f * (std::fabs(axis.pixel_slope) + axis.cell_slope);
-    };
-    return {along(patch.axis(0)), along(patch.axis(1))};
-}
-
-/// The square of places in the patch along one axis, less the mean of such squares over the beam at
-/// a depth.
-template <class Floats>
-INTEGRAL_INLINE Floats square_above_mean(const BeamPatch::Axis& axis, Floats place, Floats depth)
-{
-    const Floats cell = axis.cell(depth), pixel = magnitude(axis.pixel(depth)), both = cell + pixel;
-    return place * place -
-           eight_of<Floats>(1.0f / 3) * (cell * cell + pixel * pixel) / (both * both);
-}
-
 /// Finds the squares that regressions are about, of all samples that ended in the beam: at the
 /// depth of `layer`, or each at its own (null).
 template <class Floats> INTEGRAL_INLINE void SampleLayers::find_squares(const Layer* layer)
@@ -196,9 +152,8 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::find_squares(const La
     for (std::size_t eight = 0; eight < met.eights(); ++eight) {
         const Floats depths = layer ? eight_of<Floats>(layer->depth) : met.depths<Floats>(eight);
         for (int axis = 0; axis < 2; ++axis)
-            store(placed_[eight].squares[axis],
-                  square_above_mean(samples_.patch().axis(axis), met.places<Floats>(axis, eight),
-                                    depths));
+            store(placed_[eight].squares[axis], samples_.patch().axis(axis).square_above_mean(
+                                                    met.places<Floats>(axis, eight), depths));
     }
 }
 
@@ -312,8 +267,8 @@ INTEGRAL_INLINE ReachingSamples<float> SampleLayers::reaching(const Layer& layer
                          (covers_.none() ? passed : passed * covers_.open(at.x, at.y));
         if (places) {
             const Floats numbers[4] = {at.x, at.y,
-                                       square_above_mean(patch.axis(0), at.x, layer_depth),
-                                       square_above_mean(patch.axis(1), at.y, layer_depth)};
+                                       patch.axis(0).square_above_mean(at.x, layer_depth),
+                                       patch.axis(1).square_above_mean(at.y, layer_depth)};
             places->add(passed, numbers);
         }
     }
@@ -384,7 +339,7 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
         behind -= layer.weight;
         const bool is_little = layer.weight < little_part * behind,
                    is_fitted = covers_.none() && !is_little && &layer != &layers_.back() &&
-                               layer.plane.tilt(half_slopes(samples_.patch())) < most_tilt;
+                               layer.plane.tilt(samples_.patch().half_slopes()) < most_tilt;
         const Part part = is_fitted ? fitted_part<Floats>(layer, before)
                                     : plain_part<Floats>(layer, before, behind, is_little);
         sum += open * part.light;
@@ -400,7 +355,7 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::composed()
 bool SampleLayers::is_floor() const
 {
     const float last = samples_.furthest() - 0.01f * std::fabs(samples_.furthest());
-    return samples_.part_askew(last, half_slopes(samples_.patch()), most_tilt) > 0.5f;
+    return samples_.part_askew(last, samples_.patch().half_slopes(), most_tilt) > 0.5f;
 }
 
 /// The pixel's light; some samples must have met the beam.
@@ -448,41 +403,6 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     std::memcpy(&result.light, &light, sizeof light);
     result.own_part = samples_.own_part();
     return result;
-}
-
-template <class Floats> INTEGRAL_INLINE float SampleLayers::variance_with() const
-{
-    const WeighedSamples::Met& met = samples_.met();
-    LightSums<Floats> sums, squares;
-    for (std::size_t eight = 0; eight < met.eights(); ++eight) {
-        const Floats weights = met.weights<Floats>(eight);
-        for (int pair = 0; pair < 2; ++pair) {
-            Floats roots[2];
-            met.root_pair(pair, eight, roots);
-            sums.add_pair(pair, weights, roots);
-            squares.add_pair(pair, weights, {roots[0] * roots[0], roots[1] * roots[1]});
-        }
-    }
-    const float one = 1 / samples_.weight();
-    const FourFloats mean = one * sums.sums(),
-                     variance = StoredLight::of_squared_root * (one * squares.sums() - mean * mean);
-    return std::max(0.0f, variance[0] + variance[1] + variance[2]);
-}
-
-#ifdef INTEGRAL_HAS_AVX2
-INTEGRAL_TARGET_AVX2 float SampleLayers::variance_with_avx2() const
-{
-    return variance_with<EightFloats>();
-}
-#endif
-
-float SampleLayers::variance() const
-{
-#ifdef INTEGRAL_HAS_AVX2
-    if (has_avx2())
-        return variance_with_avx2();
-#endif
-    return variance_with<TwiceFourFloats>();
 }
 
 } // namespace integral

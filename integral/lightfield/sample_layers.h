@@ -22,7 +22,8 @@ namespace integral {
 
 class SampleLayers {
 public:
-    /// The samples of which a pixel's light is made; they are to be added before light().
+    /// The samples of which a pixel's light is made; they are to be added before light(), which
+    /// weighs them.
     WeighedSamples& samples() { return samples_; }
 
     struct Light {
@@ -31,10 +32,6 @@ public:
     };
     /// The pixel's light; nothing if no sample met the beam.
     std::optional<Light> light();
-
-    /// After light(): the variance of the samples that ended in the beam: of the square roots of
-    /// their light, summed over red, green and blue.
-    float variance() const;
 
 private:
     struct Layer {
@@ -83,8 +80,6 @@ private:
     bool is_floor() const;
     template <class Floats> FourFloats light_with();
     FourFloats light_with_avx2();
-    template <class Floats> float variance_with() const;
-    float variance_with_avx2() const;
 
     WeighedSamples samples_;
     float steepness_ = 0;

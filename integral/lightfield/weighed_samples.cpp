@@ -198,6 +198,40 @@ void WeighedSamples::weigh()
     weigh_with<TwiceFourFloats>();
 }
 
+template <class Floats> INTEGRAL_INLINE float WeighedSamples::variance_with() const
+{
+    LightSums<Floats> sums, squares;
+    for (std::size_t eight = 0; eight < met_.eights(); ++eight) {
+        const Floats weights = met_.weights<Floats>(eight);
+        for (int pair = 0; pair < 2; ++pair) {
+            Floats roots[2];
+            met_.root_pair(pair, eight, roots);
+            sums.add_pair(pair, weights, roots);
+            squares.add_pair(pair, weights, {roots[0] * roots[0], roots[1] * roots[1]});
+        }
+    }
+    const float one = 1 / weight_;
+    const FourFloats mean = one * sums.sums(),
+                     variance = StoredLight::of_squared_root * (one * squares.sums() - mean * mean);
+    return std::max(0.0f, variance[0] + variance[1] + variance[2]);
+}
+
+#ifdef INTEGRAL_HAS_AVX2
+INTEGRAL_TARGET_AVX2 float WeighedSamples::variance_with_avx2() const
+{
+    return variance_with<EightFloats>();
+}
+#endif
+
+float WeighedSamples::variance() const
+{
+#ifdef INTEGRAL_HAS_AVX2
+    if (has_avx2())
+        return variance_with_avx2();
+#endif
+    return variance_with<TwiceFourFloats>();
+}
+
 float WeighedSamples::own_part() const
 {
     float part = 0;

@@ -115,6 +115,10 @@ public:
     float nearest() const { return nearest_; }
     float furthest() const { return furthest_; }
 
+    /// The variance of the samples that ended in the beam, of which there must be some: of the
+    /// square roots of their light, summed over red, green and blue.
+    float variance() const;
+
     /// Of the samples that ended in the beam nearer than a depth (mm), the part by weight whose
     /// surfaces lie askew: from a line whose slopes differ by `slopes`, the area in which they are
     /// seen is larger or smaller by `change` (a part of it) or more.
@@ -138,6 +142,8 @@ private:
     void read(Group& group, Floats (&tilts)[2], Floats (&light)[2], std::size_t first) const;
     template <class Floats> void weigh_with();
     void weigh_with_avx2();
+    template <class Floats> float variance_with() const;
+    float variance_with_avx2() const;
 
     void make_room(std::size_t number);
 
@@ -165,6 +171,30 @@ private:
     std::size_t group_number_ = 0;
     Met met_;
     float weight_ = 0, nearest_ = 0, furthest_ = 0;
+};
+
+/// Sums of samples' light by weight, component by component, eight samples at a time; or of other
+/// numbers of each component.
+template <class Floats> struct LightSums {
+    Floats light[2][2]{};
+
+    INTEGRAL_INLINE void add(Floats weights, const WeighedSamples::Met& met, std::size_t eight)
+    {
+        for (int pair = 0; pair < 2; ++pair) {
+            Floats more[2];
+            met.light_pair(pair, eight, more);
+            add_pair(pair, weights, more);
+        }
+    }
+    INTEGRAL_INLINE void add_pair(int pair, Floats weights, const Floats (&more)[2])
+    {
+        for (int k = 0; k < 2; ++k)
+            light[pair][k] = light[pair][k] + weights * more[k];
+    }
+    INTEGRAL_INLINE FourFloats sums() const
+    {
+        return sums_of_eight(light[0][0], light[0][1], light[1][0], light[1][1]);
+    }
 };
 
 inline void WeighedSamples::add(const BeamSamples::Pixel* pixels, unsigned which,

@@ -3,11 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integralrefinement.h"
-#include "backend/scene/scene.h"
-#include "backend/scene/view.h"
 #include "integral/lightfield/sample_halves.h"
-
-#include <algorithm>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -88,28 +84,6 @@ int IntegralRefinement::Take_Further(int x, int y, int begin, int number,
     }
     trace.Integral().Take_Camera_Rays();
     return taken;
-}
-
-/// Has a pixel refined, if it is one of the block's. `contrast`: what its surroundings let expect.
-void IntegralRefinement::Want(int x, int y, double contrast)
-{
-    if (x < block.left || x > block.right || y < block.top || y > block.bottom)
-        return;
-    double& most = expected[Index(x, y)];
-    if (most < 0)
-        waiting.emplace_back(x, y);
-    most = std::max(most, contrast);
-}
-
-/// Traces one sample of the pixel that is being refined. Returns whether it belongs to the pixel's
-/// lens.
-bool IntegralRefinement::Take(int x, int y, std::uint32_t index, Colour& seen)
-{
-    trace.Integral().Take(index);
-    trace(x, y, view.GetWidth(), view.GetHeight(), seen);
-    thread.Stats()[Number_Of_Samples]++;
-    cooperate();
-    return trace.Integral().Imaged();
 }
 
 integral::Refinement IntegralRefinement::Refine(int x, int y)

@@ -5,6 +5,7 @@
 #ifndef POVRAY_BACKEND_INTEGRALREFINEMENT_H
 #define POVRAY_BACKEND_INTEGRALREFINEMENT_H
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "backend/frame.h"
 #include "backend/render/integralcolours.h"
 #include "backend/render/integralsampling.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/view.h"
 
 namespace pov
 {
@@ -37,8 +40,30 @@ private:
     {
         return std::size_t(y - block.top) * Width() + (x - block.left);
     }
-    void Want(int x, int y, double contrast);
-    bool Take(int x, int y, std::uint32_t index, Colour& seen);
+
+    /// Has a pixel refined, if it is one of the block's. `contrast`: what its surroundings let
+    /// expect.
+    void Want(int x, int y, double contrast)
+    {
+        if (x < block.left || x > block.right || y < block.top || y > block.bottom)
+            return;
+        double& most = expected[Index(x, y)];
+        if (most < 0)
+            waiting.emplace_back(x, y);
+        most = std::max(most, contrast);
+    }
+
+    /// Traces one sample of the pixel that is being refined. Returns whether it belongs to the
+    /// pixel's lens.
+    bool Take(int x, int y, std::uint32_t index, Colour& seen)
+    {
+        trace.Integral().Take(index);
+        trace(x, y, view.GetWidth(), view.GetHeight(), seen);
+        thread.Stats()[Number_Of_Samples]++;
+        cooperate();
+        return trace.Integral().Imaged();
+    }
+
     integral::Refinement Refine(int x, int y);
     void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1,
               integral::SamplesTaken samples = {}, double in_linear_light = 0);
