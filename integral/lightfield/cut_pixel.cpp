@@ -26,7 +26,7 @@ Span span_behind(const IntegralCamera& camera, FirstSamples::StoredLens own, At 
     for (int k = 0; k < run_length; ++k)
         film_points[k] = film_from_pixel(camera.film, at((k + 0.5) / run_length - 0.5));
     RayRun<MappedPoint> mapped;
-    camera.optics.map_run(film_points, camera.mapping, mapped);
+    camera.optics.map_run(run_length, film_points, camera.mapping, mapped);
     const auto is_own = [&](int k) {
         return mapped[k].ray && FirstSamples::stored(mapped[k].ray->lens) == own;
     };

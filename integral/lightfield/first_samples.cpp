@@ -104,13 +104,6 @@ double FirstSamples::depth(int x, int y) const
                         : entry.depth + 0.0; // -0 + 0 is 0
 }
 
-std::optional<FirstSamples::StoredLens> FirstSamples::lens(int x, int y) const
-{
-    if (const Entry* entry = at(x, y))
-        return StoredLens{entry->i, entry->j};
-    return {};
-}
-
 std::array<std::optional<FourFloats>, 2> FirstSamples::colours_behind_next_lenses(int x,
                                                                                   int y) const
 {

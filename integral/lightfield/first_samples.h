@@ -61,7 +61,11 @@ public:
 
     /// The lens that was set, with its indices modulo 2^16; nothing for an empty pixel.
     using StoredLens = std::array<std::uint16_t, 2>;
-    std::optional<StoredLens> lens(int x, int y) const;
+    std::optional<StoredLens> lens(int x, int y) const
+    {
+        const Entry* entry = at(x, y);
+        return entry ? std::optional(StoredLens{entry->i, entry->j}) : std::nullopt;
+    }
     /// A lens as it is stored.
     static StoredLens stored(LensIndex lens)
     {

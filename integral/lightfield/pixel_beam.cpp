@@ -10,10 +10,9 @@ namespace integral {
 namespace {
 
 // The places of a pixel whose pole rays its beam is worked out from: the centre, the corners, and
-// the middles of the right and of the upper edge. In parts of the pixel from its centre; the last
-// one fills the run.
-constexpr RayRun<Vec2> beam_places{
-    {{0, 0}, {-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.5, 0}, {0, 0.5}, {0, 0}}};
+// the middles of the right and of the upper edge. In parts of the pixel from its centre.
+constexpr std::array<Vec2, 7> beam_places{
+    {{0, 0}, {-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.5, 0}, {0, 0.5}}};
 
 } // namespace
 
@@ -22,10 +21,10 @@ constexpr RayRun<Vec2> beam_places{
 PixelSampler::BeamRays PixelSampler::beam_rays(Vec2 film_centre) const
 {
     RayRun<Vec2> film_points;
-    for (int k = 0; k < run_length; ++k)
+    for (std::size_t k = 0; k < beam_places.size(); ++k)
         film_points[k] = film_centre + Vec2{beam_places[k].x * area_.x, beam_places[k].y * area_.y};
     RayRun<MappedPoint> mapped;
-    camera_.optics.map_run(film_points, camera_.mapping, mapped);
+    camera_.optics.map_run(int(beam_places.size()), film_points, camera_.mapping, mapped);
     BeamRays rays;
     rays.centre = mapped[0].ray;
     if (!rays.centre)
@@ -44,10 +43,11 @@ PixelSampler::BeamRays PixelSampler::beam_rays(Vec2 film_centre) const
 /// The same where a lens is known to image all of the pixel.
 PixelSampler::BeamRays PixelSampler::beam_rays_through(Vec2 film_centre, LensIndex lens) const
 {
-    const auto ray = [&](double x, double y) {
-        return camera_.optics.ray_through(film_centre + Vec2{x * area_.x, y * area_.y}, lens);
-    };
-    return {ray(0, 0), ray(0.5, 0), ray(0, 0.5), true};
+    const RayRun<Vec2> film_points{film_centre, film_centre + Vec2{0.5 * area_.x, 0},
+                                   film_centre + Vec2{0, 0.5 * area_.y}};
+    RayRun<std::optional<LensRay>> rays;
+    camera_.optics.rays_through(3, film_points, lens, rays);
+    return {rays[0], rays[1], rays[2], true};
 }
 
 /// Sets how far the point seen at `depth` moves with the position on the pixel and with the
@@ -106,37 +106,60 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth,
     return beam;
 }
 
-/// The ray of one sample of a beam; nothing if another lens images the film point, or no light gets
-/// through. `unit`: the place on the lens.
-std::optional<BeamRay> PixelSampler::beam_sample(const PixelBeam::Channel& own, Vec2 film_point,
-                                                 Vec2 unit) const
+/// The rays of samples of a beam at some film points. `units`: the places on the lens.
+void PixelSampler::beam_samples(const PixelBeam::Channel& own, int number,
+                                const RayRun<Vec2>& film_points, const RayRun<Vec2>& units,
+                                RayRun<std::optional<BeamRay>>& rays) const
 {
     const SheetOptics& optics = camera_.optics;
-    if (own.whole && slit_height_) // no pole ray is needed
-        return beam_ray(optics, film_point, own.lens,
-                        cell_point(optics.lattice(), unit, *slit_height_));
-    const auto pole_ray = own.whole ? optics.ray_through(film_point, own.lens)
-                                    : sample_ray(film_point, own.lens);
-    return pole_ray ? ray_at(film_point, *pole_ray, lens_point(unit, *pole_ray)) : std::nullopt;
+    if (own.whole && slit_height_) { // no pole rays are needed
+        RayRun<LensPoint> points;
+        for (int k = 0; k < number; ++k)
+            points[k] = cell_point(optics.lattice(), units[k], *slit_height_);
+        return integral::beam_rays(optics, number, film_points, own.lens, points, rays);
+    }
+    RayRun<std::optional<LensRay>> pole_rays;
+    if (own.whole)
+        optics.rays_through(number, film_points, own.lens, pole_rays);
+    else {
+        RayRun<MappedPoint> mapped;
+        optics.map_run(number, film_points, camera_.mapping, mapped);
+        for (int k = 0; k < number; ++k)
+            if (mapped[k].ray && mapped[k].ray->lens == own.lens)
+                pole_rays[k] = mapped[k].ray;
+    }
+    for (int k = 0; k < number; ++k)
+        rays[k] = pole_rays[k]
+                      ? ray_at(film_points[k], *pole_rays[k], lens_point(units[k], *pole_rays[k]))
+                      : std::nullopt;
+}
+
+void PixelSampler::samples(const PixelBeam::Channel& own, std::uint32_t begin, int number,
+                           RayRun<std::optional<BeamRay>>& rays) const
+{
+    RayRun<Vec2> film_points, units;
+    for (int k = 0; k < number; ++k) {
+        const UnitPoint unit = own.points(begin + std::uint32_t(k));
+        const SumSplit::Parts across = own.across(unit[0], unit[2]),
+                              along = own.along(unit[1], unit[3]);
+        film_points[k] = moved(own.film_centre, own.turned ? Vec2{along.second, across.second}
+                                                           : Vec2{across.second, along.second});
+        units[k] = {across.first, along.first};
+    }
+    beam_samples(own, number, film_points, units, rays);
 }
 
 void PixelSampler::append_sample(const PixelBeam& beam, std::uint32_t index,
                                  std::vector<PixelRay>& rays) const
 {
     for (int k = 0; k < beam.number; ++k) {
-        const PixelBeam::Channel& own = beam.channels[k];
-        const UnitPoint unit = own.points(index);
-        const SumSplit::Parts across = own.across(unit[0], unit[2]),
-                              along = own.along(unit[1], unit[3]);
-        const Vec2 pixel = own.turned ? Vec2{along.second, across.second}
-                                      : Vec2{across.second, along.second};
-        const auto ray = beam_sample(own, moved(own.film_centre, pixel),
-                                     {across.first, along.first});
-        if (!ray)
+        RayRun<std::optional<BeamRay>> ray;
+        samples(beam.channels[k], index, 1, ray);
+        if (!ray[0])
             continue;
         PixelRay sample;
-        sample.channel = own.channel;
-        sample.ray = *ray;
+        sample.channel = beam.channels[k].channel;
+        sample.ray = *ray[0];
         rays.push_back(sample);
     }
 }

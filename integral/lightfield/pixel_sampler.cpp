@@ -327,7 +327,7 @@ void PixelSampler::first_samples(Vec2 centre, const RayRun<MappedPoint>& mapped,
         film_points[k] = moved(film_points[k], {units[k][2], units[k][3]});
     }
     RayRun<MappedPoint> at;
-    camera_.optics.map_run(film_points, camera_.mapping, at);
+    camera_.optics.map_run(run_length, film_points, camera_.mapping, at);
     for (int k = 0; k < run_length; ++k)
         if (mapped[k].ray)
             samples[k] = first_ray(*mapped[k].ray, film_points[k], units[k], at[k].ray);

@@ -117,6 +117,12 @@ public:
     void append_sample(const PixelBeam& beam, std::uint32_t index,
                        std::vector<PixelRay>& rays) const;
 
+    /// The rays of samples `begin` to begin + number - 1 of one channel of a beam, `number` at most
+    /// run_length: those of append_sample, but worked out side by side. Nothing for a sample of
+    /// which append_sample would append nothing.
+    void samples(const PixelBeam::Channel& channel, std::uint32_t begin, int number,
+                 RayRun<std::optional<BeamRay>>& rays) const;
+
     /// Whether the difference between append_rays' two independent halves of samples estimates the
     /// whole error. It does if they sample both the pixel's area and the lens's cell, with at least
     /// 16 samples.
@@ -162,8 +168,8 @@ private:
     void aim(PixelBeam::Channel& own, const LensRay& centre, const LensRay& right,
              const LensRay& up, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;
-    std::optional<BeamRay> beam_sample(const PixelBeam::Channel& own, Vec2 film_point,
-                                       Vec2 unit) const;
+    void beam_samples(const PixelBeam::Channel& own, int number, const RayRun<Vec2>& film_points,
+                      const RayRun<Vec2>& units, RayRun<std::optional<BeamRay>>& rays) const;
     void append_channel(Vec2 centre, int channel, std::uint64_t key, std::vector<PixelRay>& rays,
                         PixelOutcome& outcome) const;
     std::optional<BeamRay> ray_at(Vec2 film_point, const LensRay& pole_ray,

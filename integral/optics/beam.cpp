@@ -58,6 +58,14 @@ BeamRay make_ray(Vec2 point, double height, Vec3 refracted, double way, Vec2 ape
     return {{point.x, point.y, height}, (1 / way) * refracted, aperture_point};
 }
 
+/// The ray of a lenticular lens whose surface is `depth` (mm) from the film at the exit.
+BeamRay beam_of(const SlitRay& ray, const Exit& exit, double depth)
+{
+    return make_ray(ray.point + exit.beside, exit.plane.height, ray.refracted,
+                    std::sqrt(dot(ray.offset, ray.offset) + depth * depth),
+                    ray.aperture_point + exit.beside);
+}
+
 Vec2 leaving_point(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
                    const LensPoint& point, const Exit& exit)
 {
@@ -97,11 +105,7 @@ std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, Lens
         const Slit& slit = optics.slit();
         const auto ray = slit_ray(slit, medium, film_point, pole, signed_height(slit, point.slit),
                                   exit->plane);
-        if (!ray)
-            return std::nullopt;
-        return make_ray(ray->point + exit->beside, exit->plane.height, ray->refracted,
-                        std::sqrt(dot(ray->offset, ray->offset) + depth * depth),
-                        ray->aperture_point + exit->beside);
+        return ray ? std::optional(beam_of(*ray, *exit, depth)) : std::nullopt;
     }
     const Vec2 to_pole = pole - film_point;
     const double reach = dot(exit->across, to_pole) + exit->plane.v,
@@ -119,6 +123,30 @@ std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, Lens
     return make_ray(from, exit->plane.height, {lateral.x, lateral.y, out.z},
                     std::sqrt(reach * reach + along * along + depth * depth),
                     from + stretch * lateral);
+}
+
+void beam_rays(const SheetOptics& optics, int number, const RayRun<Vec2>& film_points,
+               LensIndex lens, const RayRun<LensPoint>& points,
+               RayRun<std::optional<BeamRay>>& rays)
+{
+    if (!is_lenticular(optics) || refracts_at_surface(optics.model())) {
+        for (int k = 0; k < number; ++k)
+            rays[k] = beam_ray(optics, film_points[k], lens, points[k]);
+        return;
+    }
+    RayRun<Vec2> poles;
+    poles.fill(optics.lattice().pole(lens));
+    RayRun<double> etas{};
+    for (int k = 0; k < number; ++k)
+        etas[k] = signed_height(optics.slit(), points[k].slit);
+    RayRun<std::optional<SlitRay>> found;
+    slit_rays(optics.slit(), optics.medium(), number, film_points, poles, etas, found);
+    for (int k = 0; k < number; ++k) {
+        Exit exit;
+        exit.beside = points[k].offset;
+        rays[k] = found[k] ? std::optional(beam_of(*found[k], exit, optics.medium().t))
+                           : std::nullopt;
+    }
 }
 
 std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,

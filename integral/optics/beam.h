@@ -36,6 +36,12 @@ inline BeamRay pole_beam(const LensRay& ray)
 std::optional<BeamRay> beam_ray(const SheetOptics& optics, Vec2 film_point, LensIndex lens,
                                 const LensPoint& point);
 
+/// beam_ray of the first `number` film points through one lens, each through the point of the same
+/// number: the same, bit for bit, but behind lenticular lenses worked out side by side.
+void beam_rays(const SheetOptics& optics, int number, const RayRun<Vec2>& film_points,
+               LensIndex lens, const RayRun<LensPoint>& points,
+               RayRun<std::optional<BeamRay>>& rays);
+
 /// Where on z = height of the lens's point the light leaves that goes through `point` of a lens and
 /// through `scene_point`: the lens's point itself; on a lenticular lens the one place of the line
 /// through it, parallel to the axis, from which a straight line meets both slit and scene point.

@@ -113,23 +113,24 @@ bool SheetOptics::find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) 
                        : candidate_at_pole(film_point, c);
 }
 
-/// find_candidate of several film points side by side.
-void SheetOptics::find_candidates(const RayRun<Vec2>& film_points, const RayRun<LensIndex>& lenses,
-                                  RayRun<Candidate>& candidates, RayRun<bool>& found) const
+/// find_candidate of the first `number` film points, side by side.
+void SheetOptics::find_candidates(int number, const RayRun<Vec2>& film_points,
+                                  const RayRun<LensIndex>& lenses, RayRun<Candidate>& candidates,
+                                  RayRun<bool>& found) const
 {
     RayRun<Vec2> poles;
-    for (int k = 0; k < run_length; ++k) {
+    for (int k = 0; k < number; ++k) {
         candidates[k].lens = lenses[k];
         candidates[k].pole = poles[k] = lattice_.pole(lenses[k]);
     }
     if (!lenticular_) {
-        for (int k = 0; k < run_length; ++k)
+        for (int k = 0; k < number; ++k)
             found[k] = candidate_at_pole(film_points[k], candidates[k]);
         return;
     }
     RayRun<std::optional<SlitRay>> rays;
-    slit_rays(slit_, medium_, film_points, poles, rays);
-    for (int k = 0; k < run_length; ++k)
+    slit_rays(slit_, medium_, number, film_points, poles, {}, rays);
+    for (int k = 0; k < number; ++k)
         found[k] = candidate_on_axis(rays[k], candidates[k]);
 }
 
@@ -145,6 +146,18 @@ std::optional<LensRay> SheetOptics::ray_through(Vec2 film_point, LensIndex lens)
     if (!c)
         return std::nullopt;
     return complete(*c);
+}
+
+void SheetOptics::rays_through(int number, const RayRun<Vec2>& film_points, LensIndex lens,
+                               RayRun<std::optional<LensRay>>& rays) const
+{
+    RayRun<LensIndex> lenses;
+    lenses.fill(lens);
+    RayRun<Candidate> candidates;
+    RayRun<bool> found;
+    find_candidates(number, film_points, lenses, candidates, found);
+    for (int k = 0; k < number; ++k)
+        rays[k] = found[k] ? std::optional(complete(candidates[k])) : std::nullopt;
 }
 
 /// Of a lens whose ray need not pass the aperture itself.
@@ -243,24 +256,24 @@ MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
     return map_by_search(film_point);
 }
 
-void SheetOptics::map_run(const RayRun<Vec2>& film_points, LensMapping mapping,
+void SheetOptics::map_run(int number, const RayRun<Vec2>& film_points, LensMapping mapping,
                           RayRun<MappedPoint>& mapped) const
 {
     const bool closest = mapping == LensMapping::closest;
     if (!closest && (mapping != LensMapping::automatic || neighbour_limits_.empty())) {
-        for (int k = 0; k < run_length; ++k)
+        for (int k = 0; k < number; ++k)
             mapped[k] = map(film_points[k], mapping);
         return;
     }
     RayRun<LensIndex> nearest, likely;
-    for (int k = 0; k < run_length; ++k)
+    for (int k = 0; k < number; ++k)
         nearest[k] = lattice_.nearest(film_points[k]);
-    for (int k = 0; k < run_length; ++k)
+    for (int k = 0; k < number; ++k)
         likely[k] = closest ? nearest[k] : lattice_.nearest(likely_pole(film_points[k]));
     RayRun<Candidate> candidates;
     RayRun<bool> found;
-    find_candidates(film_points, likely, candidates, found);
-    for (int k = 0; k < run_length; ++k)
+    find_candidates(number, film_points, likely, candidates, found);
+    for (int k = 0; k < number; ++k)
         if (!is_exact(film_points[k]))
             mapped[k] = map(film_points[k], mapping);
         else if (!(found[k] &&

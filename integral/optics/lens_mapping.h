@@ -60,14 +60,18 @@ public:
     /// nothing.
     MappedPoint map(Vec2 film_point, LensMapping mapping) const;
 
-    /// The same for several film points, neighbours at best: the results of `map`, bit for bit, but
-    /// several rays are worked out side by side, which is faster.
-    void map_run(const RayRun<Vec2>& film_points, LensMapping mapping,
+    /// The same for the first `number` film points, neighbours at best: the results of `map`, bit
+    /// for bit, but several rays are worked out side by side, which is faster.
+    void map_run(int number, const RayRun<Vec2>& film_points, LensMapping mapping,
                  RayRun<MappedPoint>& mapped) const;
 
     /// The ray from a film point through one given lens, whether or not it passes the aperture.
     /// Nothing: totally reflected, or the slit is out of reach.
     std::optional<LensRay> ray_through(Vec2 film_point, LensIndex lens) const;
+
+    /// ray_through of the first `number` film points, bit for bit, worked out side by side.
+    void rays_through(int number, const RayRun<Vec2>& film_points, LensIndex lens,
+                      RayRun<std::optional<LensRay>>& rays) const;
 
     /// Inverse for an eye: the film point whose light leaves the sheet at `point` (z = 0) in
     /// `direction` (of any length, towards the viewer, z < 0), through the lens whose cell contains
@@ -104,8 +108,9 @@ private:
     bool candidate_at_pole(Vec2 film_point, Candidate& c) const;
     static bool candidate_on_axis(const std::optional<SlitRay>& ray, Candidate& c);
     bool find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) const;
-    void find_candidates(const RayRun<Vec2>& film_points, const RayRun<LensIndex>& lenses,
-                         RayRun<Candidate>& candidates, RayRun<bool>& found) const;
+    void find_candidates(int number, const RayRun<Vec2>& film_points,
+                         const RayRun<LensIndex>& lenses, RayRun<Candidate>& candidates,
+                         RayRun<bool>& found) const;
     std::optional<Candidate> candidate(Vec2 film_point, LensIndex lens) const;
     LensRay complete(const Candidate& c) const
     {

@@ -28,12 +28,12 @@ inline Foot foot_on_line(const Slit& slit, Vec2 film_point, Vec2 on_axis, double
 /// tau^2), E the clearance at tau = 0, p = g tau + h e.b and D the slit's distance
 ///     H(tau) = alpha + g tau + n D p/S,   H' = g + n D (g E + m h (e.b) tau)/S^3.
 struct PoleEquation {
-    double alpha = 0;        ///< e.foot - eta
-    double g = 0;            ///< e.a
-    double lateral = 0;      ///< h e.b
-    double nd = 0;           ///< n D
-    double m = 0, clear = 0; ///< of the medium; E
-    double end = 0;          ///< the greatest |tau|, sqrt(E/m)
+    double alpha;    ///< e.foot - eta
+    double g;        ///< e.a
+    double lateral;  ///< h e.b
+    double nd;       ///< n D
+    double m, clear; ///< of the medium; E
+    double end;      ///< the greatest |tau|, sqrt(E/m)
 
     /// Whether there is a root: H changes its sign between -end and end.
     bool has_root() const { return std::fabs(lateral) < g * end; }
@@ -185,7 +185,7 @@ public:
     double s() const { return equation_.root(tau_); } ///< S at tau
 
 private:
-    PoleEquation equation_;
+    PoleEquation equation_; ///< set if the search goes on
     double tau_ = 0;
     int steps_ = 0;
     bool going_on_ = false, found_ = false;
@@ -333,22 +333,23 @@ std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 fil
     return ray_in_bracket(slit, medium, foot, on_axis, eta, plane);
 }
 
-void slit_rays(const Slit& slit, const Medium& medium, const RayRun<Vec2>& film_points,
-               const RayRun<Vec2>& on_axes, RayRun<std::optional<SlitRay>>& rays)
+void slit_rays(const Slit& slit, const Medium& medium, int number, const RayRun<Vec2>& film_points,
+               const RayRun<Vec2>& on_axes, const RayRun<double>& etas,
+               RayRun<std::optional<SlitRay>>& rays)
 {
     RayRun<Foot> feet;
     RayRun<PoleSearch> searches;
-    for (int k = 0; k < run_length; ++k) {
+    for (int k = 0; k < number; ++k) {
         feet[k] = foot_on_line(slit, film_points[k], on_axes[k], 0);
-        searches[k] = PoleSearch(slit, medium, feet[k], 0);
+        searches[k] = PoleSearch(slit, medium, feet[k], etas[k]);
     }
     for (int step = 0; step < PoleSearch::usual_steps; ++step)
-        for (PoleSearch& search : searches)
-            search.step();
-    for (int k = 0; k < run_length; ++k)
+        for (int k = 0; k < number; ++k)
+            searches[k].step();
+    for (int k = 0; k < number; ++k)
         rays[k] = searches[k].settles()
-                      ? ray_from_pole(slit, medium, feet[k], on_axes[k], searches[k], 0)
-                      : ray_in_bracket(slit, medium, feet[k], on_axes[k], 0, {});
+                      ? ray_from_pole(slit, medium, feet[k], on_axes[k], searches[k], etas[k])
+                      : ray_in_bracket(slit, medium, feet[k], on_axes[k], etas[k], {});
 }
 
 } // namespace integral

@@ -60,12 +60,14 @@ std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 fil
 constexpr int run_length = 8;
 template <class T> using RayRun = std::array<T, run_length>;
 
-/// slit_ray of each film point through the axis with the same number, with eta = 0 and refraction in
-/// the plane of the poles: the same results, bit for bit. A single ray is a chain of some fifteen
-/// square roots and quotients, each of which waits for the one before. Here every step is taken for
-/// all rays before the next, so that the processor works on several chains at once.
-void slit_rays(const Slit& slit, const Medium& medium, const RayRun<Vec2>& film_points,
-               const RayRun<Vec2>& on_axes, RayRun<std::optional<SlitRay>>& rays);
+/// slit_ray of the first `number` film points, each through the axis and with the eta of the same
+/// number, with refraction in the plane of the poles: the same results, bit for bit. A single ray
+/// is a chain of some fifteen square roots and quotients, each of which waits for the one before.
+/// Here every step is taken for all rays before the next, so that the processor works on several
+/// chains at once.
+void slit_rays(const Slit& slit, const Medium& medium, int number, const RayRun<Vec2>& film_points,
+               const RayRun<Vec2>& on_axes, const RayRun<double>& etas,
+               RayRun<std::optional<SlitRay>>& rays);
 
 } // namespace integral
 

@@ -20,7 +20,7 @@ std::vector<LensRun> runs_of_row(const SheetOptics& optics, const Film& film, Le
         for (int k = 0; k < run_length; ++k)
             points[k] = film_from_pixel(
                 film, Vec2{std::min(x + k, film.width - 1) + 0.5, row + 0.5} + shift);
-        optics.map_run(points, mapping, mapped);
+        optics.map_run(run_length, points, mapping, mapped);
         for (int k = 0; k < run_length && x + k < film.width; ++k) {
             if (!mapped[k].ray)
                 continue;

@@ -183,6 +183,40 @@ BOOST_AUTO_TEST_CASE(first_samples_are_the_same_in_runs)
         }
 }
 
+BOOST_AUTO_TEST_CASE(samples_are_the_same_in_runs)
+{
+    for (const Arrangement arrangement : arrangements)
+        for (const LensModel model : {LensModel::extended_pinhole, LensModel::full}) {
+            CameraParameters parameters = parameters_of(arrangement);
+            parameters.model = model;
+            const IntegralCamera camera = camera_of(parameters, 60, 40);
+            const PixelSampler sampler(camera, 5);
+            int taken = 0, left_out = 0;
+            for_each_pixel(camera, false, [&](Vec2 centre) {
+                const PixelBeam beam = sampler.beam(centre, false, 20);
+                if (beam.number == 0)
+                    return;
+                const int number = 1 + int(centre.x) % run_length;
+                const std::uint32_t begin = std::uint32_t(centre.y) % 5;
+                RayRun<std::optional<BeamRay>> samples;
+                sampler.samples(beam.channels[0], begin, number, samples);
+                for (int k = 0; k < number; ++k) {
+                    std::vector<PixelRay> one;
+                    sampler.append_sample(beam, begin + std::uint32_t(k), one);
+                    BOOST_TEST_REQUIRE(samples[k].has_value() == !one.empty());
+                    (one.empty() ? left_out : taken) += 1;
+                    if (one.empty())
+                        continue;
+                    const Vec3 apart = one[0].ray.point - samples[k]->point,
+                               turned = one[0].ray.direction - samples[k]->direction;
+                    BOOST_TEST_REQUIRE(dot(apart, apart) + dot(turned, turned) == 0);
+                }
+            });
+            BOOST_TEST(taken > 2000);
+            BOOST_TEST(left_out > 100);
+        }
+}
+
 BOOST_AUTO_TEST_CASE(a_beam_is_the_same_where_its_lens_is_known)
 {
     for (const Arrangement arrangement : arrangements) {

@@ -62,6 +62,52 @@ Found compare(const CameraParameters& parameters, const ViewFrame& view, int wid
     return found;
 }
 
+/// Compares rays_through and beam_rays with ray_through and beam_ray, for pixels of a frame and
+/// random points of their lenses. Returns how many there were.
+Found compare_through_lenses(const IntegralCamera& camera, std::mt19937& random)
+{
+    Found found;
+    const auto even = [&](double most) {
+        return std::uniform_real_distribution<double>(-most, most)(random);
+    };
+    const Lattice& lattice = camera.optics.lattice();
+    const double radius = 0.6 * lattice.pitch(), height = camera.slit_height({0, 0});
+    for (int y = 0; y < camera.film.height; ++y)
+        for (int x = 0; x < camera.film.width; x += run_length) {
+            RayRun<Vec2> film_points;
+            RayRun<LensPoint> points;
+            const int number = 1 + (x / run_length + y) % run_length;
+            for (int k = 0; k < number; ++k) {
+                film_points[k] = film_from_pixel(camera.film, {x + k + 0.5, y + 0.5});
+                points[k] = {even(radius) * lattice.across(), even(height)};
+                if (lattice.arrangement() != Arrangement::lenticular)
+                    points[k] = {points[k].offset + even(radius) * lattice.along()};
+            }
+            const LensIndex lens = lattice.nearest(film_points[0]);
+            RayRun<std::optional<LensRay>> rays;
+            RayRun<std::optional<BeamRay>> beams;
+            camera.optics.rays_through(number, film_points, lens, rays);
+            beam_rays(camera.optics, number, film_points, lens, points, beams);
+            for (int k = 0; k < number; ++k) {
+                const auto ray = camera.optics.ray_through(film_points[k], lens);
+                const auto beam = beam_ray(camera.optics, film_points[k], lens, points[k]);
+                BOOST_REQUIRE(ray.has_value() == rays[k].has_value());
+                BOOST_REQUIRE(beam.has_value() == beams[k].has_value());
+                (ray && beam ? found.imaged : found.not_imaged) += 1;
+                if (ray) {
+                    BOOST_REQUIRE(same(ray->direction, rays[k]->direction));
+                    BOOST_REQUIRE(same(ray->pole.x, rays[k]->pole.x));
+                    BOOST_REQUIRE(same(ray->pole.y, rays[k]->pole.y));
+                }
+                if (beam) {
+                    BOOST_REQUIRE(same(beam->direction, beams[k]->direction));
+                    BOOST_REQUIRE(same(beam->point, beams[k]->point));
+                }
+            }
+        }
+    return found;
+}
+
 /// Maps by the definition of `automatic`: closest, and accurate only where the check of closest
 /// fails. Compares the results with those of map, bit for bit.
 void compare_with_definition(const CameraParameters& parameters, const ViewFrame& view, int width,
@@ -215,6 +261,27 @@ BOOST_AUTO_TEST_CASE(any_camera)
     BOOST_TEST(not_imaged > 10000);
     BOOST_TEST_MESSAGE(imaged << " pixels imaged and " << not_imaged << " not, of " << cameras
                               << " cameras");
+}
+
+BOOST_AUTO_TEST_CASE(runs_through_given_lenses)
+{
+    std::mt19937 random(11);
+    for (const auto arrangement :
+         {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
+        for (const LensModel model :
+             {LensModel::pinhole, LensModel::extended_pinhole, LensModel::full})
+            for (const double slant : {0.0, 9.46, -60.0}) {
+                CameraParameters parameters;
+                parameters.sheet = {arrangement, 1.27, 3.08, 1.6, slant, {0.1, -0.2}};
+                parameters.model = model;
+                parameters.beam_samples = 1; // a slit that has a height, too
+                const Found found = compare_through_lenses(
+                    make_camera(parameters, view_of(150, 60, mm_per_inch / 300, 350), 150, 60),
+                    random);
+                BOOST_TEST(found.imaged > 3000);
+                if (model == LensModel::full)
+                    BOOST_TEST(found.not_imaged > 20);
+            }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -87,7 +87,7 @@ void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours
         {
             for (int k = 0; k < integral::run_length; k++)
                 film_points[k] = integral::film_from_pixel(optics->film, {x + k + 0.5, y + 0.5});
-            optics->optics.map_run(film_points, optics->mapping, mapped);
+            optics->optics.map_run(integral::run_length, film_points, optics->mapping, mapped);
             for (int k = 0; k < integral::run_length && x + k <= int(rect.right); k++)
                 squared_errors.push_back(mapped[k].ray ? unknown : unlit);
         }

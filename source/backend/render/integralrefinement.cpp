@@ -75,7 +75,7 @@ int IntegralRefinement::Take_Further(int x, int y, int begin, int number,
     for (int index = begin; index < begin + number; index++)
     {
         Colour seen;
-        if (!Take(x, y, index, seen))
+        if (!Take(x, y, index, begin + number - index, seen))
             continue;
         taken++;
         const integral::LinearColour light = Linear(seen);
@@ -108,7 +108,7 @@ integral::Refinement IntegralRefinement::Refine(int x, int y)
         for (int k = 0; k < wanted; k++)
         {
             Colour seen;
-            if (Take(x, y, index++, seen))
+            if (Take(x, y, index++, wanted - k, seen))
             {
                 refinement.add(compared(seen));
                 halves.add(Linear(seen));

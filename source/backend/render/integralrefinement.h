@@ -53,11 +53,11 @@ private:
         most = std::max(most, contrast);
     }
 
-    /// Traces one sample of the pixel that is being refined. Returns whether it belongs to the
-    /// pixel's lens.
-    bool Take(int x, int y, std::uint32_t index, Colour& seen)
+    /// Traces one sample of the pixel that is being refined, the first of `number` that are to be
+    /// taken one after the other. Returns whether it belongs to the pixel's lens.
+    bool Take(int x, int y, std::uint32_t index, int number, Colour& seen)
     {
-        trace.Integral().Take(index);
+        trace.Integral().Take(index, number);
         trace(x, y, view.GetWidth(), view.GetHeight(), seen);
         thread.Stats()[Number_Of_Samples]++;
         cooperate();

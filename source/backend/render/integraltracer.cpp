@@ -10,6 +10,7 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 // this must be the last file included
@@ -86,13 +87,29 @@ bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
 
     integral::PixelOutcome outcome;
     if (mode == refinement)
-        sampler.append_sample(beam, sample_index, rays);
+        Append_Sample();
     else
         outcome = sampler.append_rays(centre, rays);
     lens = outcome.lens;
     if (counted)
         Count(outcome, rays.size());
     return imaged = !rays.empty();
+}
+
+/// Appends the rays of a sample of the pixel that is being refined.
+void IntegralTracer::Append_Sample()
+{
+    if (beam.number != 1)
+        return view->sampler->append_sample(beam, sample_index, rays);
+    if (sample_index < refined_begin || sample_index >= refined_end)
+    {
+        const int number = std::min(samples_wanted, integral::run_length);
+        view->sampler->samples(beam.channels[0], sample_index, number, refined_run);
+        refined_begin = sample_index;
+        refined_end = sample_index + number;
+    }
+    if (const auto& sample = refined_run[sample_index - refined_begin])
+        rays.push_back({*sample, 1, beam.channels[0].channel});
 }
 
 /// The index of the pixel in `run`, or -1. If pixels are traced one after the other along a row,
@@ -197,6 +214,7 @@ void IntegralTracer::Refine(int x, int y, bool alike, const integral::FirstSampl
     if (view->optics->film.subpixels == integral::Subpixels::none)
         around = samples.lens_around(x, y);
     beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, samples.depth(x, y), around);
+    refined_begin = refined_end = 0;
     refined = Light();
     if (first)
         refined.Add(integral::PixelRay(), *first);
@@ -255,13 +273,10 @@ void IntegralTracer::Keep_Depth(const Ray& ray, DBL distance)
 
 void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)
 {
+    const int channel = ray.channel == integral::PixelRay::all_channels ? int(all) : ray.channel;
     rays[ray.half]++;
-    for (int channel = 0; channel < 3; channel++)
-        if (ray.channel == channel || ray.channel == integral::PixelRay::all_channels)
-        {
-            sums[ray.half][channel] += seen * ray.weight;
-            weights[ray.half][channel] += ray.weight;
-        }
+    sums[ray.half][channel] += seen * ray.weight;
+    weights[ray.half][channel] += ray.weight;
 }
 
 Colour IntegralTracer::Light::Mean(int half) const
@@ -276,8 +291,8 @@ Colour IntegralTracer::Light::Mean(int half) const
         for (int k = 0; k < 2; k++)
             if (half == 2 || half == k)
             {
-                sum += sums[k][channel];
-                weight += weights[k][channel];
+                sum += sums[k][channel] + sums[k][all];
+                weight += weights[k][channel] + weights[k][all];
             }
         // a channel without rays is black
         mean[channel] = weight > 0 ? sum[channel] / weight : 0.0;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "backend/frame.h"
@@ -70,7 +71,12 @@ public:
     /// showed. `first`: the colour of the first sample if it counts; else null.
     void Refine(int x, int y, bool alike, const integral::FirstSamples& samples,
                 const Colour *first);
-    void Take(std::uint32_t index) { sample_index = index; }
+    /// `number`: of samples that are to be taken one after the other, this one being the first.
+    void Take(std::uint32_t index, int number)
+    {
+        sample_index = index;
+        samples_wanted = number;
+    }
 
     /// The mean of the samples that were traced since Refine.
     Colour Refined() const { return refined.Mean(2); }
@@ -112,9 +118,10 @@ private:
     /// colour channel.
     struct Light
     {
-        Colour sums[2][3]; ///< [half][channel]: only the channel's own colour is used, and a third
+        static constexpr int all = 3; ///< stands for all channels
+        Colour sums[2][4]; ///< [half][channel]: only the channel's own colour is used, and a third
                            ///< of the other components
-        DBL weights[2][3] = {};
+        DBL weights[2][4] = {};
         int rays[2] = {};
         void Add(const integral::PixelRay& ray, const Colour& seen);
         /// The mean of one half (0 or 1), or of both halves (2).
@@ -123,6 +130,7 @@ private:
 
     void Choose_Area_Lights(DBL x, DBL y);
     bool Choose_Rays(DBL x, DBL y, bool counted);
+    void Append_Sample();
     bool Choose_First_Sample(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     bool Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
     bool Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray, DBL& length);
@@ -157,6 +165,9 @@ private:
     integral::PixelBeam beam;          ///< of the pixel that is being refined
     Light refined;                     ///< of its samples
     std::uint32_t sample_index = 0;
+    int samples_wanted = 0;
+    integral::RayRun<std::optional<integral::BeamRay>> refined_run; ///< rays of samples of it
+    std::uint32_t refined_begin = 0, refined_end = 0;               ///< the samples' indices
     bool active = false, counts_error = false;
     bool keeps_depth = false; ///< whether Depth is available
     double last_depth = 0;
