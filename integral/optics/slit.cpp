@@ -139,8 +139,8 @@ class PoleSearch {
 public:
     static constexpr int usual_steps = 2;
 
-    PoleSearch() = default;
-    PoleSearch(const Slit& slit, const Medium& medium, const Foot& foot, double eta)
+    /// Begins the search for the ray of the film point of a foot; once.
+    void begin(const Slit& slit, const Medium& medium, const Foot& foot, double eta)
     {
         const double clear = clearance(medium, {foot.h, 0});
         if (!(medium.m > 0 && clear > 0))
@@ -185,7 +185,7 @@ public:
     double s() const { return equation_.root(tau_); } ///< S at tau
 
 private:
-    PoleEquation equation_; ///< set if the search goes on
+    PoleEquation equation_; ///< not set where there is no root
     double tau_ = 0;
     int steps_ = 0;
     bool going_on_ = false, found_ = false;
@@ -293,7 +293,8 @@ std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 fo
                                  double eta, const TangentPlane& plane)
 {
     if (plane.sine == 0) {
-        PoleSearch search(slit, medium, {h, foot}, eta);
+        PoleSearch search;
+        search.begin(slit, medium, {h, foot}, eta);
         if (search.settles())
             return search.tau();
     }
@@ -326,7 +327,8 @@ std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 fil
 {
     const Foot foot = foot_on_line(slit, film_point, on_axis, plane.v);
     if (plane.sine == 0) {
-        PoleSearch search(slit, medium, foot, eta);
+        PoleSearch search;
+        search.begin(slit, medium, foot, eta);
         if (search.settles())
             return ray_from_pole(slit, medium, foot, on_axis, search, eta);
     }
@@ -341,7 +343,7 @@ void slit_rays(const Slit& slit, const Medium& medium, int number, const RayRun<
     RayRun<PoleSearch> searches;
     for (int k = 0; k < number; ++k) {
         feet[k] = foot_on_line(slit, film_points[k], on_axes[k], 0);
-        searches[k] = PoleSearch(slit, medium, feet[k], etas[k]);
+        searches[k].begin(slit, medium, feet[k], etas[k]);
     }
     for (int step = 0; step < PoleSearch::usual_steps; ++step)
         for (int k = 0; k < number; ++k)
