@@ -187,8 +187,10 @@ private:
         if (!lock.take(folder_.lock(step.name), holder))
             return states_.say_once(i, "waits for " + holder + ", which makes it");
         record = read_record(folder_.record(step));
-        if (is_done(folder_, step, record, hash))
+        if (is_done(folder_, step, record, hash)) {
+            clean_done(step);
             return states_.set_finished(i, StepFate::kept, record);
+        }
         record.inputs = hash;
         record.pixels = pixels;
         record.error.reset();
@@ -285,6 +287,7 @@ private:
     /// What a running step's program says.
     std::string said_file(const BatchStep& step) const { return folder_.work(step) + "/said.txt"; }
 
+    /// Deletes the working folder of a step.
     void clean(const BatchStep& step)
     {
         std::error_code ignored;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The beams of PixelSampler: how a pixel and its lens are prepared for anti-aliasing, and the
-// samples of such a beam after the first one.
+// samples of such a beam.
 #include "integral/lightfield/pixel_sampler.h"
 
 #include <cmath>
@@ -18,14 +18,14 @@ constexpr std::array<Vec2, 7> beam_places{
 
 /// Finds the lens of a pixel, whether it images all of the pixel, and its rays from the pixel's
 /// centre and from the middles of the right and of the upper edge.
-PixelSampler::BeamRays PixelSampler::beam_rays(Vec2 film_centre) const
+PixelSampler::PoleRays PixelSampler::pole_rays_searched(Vec2 film_centre) const
 {
     RayRun<Vec2> film_points;
     for (std::size_t k = 0; k < beam_places.size(); ++k)
         film_points[k] = film_centre + Vec2{beam_places[k].x * area_.x, beam_places[k].y * area_.y};
     RayRun<MappedPoint> mapped;
     camera_.optics.map_run(int(beam_places.size()), film_points, camera_.mapping, mapped);
-    BeamRays rays;
+    PoleRays rays;
     rays.centre = mapped[0].ray;
     if (!rays.centre)
         return rays;
@@ -41,7 +41,7 @@ PixelSampler::BeamRays PixelSampler::beam_rays(Vec2 film_centre) const
 }
 
 /// The same where a lens is known to image all of the pixel.
-PixelSampler::BeamRays PixelSampler::beam_rays_through(Vec2 film_centre, LensIndex lens) const
+PixelSampler::PoleRays PixelSampler::pole_rays_through(Vec2 film_centre, LensIndex lens) const
 {
     const RayRun<Vec2> film_points{film_centre, film_centre + Vec2{0.5 * area_.x, 0},
                                    film_centre + Vec2{0, 0.5 * area_.y}};
@@ -85,8 +85,8 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth,
     for (int channel = divided ? 0 : PixelRay::all_channels; channel < (divided ? 3 : 0);
          ++channel) {
         const Vec2 film_centre = channel_centre(centre, channel);
-        const BeamRays rays = around ? beam_rays_through(film_centre, *around)
-                                     : beam_rays(film_centre);
+        const PoleRays rays = around ? pole_rays_through(film_centre, *around)
+                                     : pole_rays_searched(film_centre);
         if (!rays.centre)
             continue;
         PixelBeam::Channel& own = beam.channels[beam.number++];
@@ -106,7 +106,8 @@ PixelBeam PixelSampler::beam(Vec2 centre, bool alike, double depth,
     return beam;
 }
 
-/// The rays of samples of a beam at some film points. `units`: the places on the lens.
+/// The rays of samples of a beam at some film points; nothing for one that another lens images, or
+/// where no light gets through. `units`: the places on the lens.
 void PixelSampler::beam_samples(const PixelBeam::Channel& own, int number,
                                 const RayRun<Vec2>& film_points, const RayRun<Vec2>& units,
                                 RayRun<std::optional<BeamRay>>& rays) const
@@ -116,12 +117,12 @@ void PixelSampler::beam_samples(const PixelBeam::Channel& own, int number,
         RayRun<LensPoint> points;
         for (int k = 0; k < number; ++k)
             points[k] = cell_point(optics.lattice(), units[k], *slit_height_);
-        return integral::beam_rays(optics, number, film_points, own.lens, points, rays);
+        return beam_rays(optics, number, film_points, own.lens, points, rays);
     }
     RayRun<std::optional<LensRay>> pole_rays;
     if (own.whole)
         optics.rays_through(number, film_points, own.lens, pole_rays);
-    else {
+    else { // not with the display prefilter, whose beams are whole
         RayRun<MappedPoint> mapped;
         optics.map_run(number, film_points, camera_.mapping, mapped);
         for (int k = 0; k < number; ++k)

@@ -159,12 +159,12 @@ private:
     PlaceInSequence place_of_first(Vec2 film_centre, LensIndex lens, bool alike) const;
     UnitPoint first_point(Vec2 film_centre, LensIndex lens, int channel, bool alike) const;
     /// Pole rays from which a beam is worked out.
-    struct BeamRays {
+    struct PoleRays {
         std::optional<LensRay> centre, right, up;
         bool whole = false; ///< PixelBeam::Channel::whole
     };
-    BeamRays beam_rays(Vec2 film_centre) const;
-    BeamRays beam_rays_through(Vec2 film_centre, LensIndex lens) const;
+    PoleRays pole_rays_searched(Vec2 film_centre) const;
+    PoleRays pole_rays_through(Vec2 film_centre, LensIndex lens) const;
     void aim(PixelBeam::Channel& own, const LensRay& centre, const LensRay& right,
              const LensRay& up, double depth) const;
     LensPoint lens_point(Vec2 unit, const LensRay& pole_ray) const;

@@ -139,7 +139,7 @@ class PoleSearch {
 public:
     static constexpr int usual_steps = 2;
 
-    /// Begins the search for the ray of the film point of a foot; once.
+    /// To be called once, before the first step. `foot`: of the film point whose ray is searched.
     void begin(const Slit& slit, const Medium& medium, const Foot& foot, double eta)
     {
         const double clear = clearance(medium, {foot.h, 0});
@@ -185,7 +185,8 @@ public:
     double s() const { return equation_.root(tau_); } ///< S at tau
 
 private:
-    PoleEquation equation_; ///< not set where there is no root
+    PoleEquation equation_; ///< not set if nothing is refracted, or all light is reflected; then no
+                            ///< step is taken
     double tau_ = 0;
     int steps_ = 0;
     bool going_on_ = false, found_ = false;
@@ -227,8 +228,8 @@ inline SlitRay ray_from_pole(const Slit& slit, const Medium& medium, const Foot&
                     {lateral.x, lateral.y, -search.s()});
 }
 
-/// solve_slit where settle_at_pole fails, or the light is refracted elsewhere than in the plane of
-/// the poles: Newton's method within a bracket.
+/// solve_slit where PoleSearch does not settle, or the light is refracted elsewhere than in the
+/// plane of the poles: Newton's method within a bracket.
 std::optional<double> solve_in_bracket(const Slit& slit, const Medium& medium, Vec2 foot, double h,
                                        double eta, const TangentPlane& plane)
 {

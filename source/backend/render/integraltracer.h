@@ -71,7 +71,8 @@ public:
     /// showed. `first`: the colour of the first sample if it counts; else null.
     void Refine(int x, int y, bool alike, const integral::FirstSamples& samples,
                 const Colour *first);
-    /// `number`: of samples that are to be taken one after the other, this one being the first.
+    /// `number`, at least 1: of samples that are to be taken one after the other, this one being
+    /// the first. Their rays are worked out together.
     void Take(std::uint32_t index, int number)
     {
         sample_index = index;
@@ -84,7 +85,8 @@ public:
     /// From now on Trace_Pixel traces the camera's own rays again.
     void Take_Camera_Rays() { mode = camera_rays; }
 
-    /// Of the last first sample: the ray from its pixel's centre through the lens's pole.
+    /// Of the last of the pixels' first samples: the ray from its pixel's centre through the lens's
+    /// pole.
     const integral::BeamRay& Centre() const { return centre; }
 
     /// Whether the last pixel, or sample, imaged anything; and the lens that did.
@@ -95,7 +97,8 @@ public:
     /// from the viewer; infinite if it met none. Only with +A.
     double Depth() const { return last_depth; }
 
-    /// What the last ray of the last sample saw; `colour`: its light. Only with +A.
+    /// What the last ray of the last sample saw; `colour`: its light. Only if the frame
+    /// is reconstructed.
     integral::BeamSamples::Seen Seen(const Colour& colour) const;
 
     /// Computes the colour of pixel (x, y), counted from 0. `trace(Ray&, DBL length, Colour&)`
@@ -166,7 +169,7 @@ private:
     Light refined;                     ///< of its samples
     std::uint32_t sample_index = 0;
     int samples_wanted = 0;
-    integral::RayRun<std::optional<integral::BeamRay>> refined_run; ///< rays of samples of it
+    integral::RayRun<std::optional<integral::BeamRay>> refined_run; ///< rays of samples of `beam`
     std::uint32_t refined_begin = 0, refined_end = 0;               ///< the samples' indices
     bool active = false, counts_error = false;
     bool keeps_depth = false; ///< whether Depth is available
