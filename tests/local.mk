@@ -54,13 +54,16 @@ unit_sources = \
   tests/unit/base_json.cpp \
   tests/unit/base_message_text.cpp \
   tests/unit/batch_files.cpp \
+  tests/unit/batch_progress.cpp \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
   tests/unit/depth_multibaseline.cpp \
   tests/unit/depth_spread.cpp \
+  tests/unit/depth_votes.cpp \
   tests/unit/fabrication.cpp \
   tests/unit/io_image_files.cpp \
+  tests/unit/io_mpo.cpp \
   tests/unit/io_pfm.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \

@@ -145,10 +145,11 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
             request.axis_marks = true;
             const auto page = lay_out(m, m.film.pixel_pitch, request)[0];
             const double pixel = 25.4 / 300, a = slant * 3.14159265358979323846 / 180;
-            int upright = 0, across = 0;
+            int upright = 0, across = 0, long_ones = 0;
             for (const PageLine& line : page.lines) {
                 // Back to the sheet: mm from the picture's middle, y upwards; then along the lens
                 // rows and columns, in pitches.
+                bool is_of_middle_lens = false;
                 for (const Vec2 p : {line.from, line.to}) {
                     const double x = p.x - (page.x + 450) * pixel - 0.2,
                                  y = (page.y + 300) * pixel - p.y - 0.1;
@@ -159,6 +160,8 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
                     // Every fifth axis, counted from the one nearest to the sheet's middle: lens 0.
                     BOOST_TEST(std::min(off_u, arrangement == Arrangement::square ? off_v : 1.0) <
                                1e-6);
+                    is_of_middle_lens = std::fabs(u) < 1e-6 ||
+                                        (arrangement == Arrangement::square && std::fabs(v) < 1e-6);
                 }
                 const double top = page.y * pixel, bottom = (page.y + 600) * pixel;
                 ++(line.from.y < top || line.from.y > bottom ? upright : across);
@@ -166,7 +169,13 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
                                      line.from.x > (page.x + 900) * pixel || line.from.y < top ||
                                      line.from.y > bottom;
                 BOOST_TEST(outside);
+                const double long_way = std::max(std::fabs(line.to.x - line.from.x),
+                                                 std::fabs(line.to.y - line.from.y));
+                BOOST_TEST((long_way > 3) == is_of_middle_lens); // 3.5 mm; the others 2
+                long_ones += is_of_middle_lens;
             }
+            // Above and below; a row's axis at 35 degrees leaves the picture there, too.
+            BOOST_TEST(long_ones == (arrangement == Arrangement::square && slant >= 0 ? 4 : 2));
             // 76.2 mm hold 12 steps of 6.35 mm cos(slant), above and below
             BOOST_TEST(std::abs(upright - 2 * 76.2 * std::cos(a) / 6.35) <= 3);
             BOOST_TEST((arrangement == Arrangement::square
