@@ -213,6 +213,12 @@ check-quick: quick-programs
 # whatever is installed.
 check-long: all $(test_programs) pristine
 	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
+	@$(MAKE) mutate
+
+# Small faults that a test should notice (tests/README).
+.PHONY: mutate
+mutate: build/bin/integral build/tests/unit
+	@$(test_environment) $(abs_top_srcdir)/tests/mutate --number=$(or $(MUTATIONS),50) --seed=$(or $(SEED),1)
 
 # The table of doc/numerics.md, as measured: LONG=1 make numerics, twenty minutes, when the optics
 # change.
