@@ -33,7 +33,7 @@ static void interlace_for_panel(const Frame& frame)
 {
     const ViewGrid grid{8, 1};
     const std::vector<Image> pictures = views_of_eyes(frame, grid, 480, 320, 0, {});
-    const ViewPictures views(pictures, grid); // refers to the pictures
+    const ViewRaster views(pictures, grid); // refers to the pictures
     const FrameMetadata panel = frame_geometry(*panel_named("thesis-lcd"));
     const EyeGrid eyes{{panel.aperture.width, 0}, panel.aperture.distance};
     const PanelMapping mapping = *mapping_of(panel, eyes);

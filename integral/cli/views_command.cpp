@@ -5,7 +5,7 @@
 #include "integral/cli/values.h"
 #include "integral/cli/views_options.h"
 #include "integral/io/image_file.h"
-#include "integral/output/view_pictures.h"
+#include "integral/output/view_export.h"
 
 #include <iostream>
 
@@ -56,7 +56,7 @@ namespace {
 /// The views of frames, as pictures.
 int make_views(const ViewsOptions& o, const std::string& output, bool animated)
 {
-    ViewPictures wanted;
+    ViewExport wanted;
     wanted.output = output;
     wanted.sheet = o.sheet.value_or("");
     if (o.views)
@@ -76,7 +76,7 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated)
         return exit_done;
     }
     const std::string path = o.inputs.size() > 1 ? write_quilts(o.inputs, wanted)
-                                                 : write_view_pictures(o.inputs[0], wanted);
+                                                 : write_views_of_frame(o.inputs[0], wanted);
     if (path != output)
         std::cout << path << '\n';
     return exit_done;

@@ -35,7 +35,7 @@ void for_each_block(int height, int threads, const std::function<void(int first,
 
 } // namespace
 
-ViewPictures::ViewPictures(const Image& quilt, ViewGrid views)
+ViewRaster::ViewRaster(const Image& quilt, ViewGrid views)
     : grid(views),
       width(views.columns > 0 ? quilt.width / views.columns : 0),
       height(views.rows > 0 ? quilt.height / views.rows : 0),
@@ -55,7 +55,7 @@ ViewPictures::ViewPictures(const Image& quilt, ViewGrid views)
         }
 }
 
-ViewPictures::ViewPictures(const std::vector<Image>& views, ViewGrid numbers) : grid(numbers)
+ViewRaster::ViewRaster(const std::vector<Image>& views, ViewGrid numbers) : grid(numbers)
 {
     if (grid.count() < 1 || int(views.size()) != grid.count())
         throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " +
@@ -73,7 +73,7 @@ ViewPictures::ViewPictures(const std::vector<Image>& views, ViewGrid numbers) : 
     }
 }
 
-Image panel_image(const ViewPictures& views, int width, int height)
+Image panel_image(const ViewRaster& views, int width, int height)
 {
     return blank_like(*views.form, width, height);
 }
@@ -85,7 +85,7 @@ template <class Sample> class KeptRows {
 public:
     /// `blended`: the two rows that a row of the panel shows are blended first, and rounded; else
     /// they are paired where `in_pairs`.
-    KeptRows(const ViewPictures& views, bool blended, bool in_pairs)
+    KeptRows(const ViewRaster& views, bool blended, bool in_pairs)
         : views_(views),
           blended_(blended),
           in_pairs_(in_pairs && !blended),
@@ -97,7 +97,7 @@ public:
     }
 
     /// Whether interlace_row can count the places in rows of so large views: 31 bits.
-    static bool can_hold(const ViewPictures& views)
+    static bool can_hold(const ViewRaster& views)
     {
         return (2.0 * views.width * channels + 128) * (views.grid.count() + 1) * rows_kept <
                    0x7fffff00 &&
@@ -142,7 +142,7 @@ private:
         return ((samples * sizeof(Sample) + 63) / 64 | 1) * 64 / sizeof(Sample);
     }
 
-    const ViewPictures& views_;
+    const ViewRaster& views_;
     const bool blended_, in_pairs_;
     const int places_; ///< row k is at place k % places_
     const std::size_t view_step_, row_step_;
@@ -181,7 +181,7 @@ private:
 /// Interlaces one panel image.
 template <class Sample> class Interlacer {
 public:
-    Interlacer(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend)
+    Interlacer(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend)
         : samples_(std::get<std::vector<Sample>>(panel.samples)),
           views_(views),
           mapping_(mapping),
@@ -304,7 +304,7 @@ private:
     }
 
     std::vector<Sample>& samples_;
-    const ViewPictures& views_;
+    const ViewRaster& views_;
     const PanelMapping& mapping_;
     const bool blends_views_, blends_pixels_;
     const bool is_plain_; ///< the mapping
@@ -315,7 +315,7 @@ private:
 };
 
 template <class Sample>
-void interlace_as(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend,
+void interlace_as(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend,
                   int threads)
 {
     Interlacer<Sample> interlacer(panel, views, mapping, blend);
@@ -325,7 +325,7 @@ void interlace_as(Image& panel, const ViewPictures& views, const PanelMapping& m
 
 } // namespace
 
-void interlace(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend,
+void interlace(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend,
                int threads)
 {
     if (panel.width != mapping.width || panel.height != mapping.height ||

@@ -216,7 +216,7 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
         view = prepared(view, light);
         stop_if_interrupted();
     }
-    const ViewPictures pictures(views, grid);
+    const ViewRaster pictures(views, grid);
     Image image = panel_image(pictures, panel_.film.width, panel_.film.height);
     if (!panel_.calibration) {
         map_through_lenses(eyes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/output/view_pictures.h"
+#include "integral/output/view_export.h"
 
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
@@ -37,7 +37,7 @@ void check_quilt_size(ViewGrid grid, PixelSize size)
 }
 
 /// The number of views: as wanted, else the film's whole pixels to a lens.
-ViewGrid grid_of(const ViewPictures& wanted, const std::string& name, const FrameMetadata& metadata)
+ViewGrid grid_of(const ViewExport& wanted, const std::string& name, const FrameMetadata& metadata)
 {
     if (wanted.grid)
         return *wanted.grid;
@@ -50,7 +50,7 @@ ViewGrid grid_of(const ViewPictures& wanted, const std::string& name, const Fram
 }
 
 /// The size of a view for people to look at.
-PixelSize size_to_look_at(const ViewPictures& wanted, const Film& film)
+PixelSize size_to_look_at(const ViewExport& wanted, const Film& film)
 {
     if (wanted.size)
         return *wanted.size;
@@ -84,7 +84,7 @@ std::string quilt_path(const std::string& output, ViewGrid grid, const Film& fil
     return path;
 }
 
-PictureSeries series_of(const ViewPictures& wanted, const std::string& path, int count, int first,
+PictureSeries series_of(const ViewExport& wanted, const std::string& path, int count, int first,
                         bool there_and_back)
 {
     AnimationSettings settings = wanted.animation;
@@ -93,7 +93,7 @@ PictureSeries series_of(const ViewPictures& wanted, const std::string& path, int
 }
 
 /// Tells what is lost on the way there and back, if something is.
-void tell_loss(const Frame& frame, ViewGrid grid, const ViewPictures& wanted)
+void tell_loss(const Frame& frame, ViewGrid grid, const ViewExport& wanted)
 {
     if (views_are_exact(*frame.metadata, grid))
         return;
@@ -114,7 +114,7 @@ struct ViewsOutput {
 
 /// Parallel views, a pixel for each lens.
 void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
-                         const ViewPictures& wanted)
+                         const ViewExport& wanted)
 {
     const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
     tell_loss(frame, directions, wanted);
@@ -130,7 +130,7 @@ void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
 
 /// Views to look at: of eyes, or parallel ones upright.
 void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, PixelSize size,
-                   const ViewPictures& wanted)
+                   const ViewExport& wanted)
 {
     const bool of_eyes = wanted.kind == ViewKind::of_eyes;
     const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
@@ -156,7 +156,7 @@ void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, Pixel
 
 } // namespace
 
-std::string write_view_pictures(const std::string& name, const ViewPictures& wanted)
+std::string write_views_of_frame(const std::string& name, const ViewExport& wanted)
 {
     const Frame frame = read_sheet_frame(name, wanted.sheet);
     stop_if_interrupted();
@@ -184,7 +184,7 @@ std::string write_view_pictures(const std::string& name, const ViewPictures& wan
     return output.path;
 }
 
-std::string write_quilts(const std::vector<std::string>& names, const ViewPictures& wanted)
+std::string write_quilts(const std::vector<std::string>& names, const ViewExport& wanted)
 {
     std::string path;
     std::optional<PictureSeries> series;
@@ -210,7 +210,7 @@ std::string write_quilts(const std::vector<std::string>& names, const ViewPictur
     return path;
 }
 
-void write_rgbd(const std::string& name, const std::string& depth_file, const ViewPictures& wanted)
+void write_rgbd(const std::string& name, const std::string& depth_file, const ViewExport& wanted)
 {
     if (format_for(wanted.output) == ImageFormat::exr)
         throw RequestError("-o " + wanted.output +

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Writes the views of frames as pictures: a quilt, numbered files, an animation, or a picture with
 // its depths.
-#ifndef INTEGRAL_OUTPUT_VIEW_PICTURES_H
-#define INTEGRAL_OUTPUT_VIEW_PICTURES_H
+#ifndef INTEGRAL_OUTPUT_VIEW_EXPORT_H
+#define INTEGRAL_OUTPUT_VIEW_EXPORT_H
 
 #include "integral/base/parallel.h"
 #include "integral/io/picture_series.h"
@@ -25,7 +25,7 @@ enum class ViewKind {
 };
 
 /// Which views are written, and how.
-struct ViewPictures {
+struct ViewExport {
     std::string output;
     std::string sheet;             ///< a file with the frames' geometry; "": they carry their own
     std::optional<ViewGrid> grid;  ///< nothing: as many as whole pixels are nearest to a lens's
@@ -46,14 +46,14 @@ struct ViewPictures {
 
 /// Writes the views of one frame, and returns the path: a quilt's name gets the number of views,
 /// if it does not say it.
-std::string write_view_pictures(const std::string& frame, const ViewPictures& wanted);
+std::string write_views_of_frame(const std::string& frame, const ViewExport& wanted);
 
 /// Writes the views of eyes of several frames as an animation of quilts of wanted.grid, and returns
 /// its path.
-std::string write_quilts(const std::vector<std::string>& frames, const ViewPictures& wanted);
+std::string write_quilts(const std::vector<std::string>& frames, const ViewExport& wanted);
 
 /// Writes what the centre eye sees of a frame, beside the depths that a depth frame (.exr) says.
-void write_rgbd(const std::string& frame, const std::string& depths, const ViewPictures& wanted);
+void write_rgbd(const std::string& frame, const std::string& depths, const ViewExport& wanted);
 
 } // namespace integral
 
