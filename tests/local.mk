@@ -86,7 +86,9 @@ unit_sources = \
   tests/unit/lightfield_sample_spread.cpp \
   tests/unit/lightfield_sampling_forecast.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
+  tests/unit/lightfield_visual_pitch.cpp \
   tests/unit/output_device_text.cpp \
+  tests/unit/output_fit.cpp \
   tests/unit/output_interlace.cpp \
   tests/unit/looking_glass_devices.h \
   tests/unit/output_cubevi.cpp \

@@ -42,6 +42,9 @@ PanelImageOptions image_options(const LcdOptions& o)
     PanelImageOptions image;
     if (o.views)
         image.views = parse_view_grid(*o.views);
+    image.aspect = o.given_views.aspect();
+    image.right_to_left = o.given_views.right_to_left;
+    image.fit = o.fit.value();
     image.blend = {neighbours("blend", o.blend), neighbours("sampling", o.sampling)};
     image.encoded = o.encoded;
     read_size("size", o.size, largest_view_side, image.width, image.height);
@@ -67,6 +70,8 @@ void declare(options::options_description& all, LcdOptions& o)
         "views of a quilt whose name does not tell, across and up, or how many to see a frame of "
         "other geometry from (default: as many as pixels are nearest to a lens's), or of a card "
         "(default: 8)");
+    declare(all, o.given_views);
+    declare(all, o.fit);
     all.add_options()("blend", fills(o.blend, "WAY")->default_value(o.blend),
                       "between views: linear, or nearest, as displays' makers do");
     all.add_options()("sampling", fills(o.sampling, "WAY")->default_value(o.sampling),

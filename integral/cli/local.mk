@@ -11,6 +11,8 @@ build_bin_integral_SOURCES += \
   integral/cli/page_commands.h \
   integral/cli/compare_command.cpp \
   integral/cli/depth_command.cpp \
+  integral/cli/fit_options.cpp \
+  integral/cli/fit_options.h \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
   integral/cli/lcd_command.cpp \

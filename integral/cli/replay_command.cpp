@@ -6,6 +6,7 @@
 #include "integral/io/image_file.h"
 #include "integral/io/mpo_file.h"
 #include "integral/lightfield/names.h"
+#include "integral/replay/fit_part.h"
 #include "integral/replay/replay_files.h"
 #include "integral/replay/replay_page.h"
 
@@ -75,6 +76,16 @@ std::optional<PictureSeries> begin_output(const ReplayOptions& o,
     return std::nullopt;
 }
 
+/// Fits the part of the sheet that is seen into a picture of --size.
+void fit_size(const ReplayOptions& o, View& view, const FrameMetadata& metadata, Fit fit)
+{
+    const FittedPicture picture = fit_part_to_size(view, metadata, fit);
+    if (picture.differs())
+        say("replay", o.inputs[0] + ": " +
+                          (o.part ? fit_text(picture, "--size", "more of the sheet")
+                                  : fit_text(picture, "--size")));
+}
+
 /// Writes what the eye sees: of one frame all that is asked for, of several a picture each.
 void write_views(const ReplayOptions& o, Frame first, const ReplayRequest& request,
                  std::optional<PictureSeries>& series)
@@ -109,6 +120,7 @@ int run(const ReplayOptions& o)
     check_series_options(o.series, output);
     ReplayRequest request;
     request.view = view_of(o);
+    const Fit fit = o.fit.value();
     request.threads = o.threads.count();
     request.arrangement = arrangement_of(o);
     check_outputs({o.html});
@@ -124,7 +136,9 @@ int run(const ReplayOptions& o)
         write_file(*o.html, replay_page(frame, request.view));
     if (output.empty())
         return exit_done;
-    if (!o.size)
+    if (o.size)
+        fit_size(o, request.view, *frame.metadata, fit);
+    else
         set_view_size(request.view, frame.metadata->film, default_longer_side);
     write_views(o, std::move(frame), request, series);
     return exit_done;

@@ -110,6 +110,7 @@ void declare(options::options_description& all, ReplayOptions& o)
         "nearer");
     add(all, "steps", o.steps, "N (=48)",
         "views along the path, 2 to 10000; of several frames one each");
+    declare(all, o.fit);
     declare_frame_geometry(all, o.sheet);
     declare(all, o.threads);
     declare(all, o.series);

@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_CLI_REPLAY_OPTIONS_H
 #define INTEGRAL_CLI_REPLAY_OPTIONS_H
 
+#include "integral/cli/fit_options.h"
 #include "integral/cli/series_options.h"
 #include "integral/cli/thread_options.h"
 #include "integral/replay/replay_series.h"
@@ -16,6 +17,7 @@ struct ReplayOptions : CommonOptions {
     std::optional<std::string> stereo, grid, path;
     bool cross_eyed = false, anaglyph = false, half = false;
     std::optional<int> steps;
+    FitOptions fit;
     ThreadOptions threads;
     SeriesOptions series;
 };

@@ -47,6 +47,8 @@ void declare(options::options_description& all, ViewsOptions& o)
     add(all, "sheet", o.sheet, "FILE.json",
         "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not "
         "carry it, or instead of that");
+    declare(all, o.given_views);
+    declare(all, o.fit);
     declare(all, o.threads);
     declare(all, o.series);
 }
@@ -67,6 +69,7 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated)
                   : animated || o.upright ? ViewKind::upright
                                           : ViewKind::parallel;
     wanted.files = o.files;
+    wanted.fit = o.fit.value();
     wanted.animation = animation_settings(o.series);
     wanted.threads = o.threads.count();
     wanted.tell = [](const std::string& what) { say("views", what); };
@@ -97,6 +100,10 @@ void check_options(const ViewsOptions& o, bool animated)
         throw UsageError(
             "--size is for --eyes, --upright, --rgbd and animations; else parallel views have "
             "a pixel a lens");
+    if (!o.to_frame)
+        refuse_given({{"aspect", o.given_views.given_aspect},
+                      {"right-to-left", o.given_views.right_to_left}},
+                     "is for the views of --to-frame");
     if (o.depth && !o.to_frame)
         throw UsageError("--depth is for --to-frame; integral depth measures depth");
     if (o.depth_range && (!o.depth || o.depth == "measured"))

@@ -56,11 +56,15 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
     wanted.grid = request.grid;
     wanted.needs_geometry = false;
     wanted.of_eyes = true;
+    wanted.aspect = request.aspect;
     GivenViews given = read_given_views(inputs, wanted);
     ViewGrid grid = given.grid;
     std::optional<ViewEyes> eyes = request.eyes;
-    if (given.metadata) {
+    if (given.metadata)
         grid = directions_of(grid, given.metadata->sheet);
+    if (request.right_to_left)
+        turn_right_to_left(given.views, grid);
+    if (given.metadata) {
         if (!given.metadata->quilt->eyes)
             return of_frame(frame_of(given, grid, threads, progress), threads, progress);
         if (!eyes)
@@ -72,7 +76,7 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
         turn_over(given.views, grid);
     DepthInput input;
     input.form = form_of(given.views[0]);
-    input.views = view_set(given.views, grid, eyes);
+    input.views = view_set(given.views, grid, eyes, given.shape);
     const PixelPlaces& places = input.views.places;
     input.width = input.views.width * places.right.x;
     input.height = input.views.height * -places.down.y;

@@ -21,6 +21,8 @@ struct DepthRequest {
     std::optional<ViewEyes> eyes;  ///< where they were taken from; nothing: as they say
     std::optional<GivenZone> zone; ///< the same, where neither they nor `eyes` say it
     bool top_first = false;        ///< the files' first row of views is from above
+    bool right_to_left = false;    ///< the views stand from right to left
+    std::optional<double> aspect;  ///< the views' shape, as in ViewsRequest
     std::string sheet;             ///< a file with the frame's geometry; "": it carries its own
 };
 

@@ -90,7 +90,7 @@ void soften(ViewSet& views, int threads)
 }
 
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
-                 const std::optional<ViewEyes>& eyes)
+                 const std::optional<ViewEyes>& eyes, std::optional<double> shape)
 {
     check(views);
     ViewSet set;
@@ -106,8 +106,13 @@ ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
         set.eye = {(grid.columns / 2 - 0.5 * (grid.columns - 1)) * eyes->spacing.x,
                    (grid.rows / 2 - 0.5 * (grid.rows - 1)) * eyes->spacing.y};
     }
-    set.places = {
-        {-0.5 * (set.width - 1) * pixel, 0.5 * (set.height - 1) * pixel}, {pixel, 0}, {0, -pixel}};
+    // A pixel's height by its width.
+    const double of_pixels = double(set.width) / set.height,
+                 tall = of_pixels / shape.value_or(of_pixels);
+    up /= tall; // of pixels
+    set.places = {{-0.5 * (set.width - 1) * pixel, 0.5 * (set.height - 1) * pixel * tall},
+                  {pixel, 0},
+                  {0, -pixel * tall}};
     const int middle_column = grid.columns / 2, middle_row = grid.rows / 2;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column) {

@@ -76,9 +76,10 @@ struct ViewEyes {
 
 /// The views of a grid of eyes as a set; the middle one is that of column columns / 2 and row
 /// rows / 2. `eyes`: if nothing, the spacing is taken as the same across and up, and millimetres
-/// are not known. Throws std::invalid_argument if the views differ in size or are fewer than 3.
+/// are not known. `shape`: width by height of a view as it is to be seen; nothing: that of its
+/// pixels. Throws std::invalid_argument if the views differ in size or are fewer than 3.
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
-                 const std::optional<ViewEyes>& eyes);
+                 const std::optional<ViewEyes>& eyes, std::optional<double> shape = std::nullopt);
 
 /// What eyes see of a frame that are spread over its viewing zone, as far apart as neighbouring
 /// pixels of the film show: a column for each lens and a row for each row of lenses, or (lenticular

@@ -125,6 +125,29 @@ QuiltRecord quilt_from(const JsonObject& object)
     return quilt;
 }
 
+/// The distance that viewing_distance_mm or the aperture states, if one of them does.
+std::optional<double> viewing_distance_in(const JsonObject& document)
+{
+    if (document.has("aperture"))
+        return number_at(object_at(document, "aperture"), "distance_mm", least_distance,
+                         largest_distance);
+    if (document.has("viewing_distance_mm"))
+        return number_at(document, "viewing_distance_mm", least_distance, largest_distance);
+    return std::nullopt;
+}
+
+/// Throws for a display's calibration, from which no sheet is worked out here.
+void refuse_calibration(const JsonObject& document)
+{
+    if (document.has("sheet"))
+        return;
+    for (const char* const field : {"calibration", "DPI", "lineNumber"})
+        if (document.has(field))
+            throw std::invalid_argument(
+                "it is a display's calibration; integral lcd --panel FILE --describe -o "
+                "PANEL.json makes the description that is read here");
+}
+
 Json list(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json json_of(const ProjectionLens& lens)
@@ -234,10 +257,19 @@ FrameMetadata frame_metadata_from_json(const std::string& text)
 
     const JsonObject document{json, ""};
     FrameMetadata metadata;
-    metadata.sheet = sheet_from(object_at(document, "sheet"));
-    metadata.film = film_from(object_at(document, "film"));
+    refuse_calibration(document);
+    const JsonObject sheet = object_at(document, "sheet");
+    const bool of_panel = document.has("panel") && !document.has("film");
+    metadata.film = of_panel ? film_from(object_at(document, "panel"), PitchForm::number_or_pair)
+                             : film_from(object_at(document, "film"));
+    std::optional<double> distance = viewing_distance_in(document);
+    if (of_panel && !distance)
+        distance = nominal_viewing_distance(size_of(metadata.film));
+    metadata.sheet = sheet_seen_from(sheet, distance);
     check_ranges(metadata.sheet, metadata.film);
-    metadata.aperture = aperture_from(object_at(document, "aperture"), metadata.sheet);
+    metadata.aperture = distance && !document.has("aperture")
+                            ? default_aperture(metadata.sheet, *distance)
+                            : aperture_from(object_at(document, "aperture"), metadata.sheet);
     if (document.has("camera"))
         metadata.placement = placement_from(object_at(document, "camera"));
     if (document.has("projection"))

@@ -189,7 +189,9 @@ public:
           blends_pixels_(blend.pixels == Neighbours::linear),
           is_plain_(mapping.is_plain()),
           views_up_(mapping.up.rows > 0 ? views.grid.rows : 1),
-          views_across_(views.grid.count() / views_up_)
+          views_across_(views.grid.count() / views_up_),
+          first_sample_(mapping.left * channels),
+          count_(std::max(0, mapping.width - mapping.left - mapping.right) * channels)
     {
         for (int view = 0; view < views.grid.count(); ++view)
             first_.push_back(views.first<Sample>(view));
@@ -210,9 +212,16 @@ public:
             kept = kept_.take([&] {
                 return std::make_unique<KeptRows<Sample>>(views_, is_plain_, blends_pixels_);
             });
+        const int whole_row = mapping_.width * channels;
         for (int y = first; y < end; ++y) {
+            Sample* const begin = samples_.data() + std::size_t(y) * whole_row;
+            if (y < mapping_.top || y >= mapping_.height - mapping_.bottom) {
+                std::fill_n(begin, whole_row, Sample(0));
+                continue;
+            }
+            Sample* const samples = std::fill_n(begin, first_sample_, Sample(0));
+            std::fill(samples + count_, begin + whole_row, Sample(0));
             const PanelRow row = row_of_panel(y);
-            Sample* const samples = samples_.data() + std::size_t(y) * row.count;
             if (!kept || !make_of_kept_rows(samples, row, y, *kept))
                 make_one_by_one(samples, row, y);
         }
@@ -224,14 +233,14 @@ private:
     PanelRow row_of_panel(int y) const
     {
         const auto axis = [&](const PhaseTable& table, int parts) {
-            return RowAxis{table.row(y), std::uint32_t(parts)};
+            return RowAxis{table.row(y).from(first_sample_), std::uint32_t(parts)};
         };
-        return {mapping_.width * channels,
+        return {count_,
                 axis(mapping_.across, views_across_),
                 axis(mapping_.x, views_.width),
                 axis(mapping_.y, views_.height),
-                x_places_.data(),
-                x_weights_.data(),
+                x_places_.data() + (is_plain_ ? first_sample_ : 0),
+                x_weights_.data() + (is_plain_ ? first_sample_ : 0),
                 mapping_.has_unseen,
                 is_plain_};
     }
@@ -269,9 +278,10 @@ private:
                 samples[i] = 0;
                 continue;
             }
-            const Step up = views_up_ == 1 ? 0
-                                           : step_among(std::uint32_t(views_up_),
-                                                        mapping_.up.row(y)[i], blends_views_);
+            const Step up = views_up_ == 1
+                                ? 0
+                                : step_among(std::uint32_t(views_up_),
+                                             mapping_.up.row(y)[first_sample_ + i], blends_views_);
             samples[i] = sample(step_among(row.across.parts, phase, blends_views_), up,
                                 step_among(row.x.parts, row.x.phases[i], blends_pixels_),
                                 step_among(row.y.parts, row.y.phases[i], blends_pixels_),
@@ -309,6 +319,7 @@ private:
     const bool blends_views_, blends_pixels_;
     const bool is_plain_; ///< the mapping
     const int views_up_, views_across_;
+    const int first_sample_, count_; ///< of a row of the panel: those that show the picture
     std::vector<const Sample*> first_;                ///< of each view
     std::vector<std::uint32_t> x_places_, x_weights_; ///< as in PanelRow; plain mappings
     Borrowed<KeptRows<Sample>> kept_;

@@ -54,8 +54,8 @@ Image panel_image(const ViewRaster& views, int width, int height);
 /// Fills the panel's image, which panel_image has made. Where the mapping has no phases up, the
 /// views stand side by side by number, whatever their grid. `threads` as in for_each_row. Throws
 /// std::invalid_argument where the image is of another size or form.
-void interlace(Image& panel, const ViewRaster& views, const PanelMapping& mapping,
-               Blend blend = {}, int threads = 0);
+void interlace(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend = {},
+               int threads = 0);
 
 } // namespace integral
 

@@ -141,8 +141,6 @@ PanelImages::PanelImages(const Panel& panel, PanelImageOptions options)
     if (double(panel.film.width) * panel.film.height * 3 > most_samples)
         throw RequestError(options_.panel_name +
                            ": it has more pixels than this program makes at once");
-    if (panel_.calibration)
-        mapping_ = mapping_of(*panel_.calibration);
 }
 
 std::vector<std::vector<std::string>> PanelImages::groups(
@@ -154,7 +152,7 @@ std::vector<std::vector<std::string>> PanelImages::groups(
     // view.
     const Views first = read_views(inputs[0], false);
     const bool one_view = first.metadata && first.metadata->quilt->view;
-    bool alone = first.metadata || grid_in_name(inputs[0]) || is_mpo(inputs[0]);
+    bool alone = first.metadata || quilt_in_name(inputs[0]) || is_mpo(inputs[0]);
     if (!first.metadata && !alone)
         alone = read_frame(inputs[0]).metadata.has_value();
     if (one_view || !alone)
@@ -185,6 +183,26 @@ Frame PanelImages::finished(Image image, std::optional<Aperture> zone) const
     return frame;
 }
 
+FittedPicture PanelImages::fitted_to_panel(double shape) const
+{
+    return fitted(shape, shape_of(panel_.film), options_.fit);
+}
+
+/// Makes mapping_ that for a picture that lies so on the panel, and for eyes: nothing for the
+/// panel's own. A mapping that there is already is kept.
+void PanelImages::map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes)
+{
+    if (picture.size.x != mapped_picture_.size.x || picture.size.y != mapped_picture_.size.y) {
+        mapping_.reset();
+        mapped_eyes_.reset();
+    }
+    mapped_picture_ = picture;
+    if (!panel_.calibration)
+        map_through_lenses(eyes);
+    else if (!mapping_)
+        mapping_ = mapping_of(*panel_.calibration, picture);
+}
+
 /// Makes mapping_ that for eyes: nothing for the panel's own.
 void PanelImages::map_through_lenses(std::optional<EyeGrid> eyes)
 {
@@ -198,14 +216,15 @@ void PanelImages::map_through_lenses(std::optional<EyeGrid> eyes)
         wanted.zone.y == mapped_eyes_->zone.y && wanted.distance == mapped_eyes_->distance)
         return;
     mapped_eyes_.reset();
-    mapping_ = mapping_of(geometry_, wanted, options_.threads, options_.progress("panel"));
+    mapping_ = mapping_of(geometry_, wanted, options_.threads, options_.progress("panel"),
+                          mapped_picture_);
     if (!mapping_)
         throw Interrupted();
     mapped_eyes_ = wanted;
 }
 
 Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
-                              Blend blend)
+                              Blend blend, const FittedPicture& picture)
 {
     views_ = grid.count();
     const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
@@ -218,12 +237,10 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
     }
     const ViewRaster pictures(views, grid);
     Image image = panel_image(pictures, panel_.film.width, panel_.film.height);
-    if (!panel_.calibration) {
-        map_through_lenses(eyes);
-        if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
-            throw RequestError("round lenses show views across and up; " +
-                               size_text(grid.columns, grid.rows) + " are given");
-    }
+    map_picture(picture, eyes);
+    if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
+        throw RequestError("round lenses show views across and up; " +
+                           size_text(grid.columns, grid.rows) + " are given");
     interlace(image, pictures, *mapping_, blend, options_.threads);
     if (!panel_.calibration) // whose mapping is that of the image as it is sent
         image = as_sent(image);
@@ -234,7 +251,7 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
 std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& group) const
 {
     const std::string& name = group[0];
-    if (group.size() > 1 || grid_in_name(name) || is_mpo(name) || read_views(name, true).metadata)
+    if (group.size() > 1 || quilt_in_name(name) || is_mpo(name) || read_views(name, true).metadata)
         return std::nullopt;
     Frame frame = read_frame(name);
     if (frame.metadata)
@@ -250,6 +267,7 @@ Frame PanelImages::image_of_views(const std::vector<std::string>& group)
     ViewsRequest request;
     request.grid = options_.views;
     request.of_eyes = true;
+    request.aspect = options_.aspect;
     GivenViews views = read_given_views(group, request);
     if (views.metadata && !views.metadata->quilt->eyes)
         throw RequestError(group[0] +
@@ -258,7 +276,12 @@ Frame PanelImages::image_of_views(const std::vector<std::string>& group)
     std::optional<EyeGrid> eyes;
     if (views.metadata)
         eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
-    return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend));
+    if (options_.right_to_left)
+        turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));
+    const FittedPicture picture = fitted_to_panel(views.shape);
+    if (picture.differs())
+        options_.tell(group[0] + ": " + fit_text(views, picture, "the panel"));
+    return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend, picture));
 }
 
 /// A frame that was rendered for the panel is passed through.
@@ -285,8 +308,11 @@ Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
         options_.tell(name + ": it is nearly a frame of this panel's own, but " + *what +
                       ": the image is made of " + counted(grid.count(), "view") +
                       " of it; --camera says what to render for the panel");
+    const FittedPicture picture = fitted_to_panel(shape_of(metadata.film));
+    if (picture.differs())
+        options_.tell(name + ": " + fit_text(picture, "the panel"));
     View view;
-    set_view_size(view, geometry_.film, longer_side_of_a_view);
+    set_view_size(view, picture.differs() ? metadata.film : geometry_.film, longer_side_of_a_view);
     if (options_.width > 0) {
         view.width = options_.width;
         view.height = options_.height;
@@ -294,9 +320,9 @@ Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
     const double distance = metadata.aperture.distance;
     const auto eyes = eyes_before(panel_.film, metadata,
                                   {viewing_zone(metadata, distance), distance});
-    return finished(interlaced(views_of_eyes(frame, grid, view.width, view.height, options_.threads,
-                                             options_.progress("views")),
-                               grid, eyes, options_.blend));
+    return finished(
+        interlaced(views_of_eyes(frame, grid, view, options_.threads, options_.progress("views")),
+                   grid, eyes, options_.blend, picture));
 }
 
 Frame PanelImages::image_of(const std::vector<std::string>& group)
@@ -323,13 +349,11 @@ Frame PanelImages::image_of_card(PanelCard card)
     if (lit && (*lit < 0 || *lit >= count))
         throw RequestError("--view " + std::to_string(*lit) + ": a whole number from 0 to " +
                            std::to_string(count - 1) + " is expected");
-    const double aspect = panel_.film.width * panel_.film.pixel_pitch.x /
-                          (panel_.film.height * panel_.film.pixel_pitch.y);
-    auto views = card == PanelCard::views       ? view_number_card(count, aspect)
+    auto views = card == PanelCard::views       ? view_number_card(count, shape_of(panel_.film))
                  : card == PanelCard::crosstalk ? crosstalk_card(count, lit)
                                                 : colour_card(count, lit.value_or(count / 2));
     return finished(interlaced(std::move(views), grid, std::nullopt,
-                               {Neighbours::nearest, Neighbours::nearest}));
+                               {Neighbours::nearest, Neighbours::nearest}, {}));
 }
 
 Frame PanelImages::card(PanelCard card)

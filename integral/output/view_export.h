@@ -6,6 +6,7 @@
 
 #include "integral/base/parallel.h"
 #include "integral/io/picture_series.h"
+#include "integral/lightfield/picture_fit.h"
 #include "integral/lightfield/view_grid.h"
 #include "integral/optics/film.h"
 
@@ -33,6 +34,8 @@ struct ViewExport {
                                    ///< side
     ViewKind kind = ViewKind::parallel;
     bool files = false;          ///< a file for each view, in place of a quilt
+    Fit fit = Fit::contain;      ///< of the film, where `size` or the quilt's name states another
+                                 ///< shape, and nothing says that pixels are not square
     AnimationSettings animation; ///< where `output` is one
     int threads = 0;             ///< 0: one per core
     /// Is told, in a line each, what the user should know.
@@ -44,8 +47,9 @@ struct ViewExport {
 /// Each throws RequestError where the request makes no sense for the frame or the file's name,
 /// InputError, OutputError, and Interrupted where its progress stops the work.
 
-/// Writes the views of one frame, and returns the path: a quilt's name gets the number of views,
-/// if it does not say it.
+/// Writes the views of one frame, and returns the path: a quilt's name gets the number of views and
+/// their shape, if it does not state them. Views of eyes that have bars, or are cut, carry no
+/// geometry.
 std::string write_views_of_frame(const std::string& frame, const ViewExport& wanted);
 
 /// Writes the views of eyes of several frames as an animation of quilts of wanted.grid, and returns

@@ -3,6 +3,7 @@
 
 #include "integral/lightfield/sample_points.h"
 #include "integral/optics/lens_surface.h"
+#include "integral/replay/fit_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,20 +14,6 @@ Eye centre_eye(const FrameMetadata& metadata)
 {
     return {0, 0, metadata.projection ? metadata.projection->viewer : metadata.aperture.distance};
 }
-
-namespace {
-
-/// Of the sheet, or of its projected image.
-SheetPart part_seen(const View& view, const FrameMetadata& metadata)
-{
-    if (view.part.width > 0)
-        return view.part;
-    const double scale = metadata.projection ? metadata.projection->magnification() : 1;
-    const Vec2 size = scale * size_of(metadata.film);
-    return {{0, 0}, size.x, size.y};
-}
-
-} // namespace
 
 void set_view_size(View& view, const Film& film, int longer)
 {
