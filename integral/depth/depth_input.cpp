@@ -95,6 +95,8 @@ DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthR
         if (reader.frame().metadata)
             frame = reader.whole();
     }
+    if (frame && (request.aspect || request.right_to_left))
+        throw std::invalid_argument("it is a frame; --aspect and --right-to-left are for views");
     return frame ? of_frame(*frame, threads, progress)
                  : of_views(inputs, request, threads, progress);
 }

@@ -296,6 +296,8 @@ Frame PanelImages::native_image(const std::string& name, const Frame& frame)
 Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
 {
     const FrameMetadata& metadata = *frame.metadata;
+    if (options_.aspect || options_.right_to_left)
+        throw RequestError(name + ": it is a frame; --aspect and --right-to-left are for views");
     if (likeness(metadata, geometry_).all())
         return native_image(name, frame);
     const ViewGrid grid = directions_of(options_.views.value_or(natural_views(geometry_)),
