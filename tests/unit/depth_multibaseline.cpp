@@ -5,7 +5,6 @@
 #include "integral/depth/depth_scores.h"
 #include "integral/depth/multibaseline.h"
 #include "integral/depth/ray_trace.h"
-#include "integral/depth/view_order.h"
 #include "integral/optics/lens_mapping.h"
 #include "tests/unit/replay_frames.h"
 
@@ -54,12 +53,12 @@ struct TwoPlanes {
             }
         return image;
     }
-    ViewSet views(bool right_to_left = false) const
+    ViewSet views() const
     {
         std::vector<Image> all;
         for (int row = 0; row < grid; ++row)
             for (int column = 0; column < grid; ++column)
-                all.push_back(view(right_to_left ? grid - 1 - column : column, row));
+                all.push_back(view(column, row));
         return view_set(all, {grid, grid}, std::nullopt);
     }
     std::vector<float> truth() const
@@ -250,23 +249,6 @@ BOOST_AUTO_TEST_CASE(planes_are_told_by_the_truth_and_scored_by_their_bumps)
     BOOST_TEST(without.planes.bad[0] == 100 * 15 / 16., boost::test_tools::tolerance(1e-6));
     BOOST_TEST(without.bumpiness < 1e-4);
     BOOST_TEST(with.bumpiness == 0.2, boost::test_tools::tolerance(1e-3));
-}
-
-BOOST_AUTO_TEST_CASE(views_from_right_to_left_are_noticed)
-{
-    for (const bool right_to_left : {false, true}) {
-        ViewSet views = TwoPlanes{-1, 1}.views(right_to_left);
-        soften(views, 1);
-        const auto map = multibaseline(views, {}, 1, {});
-        BOOST_REQUIRE(map);
-        const HiddenSides hidden = hidden_sides(views, *map);
-        BOOST_TEST_MESSAGE(hidden.farther << " edges hide the farther side, " << hidden.nearer
-                                          << " the nearer one");
-        BOOST_TEST(hidden.is_reversed() == right_to_left);
-        BOOST_TEST(hidden.farther + hidden.nearer >= 30); // the square has 40 rows
-        // The middle of the square is in front, or seems to be behind.
-        BOOST_TEST((map->disparity[std::size_t(48) * 96 + 48] < 0) == right_to_left);
-    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
