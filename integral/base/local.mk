@@ -10,6 +10,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/file_bytes.h \
   integral/base/first_steps.cpp \
   integral/base/first_steps.h \
+  integral/base/folders.cpp \
+  integral/base/folders.h \
   integral/base/interrupt.cpp \
   integral/base/interrupt.h \
   integral/base/json.cpp \
