@@ -5,6 +5,7 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_check.cpp \
   integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
+  integral/cli/choices.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/page_commands.cpp \

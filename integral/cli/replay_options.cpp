@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/replay_options.h"
 
+#include "integral/cli/choices.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/values.h"
 
@@ -30,14 +31,6 @@ void read_mm(const char* option, const std::optional<std::string>& text, double 
         value = parse_number_between(option, *text, form, least, 1e6, form);
 }
 
-LensModel parse_model(const std::string& text)
-{
-    return meaning_of<LensModel>("lens-model", text,
-                                 {{"extended_pinhole", LensModel::extended_pinhole},
-                                  {"pinhole", LensModel::pinhole},
-                                  {"full", LensModel::full}});
-}
-
 SheetPart parse_part(const std::string& text)
 {
     constexpr char form[] = "X,Y,W,H (mm, W and H greater than 0)";
@@ -46,17 +39,6 @@ SheetPart parse_part(const std::string& text)
           std::fabs(v[0]) <= farthest && std::fabs(v[1]) <= farthest))
         throw UsageError("--part " + text + ": " + form + " is expected, each at most 1e9");
     return {{v[0], v[1]}, v[2], v[3]};
-}
-
-EyePath parse_path(const std::string& word, const std::string& text)
-{
-    for (const auto& [name, path] :
-         {std::pair("turntable", EyePath::turntable), std::pair("sweep", EyePath::sweep),
-          std::pair("sway", EyePath::sway), std::pair("circle", EyePath::circle),
-          std::pair("dolly", EyePath::dolly)})
-        if (word == name)
-            return path;
-    refuse("path", text, "turntable, sweep, sway, circle or dolly");
 }
 
 } // namespace
@@ -123,7 +105,7 @@ View view_of(const ReplayOptions& o)
     read_mm("film-gap", o.film_gap, -1e6, "mm, from -1e6 to 1e6,", view.film_gap);
     read_mm("lens-blur", o.lens_blur, 0, "a diameter from 0 to 1e6 mm", view.blur);
     if (o.lens_model)
-        view.model = parse_model(*o.lens_model);
+        view.model = meaning_of("lens-model", *o.lens_model, replay_lens_model_choices);
     constexpr int plain_samples = 3, pupil_samples = 8;
     view.samples = o.samples ? in_range("samples", *o.samples, 1, most_samples)
                    : view.pupil > 0 || view.blur > 0 ? pupil_samples
@@ -177,7 +159,7 @@ std::optional<EyeMovement> movement_of(const ReplayOptions& o)
         return std::nullopt;
     }
     const std::string text = *o.path, word = text.substr(0, text.find(','));
-    movement.path = parse_path(word, text);
+    movement.path = meaning_of("path", word, path_choices);
     if (word == text)
         return movement;
     const double span = parse_number("path", text.substr(word.size() + 1), "KIND,SPAN (a number)");

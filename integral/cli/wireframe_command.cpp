@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral wireframe: a mesh as a micro-image frame, by geometric projection.
+#include "integral/cli/choices.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
@@ -96,9 +97,7 @@ void read_colour(const char* option, const std::optional<std::string>& text, Col
 
 FaceStyle face_style(const WireframeOptions& o)
 {
-    return meaning_of<FaceStyle>(
-        "faces", o.faces.value_or("wire"),
-        {{"wire", FaceStyle::wire}, {"hidden", FaceStyle::hidden}, {"flat", FaceStyle::flat}});
+    return meaning_of("faces", o.faces.value_or("wire"), faces_choices);
 }
 
 MeshPlace place_of(const WireframeOptions& o)
