@@ -61,6 +61,7 @@ unit_sources = \
   tests/unit/depth_spread.cpp \
   tests/unit/fabrication.cpp \
   tests/unit/io_image_files.cpp \
+  tests/unit/io_memory.cpp \
   tests/unit/io_pfm.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
