@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/geometry_json.h"
 
+#include "integral/optics/aperture_error.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -125,6 +127,9 @@ Aperture aperture_from(const JsonObject& object, const LensSheet& sheet)
         aperture.height = extent_at(object, "height_mm");
     if (object.has("shape"))
         aperture.shape = kind_at<ApertureShape>(object, "shape");
+    const std::string error = aperture_error(sheet, {aperture.width, aperture.height});
+    if (!error.empty())
+        throw std::invalid_argument(error);
     return aperture;
 }
 

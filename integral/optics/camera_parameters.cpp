@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/optics/camera_parameters.h"
 
+#include "integral/optics/aperture_error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -110,9 +112,6 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     return c.list;
 }
 
-namespace {
-
-/// Says what is wrong with a capture aperture for this sheet; empty if nothing is.
 std::string aperture_error(const LensSheet& sheet, Vec2 extent)
 {
     if (sheet.arrangement == Arrangement::lenticular) {
@@ -128,6 +127,8 @@ std::string aperture_error(const LensSheet& sheet, Vec2 extent)
                                         : "capture_aperture needs a width and a height greater "
                                           "than 0: nothing would be imaged";
 }
+
+namespace {
 
 std::string pixels_error(Vec2 print_size, double pixels)
 {

@@ -4,6 +4,7 @@
 build_lib_libintegral_a_SOURCES += \
   integral/optics/aperture.cpp \
   integral/optics/aperture.h \
+  integral/optics/aperture_error.h \
   integral/optics/beam.cpp \
   integral/optics/beam.h \
   integral/optics/camera.cpp \
