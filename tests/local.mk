@@ -47,6 +47,13 @@ build_sanitized_unit_LINK = $(CXXLD) $(AM_CXXFLAGS) $(SANITIZE) -Wl,--whole-arch
 build_sanitized_unit_LDADD = $(build_tests_unit_OBJECTS) $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
 build_sanitized_unit_DEPENDENCIES = $(build_tests_unit_OBJECTS) build/sanitized/libintegral.a
 
+# Likewise under ThreadSanitizer, for check-long alone.
+EXTRA_PROGRAMS += build/threads/unit
+build_threads_unit_SOURCES =
+build_threads_unit_LINK = $(CXXLD) $(AM_CXXFLAGS) $(THREAD_SANITIZE) -Wl,--whole-archive build/threads/libintegral.a -Wl,--no-whole-archive -o $@
+build_threads_unit_LDADD = $(build_tests_unit_OBJECTS) $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
+build_threads_unit_DEPENDENCIES = $(build_tests_unit_OBJECTS) build/threads/libintegral.a
+
 # One line per file.
 unit_sources = \
   tests/unit/analysis_lattice.cpp \
@@ -209,7 +216,8 @@ check-quick: quick-programs
 
 # The same tests at full size (see tests/README): hours. They compare with POV-Ray as compiled here,
 # whatever is installed.
-check-long: all $(test_programs) pristine
+thread_programs = $(if $(filter sanitized,$(chosen_layers)),build/threads/unit build/threads/integral build/threads/povray-integral)
+check-long: all $(test_programs) $(thread_programs) pristine
 	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
 
 # The table of doc/numerics.md, as measured: LONG=1 make numerics, twenty minutes, when the optics
