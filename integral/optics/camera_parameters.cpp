@@ -35,8 +35,8 @@ void check_sheet(const LensSheet& sheet, Complaints& c)
     c.require(in(sheet.thickness, 1e-6, 1e6), "thickness", sheet.thickness,
               "it is the distance from lens to film, 0.000001 to 1000000 mm");
     c.require(in(sheet.ior, 1, 4), "ior", sheet.ior, "it is the sheet's refractive index, 1 to 4");
-    c.require(in(std::fabs(sheet.slant), 0, 89.99), "slant", sheet.slant,
-              "it is in degrees, -89.99 to 89.99");
+    c.require(in(std::fabs(sheet.slant), 0, 90), "slant", sheet.slant,
+              "it is in degrees, -90 to 90");
     for (const double offset : {sheet.offset.x, sheet.offset.y})
         c.require(in(std::fabs(offset), 0, 1e6), "offset", offset,
                   "it is in mm, at most 1000000 either way");

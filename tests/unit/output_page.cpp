@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_strip_has_letters_on_the_narrowest_paper)
 
 BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
 {
-    for (const double slant : {0.0, 12.0, -35.0})
+    for (const double slant : {0.0, 12.0, -35.0, 90.0})
         for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square}) {
             const LensSheet sheet{arrangement, 1.27, 3.08, 1.6, slant, {0.2, 0.1}};
             const FrameMetadata m = geometry(sheet, 900, 600);
@@ -167,11 +167,12 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
                                      line.from.y > bottom;
                 BOOST_TEST(outside);
             }
-            // 76.2 mm hold 12 steps of 6.35 mm cos(slant), above and below
-            BOOST_TEST(std::abs(upright - 2 * 76.2 * std::cos(a) / 6.35) <= 3);
-            BOOST_TEST((arrangement == Arrangement::square
-                            ? std::abs(across - 2 * 50.8 * std::cos(a) / 6.35) <= 3
-                            : across == 0));
+            // 76.2 mm hold 12 steps of 6.35 mm cos(slant), above and below; 50.8 mm 8, at the sides
+            const bool square = arrangement == Arrangement::square, lying = slant > 45;
+            const double step = 6.35 / std::max(std::cos(a), std::sin(a));
+            BOOST_TEST(std::abs(upright - (square || !lying ? 2 * 76.2 / step : 0)) <= 3);
+            BOOST_TEST(std::abs(across - (square || lying ? 2 * 50.8 / step : 0)) <= 3);
+            BOOST_TEST((square || (lying ? upright : across) == 0));
         }
 }
 
