@@ -101,6 +101,7 @@ unit_sources = \
   tests/unit/replay_compare.cpp \
   tests/unit/replay_eyes.cpp \
   tests/unit/replay_frames.h \
+  tests/unit/replay_lying_lenses.cpp \
   tests/unit/replay_page.cpp \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_parallel_views.cpp \

@@ -116,8 +116,12 @@ MultibaselineSettings settings_of(const DepthOptions& o)
 void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMap& map,
                    double seconds)
 {
-    DepthFigures figures{
-        input.views.others.size() + 1, map.width, map.height, map.range, seconds, std::nullopt};
+    DepthFigures figures{input.views.others.size() + 1,
+                         input.views.upright_width(),
+                         input.views.upright_height(),
+                         map.range,
+                         seconds,
+                         std::nullopt};
     if (o.truth) {
         const int border = in_range("border", o.border.value_or(0), 0, 10000);
         const auto truth = usage_checked("--truth " + *o.truth + ": ",

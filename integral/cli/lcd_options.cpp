@@ -83,8 +83,8 @@ void declare(options::options_description& all, LcdOptions& o)
         "white), colours (red, green, blue and white bands in one view), pitch (bars of lines "
         "about the calibrated pitch)");
     add(all, "view", o.view, "K",
-        "the view that --card crosstalk or colours lights, from 0, the leftmost (default: every "
-        "other; the middle one)");
+        "the view that --card crosstalk or colours lights, from 0, the leftmost, or lowest where "
+        "lenses lie across (default: every other; the middle one)");
     add(all, "list", o.list, "list the panels that are known by name");
     add(all, "describe", o.describe,
         "print the panel's description, to be changed and given to --panel");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral replay: what an eye sees of a frame through its sheet.
+#include "integral/base/number_text.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/replay_options.h"
 #include "integral/cli/values.h"
@@ -120,6 +121,11 @@ int run(const ReplayOptions& o)
     if (!o.eye)
         request.view.eye = centre_eye(*frame.metadata);
     check_view(request.view, *frame.metadata);
+    if (o.stereo && lenses_lie_across(frame.metadata->sheet))
+        say("replay", "--stereo: these lenses lie across (slant " +
+                          with_digits(frame.metadata->sheet.slant, 6) +
+                          "), so both eyes of a pair see the same picture; views differ up and "
+                          "down, as --path sweep shows");
     if (o.html)
         write_file(*o.html, replay_page(frame, request.view));
     if (output.empty())

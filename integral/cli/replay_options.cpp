@@ -102,12 +102,12 @@ void declare(options::options_description& all, ReplayOptions& o)
         "each view of the pair squeezed to half of its width, so that both fill --size");
     add(all, "grid", o.grid, "CxR",
         "a contact sheet: C by R views of eyes spread over the frame's capture aperture, the eye's "
-        "distance away");
+        "distance away; Cx1 of lenses that lie across: from below upwards");
     add(all, "path", o.path, "KIND[,SPAN]",
         "several views of an eye that moves: turntable (the sheet turns, SPAN degrees), sweep "
         "(sideways, SPAN mm), sway (to the right, the left and back, SPAN mm), circle (SPAN mm) or "
         "dolly (nearer, by a factor of SPAN); by default across the viewing zone, and 4 times "
-        "nearer");
+        "nearer. Before lenses that lie across, upwards in place of to the right");
     add(all, "steps", o.steps, "N (=48)",
         "views along the path, 2 to 10000; of several frames one each");
     declare_frame_geometry(all, o.sheet);

@@ -18,9 +18,9 @@ void declare(options::options_description& all, ViewsOptions& o)
         "_qsCxRaASPECT before the extension, unless it has such an end; .webp, .webm or .mp4: an "
         "animation");
     add(all, "views", o.views, "CxR",
-        "the quilt's views across and up; those of lenticular lenses all go from left to right, "
-        "row after row from the bottom (default: as many as whole pixels are nearest to a lens's; "
-        "with --to-frame what the quilt says)");
+        "the quilt's views across and up; those of lenticular lenses all go from left to right, or "
+        "of ones that lie across from below upwards, row after row from the bottom (default: as "
+        "many as whole pixels are nearest to a lens's; with --to-frame what the quilt says)");
     add(all, "eyes", o.eyes,
         "what eyes see that are spread over the frame's viewing zone, in place of parallel views; "
         "needs --views");

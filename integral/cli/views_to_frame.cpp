@@ -86,7 +86,8 @@ ReliefRequest relief_request(const ViewsOptions& o, const FrameMetadata& geometr
     request.distance = geometry.aperture.distance;
     if (o.eyes)
         request.input.zone = GivenZone{{viewing_zone(geometry, request.distance), request.distance},
-                                       request.size.x};
+                                       request.size.x,
+                                       geometry.sheet};
     if (*o.depth != "measured")
         request.depth_file = *o.depth;
     if (o.depth_range) {

@@ -64,18 +64,22 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
         if (!given.metadata->quilt->eyes)
             return of_frame(frame_of(given, grid, threads, progress), threads, progress);
         if (!eyes)
-            eyes = eyes_in({*given.metadata->quilt->eyes, size_of(given.metadata->film).x}, grid);
+            eyes = eyes_in({*given.metadata->quilt->eyes, size_of(given.metadata->film).x,
+                            given.metadata->sheet},
+                           grid);
     }
-    if (!eyes && request.zone)
+    if (!eyes && request.zone) {
+        grid = directions_of(grid, request.zone->sheet);
         eyes = eyes_in(*request.zone, grid);
+    }
     if (request.top_first)
         turn_over(given.views, grid);
     DepthInput input;
     input.form = form_of(given.views[0]);
     input.views = view_set(given.views, grid, eyes);
-    const PixelPlaces& places = input.views.places;
-    input.width = input.views.width * places.right.x;
-    input.height = input.views.height * -places.down.y;
+    const double pixel = length(input.views.places.right);
+    input.width = input.views.upright_width() * pixel;
+    input.height = input.views.upright_height() * pixel;
     return input;
 }
 

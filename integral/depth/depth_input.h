@@ -9,10 +9,12 @@
 
 namespace integral {
 
-/// The eyes of views that are spread over a zone, and how wide a view is in the image plane, mm.
+/// The eyes of views that are spread over the zone of a sheet, and how wide a view is in the image
+/// plane, mm.
 struct GivenZone {
     EyeGrid eyes;
     double width = 0;
+    LensSheet sheet;
 };
 
 /// What is known of the inputs besides what they say themselves.

@@ -42,7 +42,9 @@ public:
         };
         across_ = parts(optics_.lattice().pitch());
         lenticular_ = geometry.sheet.arrangement == Arrangement::lenticular;
-        along_ = lenticular_ ? parts(film_.pixel_pitch.y) : across_;
+        pixel_along_ = lenses_lie_across(geometry.sheet) ? Vec2{film_.pixel_pitch.x, 0}
+                                                         : Vec2{0, film_.pixel_pitch.y};
+        along_ = lenticular_ ? parts(length(pixel_along_)) : across_;
     }
 
     Colour pixel(int x, int y, ReliefFigures& figures) const
@@ -75,13 +77,13 @@ private:
     }
 
     /// The line of a film point's beam through a place of its lens's cell (lenticular: across the
-    /// lens, and along it within the pixel's height).
+    /// lens, and along it within the pixel).
     ReliefLine line_of(const LensRay& ray, Vec2 unit) const
     {
         const Vec2 cell{unit.x, lenticular_ ? 0.5 : unit.y};
         Vec2 place = ray.pole + cell_point(optics_.lattice(), cell).offset;
         if (lenticular_)
-            place.y += (unit.y - 0.5) * film_.pixel_pitch.y;
+            place = place + (unit.y - 0.5) * pixel_along_;
         const double along = -relief_.distance() / ray.direction.z;
         return {place, place + along * Vec2{ray.direction.x, ray.direction.y}};
     }
@@ -90,6 +92,7 @@ private:
     Film film_;
     SheetOptics optics_;
     bool lenticular_ = false;
+    Vec2 pixel_along_; ///< the film's pixel along lenticular lenses
     int across_ = 1, along_ = 1;
 };
 

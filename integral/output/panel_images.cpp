@@ -106,13 +106,17 @@ std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame
 
 /// What to say of a frame that was rendered for the panel, but for eyes elsewhere; nothing where
 /// they are the panel's.
-std::optional<std::string> other_zone(const Aperture& frame, const Aperture& panel)
+std::optional<std::string> other_zone(const Aperture& frame, const Panel& of)
 {
-    if (alike(frame.distance, panel.distance) && alike(frame.width, panel.width))
+    const Aperture& panel = of.aperture;
+    const bool lie_across = lenses_lie_across(of.sheet);
+    const auto extent = [&](const Aperture& a) { return lie_across ? a.height : a.width; };
+    if (alike(frame.distance, panel.distance) && alike(extent(frame), extent(panel)))
         return std::nullopt;
     const auto mm = [](double length) { return with_decimals(length, 0) + " mm"; };
-    return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " + mm(frame.width) +
-           " wide; the panel's are " + mm(panel.distance) + " away in " + mm(panel.width) +
+    return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " +
+           mm(extent(frame)) + (lie_across ? " high" : " wide") + "; the panel's are " +
+           mm(panel.distance) + " away in " + mm(extent(panel)) +
            ", and near the ends see neighbouring views; viewing_distance " +
            with_decimals(panel.distance, 0) + " in the camera moves them there";
 }
@@ -131,6 +135,23 @@ const char* name_of(PanelCard card)
 bool has_round_lenses(const FrameMetadata& geometry)
 {
     return geometry.sheet.arrangement != Arrangement::lenticular;
+}
+
+/// What the pictures of a frame's sheet lack that a panel's lenses show; nothing where they have
+/// all of it.
+std::optional<std::string> missing_views(const LensSheet& frame, const LensSheet& panel)
+{
+    const bool round = panel.arrangement != Arrangement::lenticular;
+    if (frame.arrangement != Arrangement::lenticular)
+        return std::nullopt;
+    const bool lie_across = lenses_lie_across(frame);
+    if (!round && lie_across == lenses_lie_across(panel))
+        return std::nullopt;
+    return std::string("its lenses are lenticular and show nothing new from ") +
+           (lie_across ? "the side" : "above") + ", as the panel's" +
+           (round        ? " round ones do"
+            : lie_across ? " upright ones do"
+                         : ", which lie across, do");
 }
 
 } // namespace
@@ -256,16 +277,27 @@ Frame PanelImages::image_of_views(const std::vector<std::string>& group)
                            ": it holds parallel views; a panel shows those of eyes (integral "
                            "views --eyes), or the frame (integral views --to-frame)");
     std::optional<EyeGrid> eyes;
-    if (views.metadata)
+    if (views.metadata) {
+        check_directions(group[0], *views.metadata, views.grid);
         eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
+    }
     return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend));
+}
+
+/// Throws RequestError where several views of a frame's lenses do not differ as the panel's do.
+void PanelImages::check_directions(const std::string& name, const FrameMetadata& frame,
+                                   ViewGrid grid) const
+{
+    const auto what = missing_views(frame.sheet, geometry_.sheet);
+    if (what && grid.count() > 1)
+        throw RequestError(name + ": " + *what + "; --camera says what to render for the panel");
 }
 
 /// A frame that was rendered for the panel is passed through.
 Frame PanelImages::native_image(const std::string& name, const Frame& frame)
 {
     views_ = 0;
-    if (const auto what = other_zone(frame.metadata->aperture, panel_.aperture))
+    if (const auto what = other_zone(frame.metadata->aperture, panel_))
         options_.tell(name + ": " + *what);
     return finished(as_sent(prepared(frame.image, false)), frame.metadata->aperture);
 }
@@ -277,10 +309,7 @@ Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
         return native_image(name, frame);
     const ViewGrid grid = directions_of(options_.views.value_or(natural_views(geometry_)),
                                         geometry_.sheet);
-    if (grid.rows > 1 && !has_round_lenses(metadata))
-        throw RequestError(name + ": its lenses are lenticular and show nothing new from above, "
-                                  "as the panel's round ones do; --camera says what to render for "
-                                  "the panel");
+    check_directions(name, metadata, grid);
     if (const auto what = near_miss(metadata, geometry_))
         options_.tell(name + ": it is nearly a frame of this panel's own, but " + *what +
                       ": the image is made of " + counted(grid.count(), "view") +

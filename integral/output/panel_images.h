@@ -59,6 +59,7 @@ public:
 
 private:
     std::optional<Frame> read_frame_of(const std::vector<std::string>& group) const;
+    void check_directions(const std::string& name, const FrameMetadata& frame, ViewGrid grid) const;
     Frame image_of_views(const std::vector<std::string>& group);
     Frame image_of_frame(const std::string& name, const Frame& frame);
     Frame native_image(const std::string& name, const Frame& frame);

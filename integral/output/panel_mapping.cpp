@@ -101,7 +101,8 @@ std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid ey
 {
     const Film& film = geometry.film;
     const SheetOptics optics(geometry.sheet, geometry.aperture);
-    const bool round_lenses = geometry.sheet.arrangement != Arrangement::lenticular;
+    const bool round_lenses = geometry.sheet.arrangement != Arrangement::lenticular,
+               lie_across = lenses_lie_across(geometry.sheet);
     PanelMapping mapping = empty_mapping(film, round_lenses);
     const auto row = [&](int y) {
         const std::size_t begin = std::size_t(y) * film.width * channels,
@@ -112,7 +113,7 @@ std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid ey
             const auto seen = eye_place(
                 optics, eyes,
                 film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel)));
-            mapping.across.high[i] = seen ? high_phase(seen->eye.x)
+            mapping.across.high[i] = seen ? high_phase(lie_across ? seen->eye.y : seen->eye.x)
                                           : std::uint16_t(PanelMapping::unseen >> 16);
             if (!seen)
                 continue;

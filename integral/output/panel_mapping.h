@@ -52,8 +52,10 @@ struct PhaseTable {
 /// Subpixels are numbered along a row: red, green and blue of the leftmost pixel, and so on.
 struct PanelMapping {
     int width = 0, height = 0; ///< of the panel, pixels
-    PhaseTable across;         ///< from where in the viewing zone a subpixel is seen, from its left
-    PhaseTable up;             ///< likewise from below; without rows: views differ across alone
+    /// From where in the viewing zone a subpixel is seen, from its left; behind lenses that lie
+    /// across, from below.
+    PhaseTable across;
+    PhaseTable up;             ///< likewise from below; without rows: views differ one way alone
     PhaseTable x, y;           ///< which place of the picture it shows, from the left and the top
     /// The least and the greatest of y.high in each row of the panel, among what is seen; empty
     /// where the mapping is plain.

@@ -287,7 +287,7 @@ std::vector<FrameMetadata> lens_panels()
 {
     std::vector<FrameMetadata> all;
     for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square})
-        for (const double slant : {0.0, 9.46, -38.4, 80.0})
+        for (const double slant : {0.0, 9.46, -38.4, 90.0})
             for (const int width : {1, 8, 91})
                 for (const bool wide : {false, true}) {
                     FrameMetadata m;
