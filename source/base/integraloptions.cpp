@@ -3,6 +3,7 @@
 // configbase.h must be the first POV-Ray file included within base
 #include "configbase.h"
 #include "base/integraloptions.h"
+#include "base/integralclipping.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
 #include "base/integralpicture.h"
@@ -230,6 +231,21 @@ void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 
 }
 
+/// Whether the output file holds light outside 0...1.
+static bool Is_High_Dynamic_Range(POVMS_Object& options)
+{
+    const int file = options.TryGetInt(kPOVAttrib_OutputFileType, kPOVList_FileType_PNG);
+    return file == kPOVList_FileType_OpenEXR || file == kPOVList_FileType_RadianceHDR;
+}
+
+IntegralClipping Read_Integral_Clipping(POVMS_Object& options)
+{
+    if (Is_High_Dynamic_Range(options))
+        return IntegralClipping::none;
+    return options.TryGetBool(kPOVAttrib_GrayscaleOutput, false) ? IntegralClipping::brightness
+                                                                 : IntegralClipping::colours;
+}
+
 IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
 {
     IntegralRenderOptions result;
@@ -264,8 +280,7 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     result.output.working = Encoding_Of(
         options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),
         options.TryGetFloat(kPOVAttrib_WorkingGamma, DEFAULT_WORKING_GAMMA));
-    const int file = options.TryGetInt(kPOVAttrib_OutputFileType, kPOVList_FileType_PNG);
-    if (file == kPOVList_FileType_OpenEXR || file == kPOVList_FileType_RadianceHDR)
+    if (Is_High_Dynamic_Range(options))
         result.output.file.kind = integral::Encoding::Kind::linear;
     else
         result.output.file = Encoding_Of(

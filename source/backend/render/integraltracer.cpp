@@ -31,6 +31,7 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
         return;
     containers.Choose(*view->optics, scene, thread);
     counts_error = view->error.by_halves;
+    clipping = view->clipping;
     quilt = view->quilt != nullptr;
     one_ray = quilt || view->sampler->gives_one_ray();
     run_y = first_y = last_y = -1;

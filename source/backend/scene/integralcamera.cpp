@@ -122,6 +122,7 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options,
                                                                                       height);
         view->sampler = std::make_shared<integral::PixelSampler>(*view->optics, given.seed);
+        view->clipping = pov_base::Read_Integral_Clipping(options);
         const bool projects = view->optics->projection.has_value();
         if (given.quilt && projects)
             throw std::invalid_argument("Integral_Quilt and projection_lens do not go together: "

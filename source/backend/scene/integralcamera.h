@@ -13,6 +13,7 @@
 #include <string>
 
 #include "backend/frame.h"
+#include "base/integralclipping.h"
 #include "base/integraloptions.h"
 #include "integral/lightfield/error_estimate.h"
 #include "integral/lightfield/pixel_sampler.h"
@@ -112,6 +113,7 @@ struct IntegralView
     std::shared_ptr<IntegralAudit> audit;       ///< null: no audit
     std::shared_ptr<IntegralDepth> depth;       ///< null: no depth frame
     IntegralErrorOptions error;
+    pov_base::IntegralClipping clipping; ///< of the light of each ray
     std::uint64_t seed = 0;     ///< Integral_Seed=
     pov_base::IntegralRows rows; ///< the rows that count
 };
