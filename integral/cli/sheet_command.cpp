@@ -125,7 +125,8 @@ int report_scene(const SheetCommandOptions& o)
     const bool page = o.output && extension_of(*o.output) == "html";
     if (page && o.json)
         throw UsageError("-o FILE.html is a page; --json goes to another file");
-    const SceneDepths scene = depths_of_scene(*o.report, o.inputs, progress_bar("depths"));
+    const SceneDepths scene = depths_of_scene(*o.report, o.inputs, o.picture || page,
+                                              progress_bar("depths"));
     stop_if_interrupted();
     const DepthFrame& depths = scene.depths;
     std::optional<Image> picture;
