@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -33,6 +34,7 @@ struct State
     std::optional<integral::FrameMetadata> metadata;
     Clock::time_point begun;
     std::optional<Clock::time_point> ended;
+    std::string problem;
 };
 
 State& The_State()
@@ -129,6 +131,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
         state.metadata->quilt = integral::QuiltSampler(camera, *state.quilt, camera.film.width,
                                                        camera.film.height)
                                     .record();
+    state.problem.clear();
     state.begun = Clock::now();
     state.ended.reset();
 }
@@ -142,6 +145,20 @@ void IntegralFrame::End(const std::optional<integral::ErrorEstimate>& error)
     state.metadata->render->error = error;
     const std::chrono::duration<double> of_the_error(error ? error->seconds : 0);
     state.ended = Clock::now() - std::chrono::duration_cast<Clock::duration>(of_the_error);
+}
+
+void IntegralFrame::Add_Problem(const std::string& keyword, const std::string& problem)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.problem += keyword + ": " + problem + ". The picture itself is complete. ";
+}
+
+std::string IntegralFrame::Take_Problem()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return std::exchange(state.problem, std::string());
 }
 
 void IntegralFrame::Forget()

@@ -36,6 +36,12 @@ public:
     /// which excludes the error estimate.
     static void End(const std::optional<integral::ErrorEstimate>& error);
 
+    /// Records why the file that `keyword` requests beside the picture is not there.
+    static void Add_Problem(const std::string& keyword, const std::string& problem);
+
+    /// The recorded problems as a message, which are then forgotten; empty if there are none.
+    static std::string Take_Problem();
+
     /// From now on pictures are not integral frames.
     static void Forget();
 

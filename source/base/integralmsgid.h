@@ -15,7 +15,7 @@ enum
     kIntegralAttrib_Sharing = 'IgSh', ///< option Integral_Sharing=: auto, on, off or a number of
                                       ///< patches
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
-    kIntegralAttrib_Sheet = 'IgSf', ///< option Integral_Sheet=: file with a lens sheet
+    kIntegralAttrib_Sheet = 'IgSf',       ///< option Integral_Sheet=: file with a lens sheet
     kIntegralAttrib_TargetError = 'IgTE', ///< option Integral_Target_Error= of an INI file
     kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel in pixels
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
@@ -37,6 +37,7 @@ enum
     kIntegralAttrib_PrintHeight = 'IgPh',       ///< mm down the picture
     kIntegralAttrib_ViewingDistance = 'IgVd',   ///< mm from the eye to the sheet
     kIntegralAttrib_SceneDistance = 'IgVs',     ///< the same, as the scene has it; only if another
+    kIntegralAttrib_OneColour = 'IgOc',         ///< whether all pixels have the same colour
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
     kIntegralAttrib_Error = 'IgEr',    ///< estimated RMS error in the output encoding; absent: not
                                        ///< estimated

@@ -129,6 +129,13 @@ double Samples_At_Edges(POVMS_Object& options)
     return integral::samples_at_edges(rule);
 }
 
+void Check_Writable(const std::string& keyword, const std::string& file)
+{
+    const std::string error = Find_Write_Error(file);
+    if (!error.empty())
+        throw std::invalid_argument(keyword + "=" + file + " cannot be written there: " + error);
+}
+
 void Check_Depth_Picture(const std::string& file)
 {
     const std::string ending = ".exr";
@@ -140,8 +147,7 @@ void Check_Depth_Picture(const std::string& file)
         file.compare(file.size() - ending.size(), ending.size(), ending) != 0)
         throw std::invalid_argument("Integral_Depth_Image=" + file +
                                     " is not an OpenEXR file: its name has to end in .exr");
-    if (!May_Write_Integral_Picture(file))
-        throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written there");
+    Check_Writable("Integral_Depth_Image", file);
 }
 
 void Check_Error_Picture(const std::string& file, bool audit)
@@ -153,8 +159,7 @@ void Check_Error_Picture(const std::string& file, bool audit)
     if (ending != "png" && ending != "exr")
         throw std::invalid_argument("Integral_Error_Image=" + file +
                                     ": its name has to end in .png or .exr");
-    if (!May_Write_Integral_Picture(file))
-        throw std::invalid_argument("Integral_Error_Image=" + file + " cannot be written there");
+    Check_Writable("Integral_Error_Image", file);
 }
 
 /// `height`: height of the frame, pixels; 0 if unknown.

@@ -42,6 +42,7 @@ void IntegralGrammar::Warn(const Camera& camera)
     Warn_Of_Film(*camera.Integral->optics);
     Warn_Of_Draft(*camera.Integral);
     Warn_Of_Starts(*camera.Integral->optics);
+    Warn_Of_Depths(camera);
 }
 
 void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
@@ -179,4 +180,38 @@ void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
                    help.str().c_str());
 }
 
+/// Warns of an eye that was moved behind surfaces, and of a sheet whose place follows from the
+/// length of direction and is far from all that is seen.
+void IntegralGrammar::Warn_Of_Depths(const Camera& camera)
+{
+    const IntegralStatement& statement = *camera.Integral;
+    const integral::IntegralCamera& optics = *statement.optics;
+    const double k = optics.placement.units_per_mm, eye = viewer_distance(optics),
+                 own = Integral_Scene_Distance(camera);
+    const bool moved_back = statement.parameters.viewing_distance && eye > 1.01 * own,
+               placed = statement.look_at_distance > 0 || statement.parameters.sheet_distance;
+    if (optics.projection || optics.pseudoscopic || (!moved_back && placed))
+        return;
+    const std::vector<double> depths = Probe_Integral_Depths(optics, *parser.sceneData,
+                                                             parser.GetParserDataPtr());
+    const double seen = std::lower_bound(depths.begin(), depths.end(), HUGE_VAL) - depths.begin();
+    const double hidden = std::lower_bound(depths.begin(), depths.end(), -own) - depths.begin();
+    if (moved_back && hidden > 0.5 * depths.size())
+        parser.Warning(0,
+                       "Integral camera: %.0f%% of the rays meet a surface between the eye and the "
+                       "scene's own camera:\nviewing_distance has moved the eye from %.4g to %.4g "
+                       "scene units before the sheet, perhaps out of a room.\n"
+                       "viewing_distance %s keeps it in.",
+                       100 * hidden / depths.size(), k * own, k * eye,
+                       integral::with_digits(own, 4).c_str());
+    const auto near = [&](double depth) { return std::fabs(depth) < 0.5 * own; };
+    if (!placed && seen > 0 && std::none_of(depths.begin(), depths.end(), near))
+        parser.Warning(0,
+                       "Integral camera: no surface is near the sheet, which is %.4g scene units "
+                       "from the camera,\nas far as direction is long: most of them are near %.4g, "
+                       "and none will be sharp. look_at, or\n"
+                       "sheet_distance %s, places the sheet there.",
+                       k * own, k * (own + depths[std::size_t(seen / 2)]),
+                       integral::with_digits(k * (own + depths[std::size_t(seen / 2)]), 3).c_str());
+}
 }

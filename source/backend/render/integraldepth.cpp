@@ -8,6 +8,7 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/view.h"
+#include "base/integralframe.h"
 #include "base/integralpicture.h"
 
 #include <cmath>
@@ -59,9 +60,12 @@ void IntegralDepth::Find_Row(int row, Trace& trace)
     }
 }
 
-bool IntegralDepth::Write() const
+void IntegralDepth::Write() const
 {
-    return pov_base::Write_Integral_Depth(file, optics->film.width, optics->film.height, depths);
+    const std::string error = pov_base::Write_Integral_Depth(file, optics->film.width,
+                                                             optics->film.height, depths);
+    if (!error.empty())
+        pov_base::IntegralFrame::Add_Problem("Integral_Depth_Image", error);
 }
 
 IntegralDepthTask::IntegralDepthTask(ViewData *view)

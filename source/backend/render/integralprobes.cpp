@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <vector>
 
 // this must be the last file included
@@ -27,19 +28,31 @@ namespace
 using integral::Vec2;
 using integral::Vec3;
 
-/// The seen objects near the aperture, but for containers of media.
+/// Whether the camera sees an object as a surface: not one without an image, nor a container of
+/// media.
+bool Is_Seen(ObjectPtr object)
+{
+    const bool is_container = Test_Flag(object, HOLLOW_FLAG) && object->interior != NULL &&
+                              !object->interior->media.empty();
+    return !is_container && !Test_Flag(object, NO_IMAGE_FLAG);
+}
+
+/// The seen objects near the aperture.
 std::vector<ObjectPtr> Objects_Near(const integral::StartRegion& region, const SceneData& scene)
 {
     std::vector<ObjectPtr> near;
     for (const ObjectPtr object : scene.objects)
-    {
-        const bool is_container = Test_Flag(object, HOLLOW_FLAG) && object->interior != NULL &&
-                                  !object->interior->media.empty();
-        if (!is_container && !Test_Flag(object, NO_IMAGE_FLAG) &&
-            Region_Meets(region, object->BBox))
+        if (Is_Seen(object) && Region_Meets(region, object->BBox))
             near.push_back(object);
-    }
     return near;
+}
+
+Ray Ray_Along(Vec3 origin, Vec3 direction)
+{
+    Ray ray;
+    Make_Vector(ray.Origin, origin.x, origin.y, origin.z);
+    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
+    return ray;
 }
 
 /// Whether a surface of one of the objects is between two points.
@@ -48,10 +61,7 @@ bool Are_Parted(Vec3 from, Vec3 to, const std::vector<ObjectPtr>& objects, Trace
     const double distance = length(to - from);
     if (!(distance > 0))
         return false;
-    const Vec3 direction = (1 / distance) * (to - from);
-    Ray ray;
-    Make_Vector(ray.Origin, from.x, from.y, from.z);
-    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
+    const Ray ray = Ray_Along(from, (1 / distance) * (to - from));
     return std::any_of(objects.begin(), objects.end(),
                        [&](const ObjectPtr object)
                        {
@@ -82,21 +92,29 @@ struct Look
     }
 };
 
-/// The share of the rays of at most 128 film points that start at a parted point.
-double Parted_Rays(const Look& look)
+/// Calls `visit` with the rays of at most 128 film points while there is time left.
+template <class Visit> void Visit_Rays(const Look& look, Visit visit)
 {
     const integral::Film& film = look.camera.film;
     const int most = int(std::min(128.0, double(film.width) * film.height));
-    int rays = 0, parted = 0;
     for (int k = 0; k < most && look.Time_Left(); k++)
     {
         const Vec2 point = film_from_pixel(film, spread_pixel(film, k, most));
         if (const auto ray = look.camera.optics.map(point, look.camera.mapping).ray)
-        {
-            rays++;
-            parted += look.Is_Parted(ray->aperture_point);
-        }
+            visit(*ray);
     }
+}
+
+/// The share of the rays that start at a parted point.
+double Parted_Rays(const Look& look)
+{
+    int rays = 0, parted = 0;
+    Visit_Rays(look,
+               [&](const auto& ray)
+               {
+                   rays++;
+                   parted += look.Is_Parted(ray.aperture_point);
+               });
     return rays > 0 ? double(parted) / rays : 0;
 }
 
@@ -140,4 +158,32 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
     return starts;
 }
 
+std::vector<double> Probe_Integral_Depths(const integral::IntegralCamera& camera,
+                                          const SceneData& scene, TraceThreadData *thread)
+{
+    Look look{camera, thread, {}};
+    std::copy_if(scene.objects.begin(), scene.objects.end(), std::back_inserter(look.near),
+                 Is_Seen);
+    std::vector<double> depths;
+    Visit_Rays(
+        look,
+        [&](const auto& mapped)
+        {
+            const integral::SightLine line = sight_line(camera, integral::pole_beam(mapped));
+            const Ray ray = Ray_Along(line.origin, line.direction);
+            double nearest = HUGE_VAL;
+            for (const ObjectPtr object : look.near)
+            {
+                Intersection found;
+                if (Find_Intersection(&found, object, ray, thread))
+                    nearest = std::min(nearest, double(found.Depth));
+            }
+            depths.push_back(
+                nearest < HUGE_VAL
+                    ? sheet_from_scene(camera.placement, line.origin + nearest * line.direction).z
+                    : HUGE_VAL);
+        });
+    std::sort(depths.begin(), depths.end());
+    return depths;
+}
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Finds out before a render whether the capture aperture of an integral camera reaches below the
-// ground or into things.
+// ground or into things, and how far from the sheet the surfaces are that its rays meet.
 #ifndef POVRAY_BACKEND_INTEGRALPROBES_H
 #define POVRAY_BACKEND_INTEGRALPROBES_H
+
+#include <vector>
 
 #include "backend/frame.h"
 #include "integral/optics/camera.h"
@@ -28,6 +30,11 @@ struct IntegralStarts
 IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, const SceneData& scene,
                                      TraceThreadData *thread);
 
+/// Depths (mm behind the sheet, negative before it) of the first surfaces that rays of at most 128
+/// film points meet, in ascending order; infinite for a ray that meets none. Takes at most 20 ms of
+/// processor time. Objects that the camera does not see and containers of media do not count.
+std::vector<double> Probe_Integral_Depths(const integral::IntegralCamera& camera,
+                                          const SceneData& scene, TraceThreadData *thread);
 }
 
 #endif

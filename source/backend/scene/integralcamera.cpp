@@ -46,6 +46,33 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
         integral::make_camera(parameters, View_Of(camera), width, height));
 }
 
+double Integral_Scene_Distance(const Camera& camera)
+{
+    return integral::scene_viewing_distance(View_Of(camera),
+                                            camera.Integral->optics->placement.units_per_mm);
+}
+
+void IntegralColours::Add(const std::vector<Colour>& colours)
+{
+    pixels += colours.size();
+    for (const Colour& colour : colours)
+        if (colour.red() != 0 || colour.green() != 0 || colour.blue() != 0 || colour.transm() < 1)
+            for (int channel = 0; channel < 3; channel++)
+            {
+                least[channel] = std::min(least[channel], float(colour[channel]));
+                most[channel] = std::max(most[channel], float(colour[channel]));
+            }
+}
+
+bool IntegralColours::Are_One(double all, const integral::OutputCurve& output) const
+{
+    bool one = pixels >= all;
+    for (int channel = 0; channel < 3; channel++)
+        one = one && (most[channel] < least[channel] ||
+                      output(most[channel]) - output(least[channel]) < 1 / 255.0);
+    return one;
+}
+
 /// The number of patches in a beam, chosen so that the error of the patches is small compared with
 /// the sampling error. A quarter of the number of samples at the sharpest edges is enough, since
 /// few pixels have so many samples; lenticular sheets, whose beams are narrow, need fewer.
@@ -234,18 +261,17 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetInt(kIntegralAttrib_Draft, camera.Integral->draft);
     statistics.SetFloat(kIntegralAttrib_ViewingDistance, viewer_distance(*view.optics));
     if (camera.Integral->parameters.viewing_distance)
-        statistics.SetFloat(
-            kIntegralAttrib_SceneDistance,
-            integral::scene_viewing_distance(View_Of(camera), view.optics->placement.units_per_mm));
+        statistics.SetFloat(kIntegralAttrib_SceneDistance, Integral_Scene_Distance(camera));
+    const double area = double(view.optics->film.width) * view.optics->film.height;
+    statistics.SetBool(kIntegralAttrib_OneColour, counts.colours.Are_One(area, view.error.output));
 
     const auto error = Error_Of(view);
     // The error of some pixels is not the frame's.
     pov_base::IntegralFrame::End(view.error.continued ? std::nullopt : error);
     statistics.SetFloat(kIntegralAttrib_Seconds, pov_base::IntegralFrame::Seconds());
-    if (view.audit && view.audit->Picture_Failed())
-        statistics.SetString(kIntegralAttrib_ErrorPicture, view.error.picture.c_str());
-    if (view.depth && !view.depth->Write())
-        statistics.SetString(kIntegralAttrib_DepthPicture, view.depth->File().c_str());
+    statistics.SetBool(kIntegralAttrib_Continued, view.error.continued);
+    if (view.depth)
+        view.depth->Write();
     if (error)
     {
         statistics.SetFloat(kIntegralAttrib_Error, error->rms);
@@ -256,7 +282,6 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
         statistics.SetLong(kIntegralAttrib_ErrorLitPixels, error->lit_pixels);
         statistics.SetInt(kIntegralAttrib_ErrorSamples, error->samples);
         statistics.SetInt(kIntegralAttrib_ErrorMethod, int(error->method));
-        statistics.SetBool(kIntegralAttrib_Continued, view.error.continued);
     }
 }
 

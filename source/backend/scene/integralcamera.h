@@ -60,6 +60,19 @@ struct IntegralTally
                                 ///< after the thread has ended
 };
 
+/// The range of the colours of finished pixels.
+struct IntegralColours
+{
+    long long pixels = 0; ///< number of finished pixels
+    float least[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, most[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    /// Adds pixels. Transparent black ones, behind no lens, have no colour.
+    void Add(const std::vector<Colour>& colours);
+
+    /// Whether no pixel of so many differs from others by a step of 8 bits.
+    bool Are_One(double all, const integral::OutputCurve& output) const;
+};
+
 /// The tallies of a render's threads.
 struct IntegralCounts
 {
@@ -67,6 +80,7 @@ struct IntegralCounts
     std::list<IntegralTally> tallies; ///< a list, since each thread keeps a reference to its own
     int containers = 0;               ///< number of objects inside which rays may start
     int objects = 0;                  ///< number of objects in the scene
+    IntegralColours colours;
 };
 
 /// The options of the error estimate.
@@ -96,6 +110,11 @@ struct IntegralStatement
     std::optional<integral::Vec2> draft_pitch; ///< a draft's pixel pitch, mm, for the film's
     std::shared_ptr<const integral::IntegralCamera> optics; ///< with the camera's final transform;
                                                             ///< null until the frame size is known
+    struct Position
+    {
+        UCS2String file;
+        POV_LONG line = 0, column = 0, offset = 0;
+    } end; ///< of the statement; without a file: there is no statement
 };
 
 /// A view that is being rendered: its optics and the data that its threads share.
@@ -120,6 +139,9 @@ struct IntegralView
 /// Throws std::invalid_argument with a message for the user.
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera,
                                                                      int width, int height);
+
+/// How far from the sheet the scene's own eye is, mm. Call it for a camera that has its optics.
+double Integral_Scene_Distance(const Camera& camera);
 
 /// Chooses how the scene's objects are bounded if the options leave that open. Call it after the
 /// scene is parsed. For an integral camera, whose rays have many origins and directions, a BSP tree
