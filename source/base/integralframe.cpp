@@ -172,10 +172,12 @@ std::string IntegralFrame::Named(const std::string& file)
                                     (film.height * film.pixel_pitch.y));
 }
 
-integral::Vec2 IntegralFrame::Pixel_Pitch()
+std::optional<integral::Vec2> IntegralFrame::Pixel_Pitch()
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
+    if (state.quilt)
+        return std::nullopt;
     return state.metadata->film.pixel_pitch;
 }
 

@@ -45,8 +45,9 @@ public:
     /// The name of the picture's file: `file`, with the end that tells a quilt's views.
     static std::string Named(const std::string& file);
 
-    /// Film pixel pitch, mm. Call it only if Current().
-    static integral::Vec2 Pixel_Pitch();
+    /// Film pixel pitch, mm; none for a quilt, whose pixels lie on no film. Call it only if
+    /// Current().
+    static std::optional<integral::Vec2> Pixel_Pitch();
 
     /// The JSON document for a file whose samples have the given encoding. Call it only if
     /// Current().
