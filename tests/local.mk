@@ -60,10 +60,14 @@ unit_sources = \
   tests/unit/depth_multibaseline.cpp \
   tests/unit/depth_spread.cpp \
   tests/unit/fabrication.cpp \
+  tests/unit/io_as_shown.cpp \
   tests/unit/io_image_files.cpp \
+  tests/unit/io_jpeg_forms.cpp \
+  tests/unit/io_lists_of_views.cpp \
   tests/unit/io_pfm.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
+  tests/unit/io_tiff_forms.cpp \
   tests/unit/lightfield_beam_patch.cpp \
   tests/unit/lightfield_cut_pixel.cpp \
   tests/unit/lightfield_depth_range.cpp \

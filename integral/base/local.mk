@@ -18,6 +18,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/json_fields.h \
   integral/base/message_text.cpp \
   integral/base/message_text.h \
+  integral/base/notices.cpp \
+  integral/base/notices.h \
   integral/base/number_text.cpp \
   integral/base/number_text.h \
   integral/base/parallel.cpp \

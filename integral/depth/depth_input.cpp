@@ -85,7 +85,7 @@ DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthR
                             int threads, const Progress& progress)
 {
     std::optional<Frame> frame;
-    if (inputs.size() == 1 && !is_mpo(inputs[0])) {
+    if (inputs.size() == 1 && !is_list_of_views(inputs[0])) {
         FrameReader reader(inputs[0], request.sheet);
         reader.refuse_projection();
         if (reader.frame().metadata)

@@ -174,7 +174,7 @@ std::optional<DecodedDepths> decoded_depths(const std::string& path)
 bool is_photograph(const std::vector<std::string>& inputs, const ReliefRequest& request)
 {
     if (inputs.size() != 1 || request.depth_file.empty() || request.input.grid ||
-        is_mpo(inputs[0]) || grid_in_name(inputs[0]))
+        is_list_of_views(inputs[0]) || grid_in_name(inputs[0]))
         return false;
     return !FrameReader(inputs[0], request.input.sheet).frame().metadata &&
            !read_views(inputs[0], false).metadata;

@@ -13,10 +13,10 @@ namespace integral {
 
 namespace {
 
-/// The views of an MPO, which stand from left to right.
-GivenViews read_pair(const std::string& input, const ViewsRequest& request)
+/// The views of an MPO or a stereo OpenEXR, which stand from left to right.
+GivenViews read_list(const std::string& input, const ViewsRequest& request)
 {
-    GivenViews all{read_mpo(input), {}, std::nullopt};
+    GivenViews all{read_list_of_views(input), {}, std::nullopt};
     all.grid = request.grid.value_or(ViewGrid{int(all.views.size()), 1});
     if (all.grid.count() != int(all.views.size()))
         throw RequestError(input + ": it holds " + std::to_string(all.views.size()) +
@@ -115,7 +115,8 @@ GivenViews read_given_views(const std::vector<std::string>& inputs, const ViewsR
 {
     if (inputs.size() > 1)
         return read_files(inputs, request);
-    return is_mpo(inputs[0]) ? read_pair(inputs[0], request) : read_quilt(inputs[0], request);
+    return is_list_of_views(inputs[0]) ? read_list(inputs[0], request)
+                                       : read_quilt(inputs[0], request);
 }
 
 std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, int width, int height,

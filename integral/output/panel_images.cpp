@@ -152,12 +152,14 @@ std::vector<std::vector<std::string>> PanelImages::groups(
         return {inputs};
     // A file of one view says so, and so do quilts and frames: what says nothing is taken for a
     // view.
-    const Views first = read_views(inputs[0], false);
-    const bool one_view = first.metadata && first.metadata->quilt->view;
-    bool alone = first.metadata || grid_in_name(inputs[0]) || is_mpo(inputs[0]);
-    if (!first.metadata && !alone)
-        alone = read_frame(inputs[0]).metadata.has_value();
-    if (one_view || !alone)
+    bool alone = is_list_of_views(inputs[0]);
+    if (!alone) {
+        const auto views = ViewsReader(inputs[0], false).head().metadata;
+        if (views && views->quilt->view)
+            return {inputs};
+        alone = views || grid_in_name(inputs[0]) || FrameReader(inputs[0]).frame().metadata;
+    }
+    if (!alone)
         return {inputs};
     std::vector<std::vector<std::string>> each;
     for (const std::string& input : inputs)
@@ -234,7 +236,8 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
 std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& group) const
 {
     const std::string& name = group[0];
-    if (group.size() > 1 || grid_in_name(name) || is_mpo(name) || read_views(name, true).metadata)
+    if (group.size() > 1 || grid_in_name(name) || is_list_of_views(name) ||
+        read_views(name, true).metadata)
         return std::nullopt;
     Frame frame = read_frame(name);
     if (frame.metadata)
