@@ -37,7 +37,7 @@ endif
 # A simulated scanner, for tests/cli/integral_rectify.test.
 EXTRA_PROGRAMS += build/tests/scan
 build_tests_scan_SOURCES = tests/cli/helpers/scan.cpp
-build_tests_scan_LDADD = -lpng
+build_tests_scan_LDADD = -lpng -ljpeg
 
 # The same tests with the sanitized library, which goes first: its functions count where a header's
 # are in both. The tests are not compiled twice; their 100 digits would take minutes.
