@@ -85,6 +85,7 @@ unit_sources = \
   tests/unit/lightfield_sample_points.cpp \
   tests/unit/lightfield_sample_spread.cpp \
   tests/unit/lightfield_sampling_forecast.cpp \
+  tests/unit/lightfield_scene_fit.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/output_device_text.cpp \
   tests/unit/output_interlace.cpp \
@@ -99,6 +100,7 @@ unit_sources = \
   tests/unit/output_pitch_wizard.cpp \
   tests/unit/output_screens.cpp \
   tests/unit/replay_compare.cpp \
+  tests/unit/replay_draft.cpp \
   tests/unit/replay_eyes.cpp \
   tests/unit/replay_frames.h \
   tests/unit/replay_page.cpp \
@@ -113,6 +115,7 @@ unit_sources = \
   tests/unit/optics_beam.cpp \
   tests/unit/optics_beam_oracle.h \
   tests/unit/optics_cells.cpp \
+  tests/unit/optics_collineation.cpp \
   tests/unit/optics_fill.cpp \
   tests/unit/optics_film.cpp \
   tests/unit/optics_lattice.cpp \

@@ -110,6 +110,11 @@ void declare(options::options_description& all, ReplayOptions& o)
         "nearer");
     add(all, "steps", o.steps, "N (=48)",
         "views along the path, 2 to 10000; of several frames one each");
+    add(all, "as-seen", o.as_seen,
+        "what a person sees: a pupil of 4 mm, the spread of printed dots and the blur of the "
+        "lenses' curved surface, unless --pupil and --lens-blur say otherwise");
+    add(all, "raw-draft", o.raw_draft,
+        "show a draft's own pixels, not what the print's finer pixels will fill in between them");
     declare_frame_geometry(all, o.sheet);
     declare(all, o.threads);
     declare(all, o.series);
@@ -126,8 +131,8 @@ View view_of(const ReplayOptions& o)
         view.model = parse_model(*o.lens_model);
     constexpr int plain_samples = 3, pupil_samples = 8;
     view.samples = o.samples ? in_range("samples", *o.samples, 1, most_samples)
-                   : view.pupil > 0 || view.blur > 0 ? pupil_samples
-                                                     : plain_samples;
+                   : view.pupil > 0 || view.blur > 0 || o.as_seen ? pupil_samples
+                                                                  : plain_samples;
     if (o.eye)
         view.eye = parse_eye(*o.eye);
     read_size("size", o.size, largest_replay_side, view.width, view.height);

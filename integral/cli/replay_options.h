@@ -14,7 +14,7 @@ struct ReplayOptions : CommonOptions {
     std::optional<std::string> eye, size, part, pupil, focus, lens_model, film_gap, lens_blur;
     std::optional<int> samples;
     std::optional<std::string> stereo, grid, path;
-    bool cross_eyed = false, anaglyph = false, half = false;
+    bool cross_eyed = false, anaglyph = false, half = false, raw_draft = false, as_seen = false;
     std::optional<int> steps;
     ThreadOptions threads;
     SeriesOptions series;

@@ -48,7 +48,7 @@ void declare(options::options_description& all, SheetCommandOptions& o)
         "--distance and --dpi");
     add(all, "camera", o.camera,
         "print the sheet and the film as the camera's words, for a scene or Integral_Camera; with "
-        "viewing_distance for a frame or where --distance is given");
+        "viewing_distance for a frame or where --distance is given, and then fit 2");
     add(all, "report", o.report, "SCENE",
         "how much of a scene is within the depth budget, and what would help: a .pov or .ini, "
         "which povray-integral looks through (what else is on the command line is for it, as +W900 "
@@ -172,6 +172,8 @@ std::string words_for_scene(const SheetCommandOptions& o, const FrameMetadata& g
     std::string words = geometry.render || o.aperture.distance
                             ? camera_words(geometry)
                             : sheet_words(geometry.sheet) + " " + film_words(geometry.film);
+    if (o.aperture.distance && !geometry.render)
+        words += " " + fit_words();
     if (o.print) {
         const Vec2 size = parse_paper_size("print", *o.print);
         words += " print_size <" + with_digits(size.x, 9) + ", " + with_digits(size.y, 9) + ">";

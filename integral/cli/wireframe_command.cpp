@@ -167,8 +167,15 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
                          "rendered");
     Mesh mesh = read_mesh(o.inputs[0], how);
     if (o.in_scene)
-        for (Vec3& v : mesh.vertices)
-            v = sheet_from_scene(*geometry.placement, v);
+        for (Vec3& v : mesh.vertices) {
+            const auto seen = image_of(relief_of(geometry),
+                                       sheet_from_scene(*geometry.placement, v));
+            if (!seen)
+                throw InputError(o.inputs[0] + ": a vertex is seen beyond infinity by the "
+                                               "frame's parallax; render the frame with a parallax "
+                                               "of at most 1");
+            v = *seen;
+        }
     try {
         place(mesh, at);
     } catch (const std::invalid_argument& error) {

@@ -57,6 +57,12 @@ ProjectionLens projection_from(const JsonObject& object)
     return lens;
 }
 
+Parallax parallax_from(const JsonObject& object)
+{
+    return {number_at(object, "factor", 0, 100),
+            number_at(object, "scene_distance_mm", 1e-2, 1e9)};
+}
+
 Encoding encoding_from(const JsonObject& object)
 {
     Encoding encoding;
@@ -99,6 +105,8 @@ RenderRecord render_from(const JsonObject& object)
         render.pixel_samples = whole_at(object, "pixel_samples", 1, most_samples);
     if (object.has("beam_samples"))
         render.beam_samples = whole_at(object, "beam_samples", 1, most_samples);
+    if (object.has("fit"))
+        render.fit = string_at(object, "fit");
     if (object.has("draft"))
         render.draft = whole_at(object, "draft", 1, largest_side);
     render.pseudoscopic = flag_at(object, "pseudoscopic");
@@ -184,6 +192,8 @@ Json json_of(const RenderRecord& render)
                  {"pixel_samples", render.pixel_samples},
                  {"beam_samples", render.beam_samples},
                  {"seconds", render.seconds}};
+    if (!render.fit.empty())
+        json["fit"] = render.fit;
     if (render.draft > 1)
         json["draft"] = render.draft;
     if (render.pseudoscopic)
@@ -209,6 +219,21 @@ Json json_of(const QuiltRecord& quilt)
 
 } // namespace
 
+double viewer_distance(const FrameMetadata& m)
+{
+    return m.projection ? m.projection->viewer : m.aperture.distance;
+}
+
+double scene_distance(const FrameMetadata& m)
+{
+    return m.parallax ? m.parallax->scene_distance : viewer_distance(m);
+}
+
+Collineation relief_of(const FrameMetadata& m)
+{
+    return m.parallax ? relief_of(*m.parallax, viewer_distance(m)) : Collineation();
+}
+
 std::string to_json(const FrameMetadata& metadata)
 {
     Json document = {{"sheet", json_of(metadata.sheet)},
@@ -218,6 +243,9 @@ std::string to_json(const FrameMetadata& metadata)
         document["camera"] = json_of(*metadata.placement);
     if (metadata.projection)
         document["projection"] = json_of(*metadata.projection);
+    if (metadata.parallax)
+        document["parallax"] = {{"factor", metadata.parallax->factor},
+                                {"scene_distance_mm", metadata.parallax->scene_distance}};
     document["encoding"] = json_of(metadata.encoding);
     if (metadata.render)
         document["render"] = json_of(*metadata.render);
@@ -242,6 +270,8 @@ FrameMetadata frame_metadata_from_json(const std::string& text)
         metadata.placement = placement_from(object_at(document, "camera"));
     if (document.has("projection"))
         metadata.projection = projection_from(object_at(document, "projection"));
+    if (document.has("parallax"))
+        metadata.parallax = parallax_from(object_at(document, "parallax"));
     if (document.has("encoding"))
         metadata.encoding = encoding_from(object_at(document, "encoding"));
     if (document.has("render"))

@@ -69,6 +69,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/sample_points.h \
   integral/lightfield/sampling_forecast.cpp \
   integral/lightfield/sampling_forecast.h \
+  integral/lightfield/scene_fit.cpp \
+  integral/lightfield/scene_fit.h \
   integral/lightfield/scene_depth_report.cpp \
   integral/lightfield/scene_depth_report.h \
   integral/lightfield/sheet_figures.cpp \

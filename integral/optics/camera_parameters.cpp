@@ -70,6 +70,13 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     if (p.viewing_distance)
         c.require(in(*p.viewing_distance, 1e-2, 1e9), "viewing_distance", *p.viewing_distance,
                   "it is in mm from the sheet to the eye, 0.01 to 1e9");
+    if (p.parallax)
+        c.require(in(*p.parallax, 0, 100), "parallax", *p.parallax,
+                  "it is how far the scene's eye moves where the viewer's moves 1 mm, 0 to 100 mm");
+    if (p.fit)
+        c.require(in(*p.fit, 0.1, 100), "fit", *p.fit,
+                  "it is how many depth budgets the scene may reach either side of the sheet, 0.1 to "
+                  "100");
     if (p.print_size)
         for (const double extent : {p.print_size->x, p.print_size->y})
             c.require(in(extent, 1e-3, 1e6), "print_size", extent,
@@ -179,6 +186,14 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     if (p.projection_lens && p.pseudoscopic)
         errors.push_back("pseudoscopic does not go with projection_lens, whose image is turned "
                          "upside down and in depth by the lens itself");
+    if (p.move_eye && !p.viewing_distance)
+        errors.push_back("move_eye moves the scene's eye to viewing_distance: add viewing_distance "
+                         "and how far from the sheet the eye is, in mm");
+    if (p.fit && p.move_eye)
+        errors.push_back("fit chooses the scene's depth for an eye that keeps its place, and "
+                         "move_eye moves it: leave one of them out");
+    if (p.fit && p.sheet_distance && p.parallax)
+        errors.push_back("fit has nothing to choose: leave out sheet_distance or parallax");
     if (p.display_prefilter && refracts_at_surface(p.model))
         errors.push_back("display_prefilter is a filter of the ideal beam: it goes with lens_model "
                          "extended_pinhole or pinhole");

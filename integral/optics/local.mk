@@ -10,6 +10,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/camera.h \
   integral/optics/camera_parameters.cpp \
   integral/optics/camera_parameters.h \
+  integral/optics/collineation.h \
   integral/optics/coverage.cpp \
   integral/optics/coverage.h \
   integral/optics/film.h \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay.h"
 
+#include "integral/lightfield/lens_profile.h"
 #include "integral/lightfield/sample_points.h"
 #include "integral/optics/lens_surface.h"
 
@@ -11,7 +12,7 @@ namespace integral {
 
 Eye centre_eye(const FrameMetadata& metadata)
 {
-    return {0, 0, metadata.projection ? metadata.projection->viewer : metadata.aperture.distance};
+    return {0, 0, viewer_distance(metadata)};
 }
 
 namespace {
@@ -27,6 +28,38 @@ SheetPart part_seen(const View& view, const FrameMetadata& metadata)
 }
 
 } // namespace
+
+namespace {
+
+/// Diameter, mm, of a uniform spot as wide as the one on the film from which the curved lenses
+/// gather the light of one direction: the mean square over the lens on the axis.
+double aberration_spot(const LensSheet& sheet)
+{
+    constexpr int points = 64, places = 8;
+    const double half = 0.5 * std::max(cell_extent(sheet).x, cell_extent(sheet).y);
+    double squares = 0;
+    int count = 0;
+    for (int k = 0; k < places; ++k)
+        if (const auto beam = full_beam_direction(sheet, half * (k + 0.5) / places, points)) {
+            squares += beam->spread * beam->spread;
+            ++count;
+        }
+    constexpr double degree = 3.14159265358979323846 / 180;
+    // A disc's points have a standard deviation of a quarter of its diameter along any direction.
+    return count ? 4 * std::sqrt(squares / count) * degree * sheet.thickness / sheet.ior : 0;
+}
+
+} // namespace
+
+void set_as_seen(View& view, const FrameMetadata& metadata)
+{
+    constexpr double indoor_pupil = 4, printed_dot = 0.04; // mm
+    if (view.pupil == 0)
+        view.pupil = indoor_pupil;
+    if (view.blur == 0)
+        view.blur = std::hypot(aberration_spot(metadata.sheet),
+                               metadata.film.subpixels == Subpixels::none ? printed_dot : 0);
+}
 
 void set_view_size(View& view, const Film& film, int longer)
 {

@@ -49,6 +49,7 @@ integral::FrameMetadata Metadata_Of(const integral::IntegralCamera& camera)
     metadata.aperture = camera.optics.aperture();
     metadata.placement = camera.placement;
     metadata.projection = camera.projection;
+    metadata.parallax = camera.parallax;
     return metadata;
 }
 
@@ -110,7 +111,8 @@ std::optional<integral::PixelSize> IntegralFrame::Expected_Size()
     return state.size;
 }
 
-void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
+void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft,
+                          const std::string& fit)
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
@@ -119,6 +121,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
     state.metadata->render->program = "povray-integral 3.7.0.10";
     state.metadata->render->scene = state.scene;
     state.metadata->render->draft = draft;
+    state.metadata->render->fit = fit;
     state.metadata->render->model = camera.optics.model();
     state.metadata->render->mapping = camera.mapping;
     state.metadata->render->pixel_samples = camera.pixel_samples;

@@ -30,7 +30,8 @@ public:
 
     /// From now on pictures are frames of this camera. Starts the measurement of time. `draft`: the
     /// number of Integral_Draft=.
-    static void Begin(const integral::IntegralCamera& camera, int draft);
+    /// `fit`: the words that the fit chose; empty: no fit.
+    static void Begin(const integral::IntegralCamera& camera, int draft, const std::string& fit);
 
     /// Call it when the picture is rendered, with its error if known. Ends the measurement of time,
     /// which excludes the error estimate.

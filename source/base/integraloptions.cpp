@@ -99,6 +99,22 @@ int Draft_In(const std::string& text)
     return int(number);
 }
 
+/// The number of depth budgets of Integral_Fit=, 0 for off; nothing for an empty text.
+std::optional<double> Fit_In(const std::string& text)
+{
+    constexpr double budgets = 2; // of `on`: soft at the ends of the depth
+    if (text.empty())
+        return std::nullopt;
+    if (const auto on = Yes_Or_No(text))
+        return *on ? budgets : 0;
+    const double number = Number_In(text, "");
+    if (!(number >= 0.1 && number <= 100))
+        throw std::invalid_argument("Integral_Fit=" + text +
+                                    " is not on, off or how many depth budgets the scene may reach "
+                                    "either side of the sheet, from 0.1 to 100");
+    return number;
+}
+
 /// Whether the option selects anti-aliasing in the light field.
 bool Read_Antialiasing(const std::string& text)
 {
@@ -290,6 +306,7 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
                                         " stands in an INI file; give it on the command line, from "
                                         "which it looks for the settings before the render");
         result.draft = Draft_In(text(kIntegralAttrib_Draft));
+        result.fit = Fit_In(Lower_Case(text(kIntegralAttrib_Fit)));
         const bool size_is_known = result.draft == 1 && !result.free_height;
         IntegralFrame::Set_Quilt(
             Read_Integral_Options(options,

@@ -62,10 +62,15 @@ static void Print_Geometry(POVMS_Object& statistics, TextStreamBuffer *out)
     if (const int draft = statistics.TryGetInt(kIntegralAttrib_Draft, 1); draft > 1)
         out->printf("%-19s %15d   times fewer pixels across and down\n",
                     "  a draft, with:", draft);
-    out->printf("%-19s %15.1f   mm", "Viewing distance:", number(kIntegralAttrib_ViewingDistance));
-    if (statistics.Exist(kIntegralAttrib_SceneDistance))
-        out->printf(" (the scene's own camera: %.1f mm)", number(kIntegralAttrib_SceneDistance));
-    out->printf("\n");
+    out->printf("%-19s %15.1f   mm\n", "Viewing distance:",
+                number(kIntegralAttrib_ViewingDistance));
+    if (statistics.Exist(kIntegralAttrib_FitWords))
+        out->printf("%-19s %s\n", "Fit chose:",
+                    statistics.GetString(kIntegralAttrib_FitWords).c_str());
+    if (statistics.Exist(kIntegralAttrib_Parallax))
+        out->printf("%-19s %15.5g   mm a mm of the viewer's; its distance is %.1f mm\n",
+                    "  scene's eye moves:", number(kIntegralAttrib_Parallax),
+                    number(kIntegralAttrib_SceneDistance));
 }
 
 void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)

@@ -61,6 +61,7 @@ void IntegralGrammar::Settle(Camera& camera)
                             : statement.look_at_distance > 0 ? statement.look_at_distance
                                                              : direction;
     statement.sheet_distance_ratio = distance / direction;
+    statement.direction = direction;
 }
 
 /// Takes a perspective or an orthographic camera. From here on both are perspective ones.
@@ -72,7 +73,7 @@ void IntegralGrammar::Check_Type(Camera& camera, IntegralStatement& statement)
             parser.Error("An orthographic camera has no eye, and an integral one needs it: add "
                          "viewing_distance and how far from the picture the eye is, in mm, for "
                          "example viewing_distance 400.");
-        statement.orthographic = true;
+        statement.orthographic = statement.parameters.move_eye = true;
         camera.Type = PERSPECTIVE_CAMERA;
     }
     if (camera.Type != PERSPECTIVE_CAMERA)
@@ -159,6 +160,8 @@ void IntegralGrammar::Finish(Camera& camera)
         Check(camera);
     }
     const bool integral = camera.Integral && camera.Integral->integral && camera.Integral->optics;
+    if (integral)
+        Fit_Depth(camera);
     pov_base::IntegralFrame::Set_Scene(UCS2toASCIIString(parser.sceneData->inputFile));
     pov_base::IntegralFrame::Expect(integral ? camera.Integral->optics.get() : NULL);
     if (!integral)

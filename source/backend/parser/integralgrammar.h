@@ -85,6 +85,9 @@ private:
     void Check_Type(Camera& camera, IntegralStatement& statement);
     void Check_Print_Size(const IntegralStatement& statement, integral::PixelSize size);
     void Make_Optics(Camera& camera, IntegralStatement& statement);
+    void Fit_Depth(Camera& camera);
+    void Warn_Of_Depth(const IntegralStatement& statement, const std::vector<double>& distances,
+                       double budget);
     void Warn(const Camera& camera);
     void Warn_Of_Shape(const Camera& camera);
     void Warn_Of_Scale(const integral::IntegralCamera& optics);

@@ -99,8 +99,8 @@ void IntegralGrammar::Warn_Of_Eye(const IntegralStatement& statement)
         parser.Warning(0,
                        "Integral camera: the eye is %.4g mm from a picture of %.4g x %.4g mm: "
                        "nearer than its diagonal.\n"
-                       "viewing_distance %.0f, for example, moves the eye and leaves the sheet "
-                       "where it is.",
+                       "viewing_distance %.0f, for example, keeps this picture and shows it to an "
+                       "eye there.",
                        distance, size.x, size.y,
                        10 * std::ceil(std::max(300.0, 2 * diagonal) / 10));
 }

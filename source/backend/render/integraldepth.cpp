@@ -53,9 +53,8 @@ void IntegralDepth::Find_Row(int row, Trace& trace)
         float& depth = depths[std::size_t(row) * optics->film.width + x];
         depth = std::numeric_limits<float>::infinity();
         if (trace.FindIntersection(met, ray, seen, any))
-            depth = float(integral::sheet_from_scene(optics->placement,
-                                                     line.origin + met.Depth * line.direction)
-                              .z);
+            depth = float(
+                seen_from_scene(*optics, line.origin + met.Depth * line.direction).z);
     }
 }
 

@@ -73,8 +73,7 @@ struct Look
     bool Time_Left() const { return std::clock() < end; }
     Vec3 Scene_Point(Vec2 point) const
     {
-        return scene_from_sheet(camera.placement,
-                                {point.x, point.y, -camera.optics.aperture().distance});
+        return *scene_from_seen(camera, {point.x, point.y, -camera.optics.aperture().distance});
     }
     bool Is_Parted(Vec2 point) const
     {
@@ -129,15 +128,89 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
         (camera.depth_range && camera.depth_range->x < aperture.distance))
         return starts;
     Look look{camera, thread, {}};
-    look.near = Objects_Near(
-        {look.Scene_Point({0, 0}), half.x * camera.placement.x, half.y * camera.placement.y},
-        scene);
+    const Vec3 middle = look.Scene_Point({0, 0});
+    look.near = Objects_Near({middle, look.Scene_Point({half.x, 0}) - middle,
+                              look.Scene_Point({0, half.y}) - middle},
+                             scene);
     if (look.near.empty())
         return starts;
     starts.parted = Parted_Rays(look);
     if (starts.parted > 0)
         starts.clear = Clear_Part(look, half);
     return starts;
+}
+
+namespace
+{
+
+/// Whether a ray from an origin may meet a box, in a direction none of whose components is a NaN.
+bool May_Meet(const Vec3& origin, const Vec3& direction, const BBOX& box)
+{
+    const double from[3] = {origin.x, origin.y, origin.z},
+                 way[3] = {direction.x, direction.y, direction.z};
+    double near = 0, far = HUGE_VAL;
+    for (int axis = X; axis <= Z; axis++)
+    {
+        const double low = box.Lower_Left[axis], length = box.Lengths[axis],
+                     slack = 1e-5 * (std::fabs(low) + length + std::fabs(from[axis])); // BBOX is in
+                                                                                        // floats
+        const double ends[2] = {low - slack - from[axis], low + length + slack - from[axis]};
+        if (way[axis] == 0)
+        {
+            if (ends[0] > 0 || ends[1] < 0)
+                return false;
+            continue;
+        }
+        const double a = ends[0] / way[axis], b = ends[1] / way[axis];
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    }
+    return near <= far;
+}
+
+/// How far along the ray the first seen surface is; HUGE_VAL: there is none.
+double First_Surface(Ray& ray, const Vec3& origin, const Vec3& direction, const SceneData& scene,
+                     TraceThreadData *thread)
+{
+    double nearest = HUGE_VAL;
+    for (const ObjectPtr object : scene.objects)
+    {
+        if (Test_Flag(object, NO_IMAGE_FLAG) || !May_Meet(origin, direction, object->BBox))
+            continue;
+        Intersection found;
+        if (Find_Intersection(&found, object, ray, thread) && found.Depth < nearest)
+            nearest = found.Depth;
+    }
+    return nearest;
+}
+
+}
+
+std::vector<double> Probe_Integral_Depths(const integral::IntegralCamera& camera,
+                                          const SceneData& scene, TraceThreadData *thread)
+{
+    constexpr double least = 200, most = 2000, tests = 5e7;
+    const double pixels = double(camera.film.width) * camera.film.height;
+    const double affordable = std::min(tests / (1.0 + scene.objects.size()), pixels / 50);
+    const int count = int(std::min(pixels, std::min(most, std::max(least, affordable))));
+    const double eye = camera.parallax ? camera.parallax->scene_distance : viewer_distance(camera),
+                 magnified = camera.projection ? -camera.projection->magnification() : 1;
+    const Vec3 origin = scene_from_sheet(camera.placement, {0, 0, -eye});
+    std::vector<double> distances;
+    for (int k = 0; k < count; k++)
+    {
+        const Vec2 point = magnified *
+                           film_from_pixel(camera.film, spread_pixel(camera.film, k, count));
+        const Vec3 to_sheet = scene_from_sheet(camera.placement, {point.x, point.y, 0}) - origin,
+                   direction = (1 / length(to_sheet)) * to_sheet;
+        Ray ray;
+        Make_Vector(ray.Origin, origin.x, origin.y, origin.z);
+        Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
+        const double depth = First_Surface(ray, origin, direction, scene, thread);
+        // The eye plane is parallel to the sheet: the same part of every ray lies before the sheet.
+        distances.push_back(depth * eye * length(camera.placement.z) / length(to_sheet));
+    }
+    return distances;
 }
 
 }

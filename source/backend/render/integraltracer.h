@@ -93,8 +93,8 @@ public:
     bool Imaged() const { return imaged; }
     integral::LensIndex Lens() const { return lens; }
 
-    /// The depth of the surface that the last ray of the last pixel met, mm from the sheet away
-    /// from the viewer; infinite if it met none. Only with +A.
+    /// The depth at which the viewer sees the surface that the last ray of the last pixel met, mm
+    /// from the sheet away from the viewer; infinite if it met none. Only with +A.
     double Depth() const { return last_depth; }
 
     /// What the last ray of the last sample saw; `colour`: its light. Only if the frame
@@ -174,6 +174,7 @@ private:
     bool active = false, counts_error = false;
     bool keeps_depth = false; ///< whether Depth is available
     double last_depth = 0;
+    integral::Vec3 last_point; ///< of the scene, where last_depth is finite
     const DBL *normal = nullptr; ///< of the surface that the last ray met
     bool one_ray = false;        ///< whether each pixel has at most one ray
     bool quilt = false;          ///< whether the picture is a quilt of views; then one_ray is true

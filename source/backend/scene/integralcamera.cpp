@@ -79,10 +79,10 @@ void Choose_Integral_Bounding(SceneData& scene)
         scene.boundingMethod = 2;
 }
 
-/// Puts the camera where the viewer's eye is, for radiosity and whatever else asks for its place.
+/// Puts the camera where the scene's eye is, for radiosity and whatever else asks for its place.
 static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
 {
-    const integral::Vec3 eye = scene_from_sheet(optics.placement, {0, 0, -viewer_distance(optics)});
+    const integral::Vec3 eye = *scene_from_seen(optics, {0, 0, -viewer_distance(optics)});
     Make_Vector(camera.Location, eye.x, eye.y, eye.z);
 }
 
@@ -100,9 +100,10 @@ static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width,
 static void Begin(Camera& camera, const std::shared_ptr<const IntegralView>& view)
 {
     camera.Integral_View = view;
-    if (camera.Integral->parameters.viewing_distance)
+    if (camera.Integral->parameters.move_eye)
         Move_To_Eye(camera, *view->optics);
-    pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft);
+    pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft,
+                                   camera.Integral->fit_words);
 }
 
 void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int height,
@@ -233,10 +234,13 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetFloat(kIntegralAttrib_PrintHeight, size.y);
     statistics.SetInt(kIntegralAttrib_Draft, camera.Integral->draft);
     statistics.SetFloat(kIntegralAttrib_ViewingDistance, viewer_distance(*view.optics));
-    if (camera.Integral->parameters.viewing_distance)
-        statistics.SetFloat(
-            kIntegralAttrib_SceneDistance,
-            integral::scene_viewing_distance(View_Of(camera), view.optics->placement.units_per_mm));
+    if (!camera.Integral->fit_words.empty())
+        statistics.SetString(kIntegralAttrib_FitWords, camera.Integral->fit_words.c_str());
+    if (const auto& parallax = view.optics->parallax)
+    {
+        statistics.SetFloat(kIntegralAttrib_Parallax, parallax->factor);
+        statistics.SetFloat(kIntegralAttrib_SceneDistance, parallax->scene_distance);
+    }
 
     const auto error = Error_Of(view);
     // The error of some pixels is not the frame's.

@@ -91,6 +91,8 @@ struct IntegralStatement
     std::set<std::string> given;     ///< the words that have been given, to detect repetition
     double look_at_distance = 0;     ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0; ///< sheet distance / |direction|; 0: not known yet
+    double direction = 0;            ///< |direction| before the camera's transforms
+    std::string fit_words;           ///< the words that the fit chose; empty: no fit
     bool orthographic = false; ///< right and up are the window at any distance, not at |direction|
     int draft = 1;             ///< Integral_Draft=
     std::optional<integral::Vec2> draft_pitch; ///< a draft's pixel pitch, mm, for the film's
