@@ -51,11 +51,15 @@ std::string shares_text(const DepthShares& shares)
            percent(shares.beyond) + " beyond";
 }
 
-/// The words of a fit, as the camera takes them.
-std::string fit_words(const Fit& fit)
+/// The words of a fit, as the camera takes them. With units_per_mm another sheet_distance would
+/// move the viewer, too.
+std::string words_of(const Fit& fit, const FrameMetadata& metadata)
 {
     return "sheet_distance " + with_digits(fit.sheet_distance, 4) + " parallax " +
-           with_digits(fit.parallax, 4);
+           with_digits(fit.parallax, 4) +
+           (metadata.placement->scale_is_given
+                ? " viewing_distance " + with_digits(viewer_distance(metadata), 6)
+                : "");
 }
 
 std::string backdrop_text(const DepthRange& range)
@@ -96,7 +100,7 @@ std::string scene_verdict_text(const std::string& scene, const DepthFrame& depth
                "  the lenses are too wide for the sheet's thickness to have a depth budget\n";
     const DepthShares& now = j.advice->now;
     for (const FitAdvice& fit : j.advice->fits)
-        text += "  Fit " + with_digits(fit.budgets, 2) + ":    " + fit_words(fit.fit) + ": " +
+        text += "  Fit " + with_digits(fit.budgets, 2) + ":    " + words_of(fit.fit, depths.metadata) + ": " +
                 shares_text(fit.shares) + "  (Integral_Fit=" + with_digits(fit.budgets, 2) + ")\n";
     text += "  As it is: " + shares_text(now) + "; sharp: up to " + with_digits(*j.budget, 3) +
             " mm before and behind the sheet, soft: up to " +

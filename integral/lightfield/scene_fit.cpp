@@ -93,7 +93,7 @@ double seen_depth(const Fit& fit, double distance)
 
 double part_within(const Fit& fit, const std::vector<double>& distances, double beta)
 {
-    constexpr double rounding = 1 + 1e-9;
+    constexpr double rounding = 1 + 1e-4; // depth frames hold floats
     const auto is_within = [&](double distance) {
         return std::fabs(seen_depth(fit, distance)) <= beta * rounding;
     };
