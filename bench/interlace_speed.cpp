@@ -67,7 +67,7 @@ const char* word(Neighbours n) { return n == Neighbours::linear ? "linear" : "ne
 int main()
 {
     const Image quilt = noise<std::uint8_t>(), deep_quilt = noise<std::uint16_t>();
-    const ViewPictures views(quilt, {8, 6}), deep_views(deep_quilt, {8, 6});
+    const ViewRaster views(quilt, {8, 6}), deep_views(deep_quilt, {8, 6});
     const PanelMapping published = mapping_of(calibration());
     const FrameMetadata own = geometry();
     const auto begun = std::chrono::steady_clock::now();

@@ -144,13 +144,13 @@ int measure(const options::variables_map& arguments)
     const std::string poster = arguments["poster"].as<std::string>();
     const std::pair<const char*, std::vector<std::string>> runs[] = {
         {"sheet", {"sheet", frame}},
-        {"views, whole pixels", {"views", frame, "-o", in("views_qs15x15a1.png")}},
-        {"views, interpolated", {"views", between, "-o", in("between_qs13x13a1.png")}},
+        {"views, whole pixels", {"views", frame, "-o", in("views_qs15x15a1.33.png")}},
+        {"views, interpolated", {"views", between, "-o", in("between_qs13x13a1.33.png")}},
         {"views, files", {"views", frame, "--files", "-o", in("view.png")}},
         {"frame, whole pixels",
-         {"views", "--to-frame", in("views_qs15x15a1.png"), "-o", in("again.png")}},
+         {"views", "--to-frame", in("views_qs15x15a1.33.png"), "-o", in("again.png")}},
         {"frame, interpolated",
-         {"views", "--to-frame", in("between_qs13x13a1.png"), "-o", in("again.png")}},
+         {"views", "--to-frame", in("between_qs13x13a1.33.png"), "-o", in("again.png")}},
         {"print, PNG", {"print", frame, "-o", in("page.png")}},
         {"print, TIFF, marks", {"print", frame, "-o", in("page.tiff"), "--marks", "all"}},
         {"print, PDF", {"print", frame, "-o", in("page.pdf")}},

@@ -68,6 +68,12 @@ depth-scores: all pristine build/bench/depth_truth build/bench/depth_limit $(dep
 	$(srcdir)/bench/depth_scores $(abs_builddir)/build/bench/depth-scores
 	$(srcdir)/bench/depth_remade $(abs_builddir)/build/bench/depth-scores
 
+# What integral rectify finds in scans whose lattice is known (doc/commands/rectify.md). Takes some 20
+# minutes.
+.PHONY: rectify-truth
+rectify-truth: all build/tests/scan
+	$(srcdir)/bench/rectify_truth $(abs_builddir)/build/bench/rectify-truth
+
 .PHONY: bench
 bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench/interlace_speed \
   build/bench/wireframe_speed

@@ -32,8 +32,10 @@ static void replay_frame(const Frame& frame)
 static void interlace_for_panel(const Frame& frame)
 {
     const ViewGrid grid{8, 1};
-    const std::vector<Image> pictures = views_of_eyes(frame, grid, 480, 320, 0, {});
-    const ViewPictures views(pictures, grid); // refers to the pictures
+    View view;
+    set_view_size(view, frame.metadata->film, 480);
+    const std::vector<Image> pictures = views_of_eyes(frame, grid, view, 0, {});
+    const ViewRaster views(pictures, grid); // refers to the pictures
     const FrameMetadata panel = frame_geometry(*panel_named("thesis-lcd"));
     const EyeGrid eyes{{panel.aperture.width, 0}, panel.aperture.distance};
     const PanelMapping mapping = *mapping_of(panel, eyes);

@@ -110,3 +110,24 @@ build_sanitized_integral_SOURCES = $(build_bin_integral_SOURCES)
 build_sanitized_integral_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
 build_sanitized_integral_LDADD = build/sanitized/libintegral.a $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 $(build_sanitized_integral_OBJECTS): CXXFLAGS = -O0
+
+# The same sources under ThreadSanitizer, for check-long (tests/sanitized/threads.test). POV-Ray's own
+# objects, which are linked below, are not instrumented: only what libintegral's threads do is seen.
+THREAD_SANITIZE = -g1 -fno-omit-frame-pointer -fsanitize=thread
+
+EXTRA_LIBRARIES += build/threads/libintegral.a
+build_threads_libintegral_a_SOURCES = $(build_lib_libintegral_a_SOURCES)
+build_threads_libintegral_a_CXXFLAGS = $(AM_CXXFLAGS) $(THREAD_SANITIZE)
+$(build_threads_libintegral_a_OBJECTS): CXXFLAGS = -O1
+
+EXTRA_PROGRAMS += build/threads/integral
+build_threads_integral_SOURCES = $(build_bin_integral_SOURCES)
+build_threads_integral_CXXFLAGS = $(AM_CXXFLAGS) $(THREAD_SANITIZE)
+build_threads_integral_LDADD = build/threads/libintegral.a $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
+$(build_threads_integral_OBJECTS): CXXFLAGS = -O0
+
+build/threads/povray-integral: povray-integral build/threads/libintegral.a
+	$(MAKE) -s -C build/povray/unix EXEEXT=.threads CXXFLAGS='-O2 -w -fsanitize=thread' \
+	    LDADD='$$(top_builddir)/vfe/libvfe.a $$(top_builddir)/source/libpovray.a $(abs_builddir)/build/threads/libintegral.a' \
+	    povray_DEPENDENCIES= povray.threads
+	mv build/povray/unix/povray.threads $@

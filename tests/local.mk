@@ -37,7 +37,7 @@ endif
 # A simulated scanner, for tests/cli/integral_rectify.test.
 EXTRA_PROGRAMS += build/tests/scan
 build_tests_scan_SOURCES = tests/cli/helpers/scan.cpp
-build_tests_scan_LDADD = -lpng
+build_tests_scan_LDADD = -lpng -ljpeg
 
 # The same tests with the sanitized library, which goes first: its functions count where a header's
 # are in both. The tests are not compiled twice; their 100 digits would take minutes.
@@ -47,6 +47,13 @@ build_sanitized_unit_LINK = $(CXXLD) $(AM_CXXFLAGS) $(SANITIZE) -Wl,--whole-arch
 build_sanitized_unit_LDADD = $(build_tests_unit_OBJECTS) $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
 build_sanitized_unit_DEPENDENCIES = $(build_tests_unit_OBJECTS) build/sanitized/libintegral.a
 
+# Likewise under ThreadSanitizer, for check-long alone.
+EXTRA_PROGRAMS += build/threads/unit
+build_threads_unit_SOURCES =
+build_threads_unit_LINK = $(CXXLD) $(AM_CXXFLAGS) $(THREAD_SANITIZE) -Wl,--whole-archive build/threads/libintegral.a -Wl,--no-whole-archive -o $@
+build_threads_unit_LDADD = $(build_tests_unit_OBJECTS) $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
+build_threads_unit_DEPENDENCIES = $(build_tests_unit_OBJECTS) build/threads/libintegral.a
+
 # One line per file.
 unit_sources = \
   tests/unit/analysis_lattice.cpp \
@@ -54,16 +61,24 @@ unit_sources = \
   tests/unit/base_json.cpp \
   tests/unit/base_message_text.cpp \
   tests/unit/batch_files.cpp \
+  tests/unit/batch_progress.cpp \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
   tests/unit/depth_multibaseline.cpp \
   tests/unit/depth_spread.cpp \
+  tests/unit/depth_votes.cpp \
   tests/unit/fabrication.cpp \
+  tests/unit/io_as_shown.cpp \
   tests/unit/io_image_files.cpp \
+  tests/unit/io_jpeg_forms.cpp \
+  tests/unit/io_lists_of_views.cpp \
+  tests/unit/io_mpo.cpp \
+  tests/unit/io_memory.cpp \
   tests/unit/io_pfm.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
+  tests/unit/io_tiff_forms.cpp \
   tests/unit/lightfield_beam_patch.cpp \
   tests/unit/lightfield_cut_pixel.cpp \
   tests/unit/lightfield_depth_range.cpp \
@@ -85,8 +100,11 @@ unit_sources = \
   tests/unit/lightfield_sample_points.cpp \
   tests/unit/lightfield_sample_spread.cpp \
   tests/unit/lightfield_sampling_forecast.cpp \
+  tests/unit/lightfield_scene_fit.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
+  tests/unit/lightfield_visual_pitch.cpp \
   tests/unit/output_device_text.cpp \
+  tests/unit/output_fit.cpp \
   tests/unit/output_interlace.cpp \
   tests/unit/looking_glass_devices.h \
   tests/unit/output_cubevi.cpp \
@@ -99,8 +117,10 @@ unit_sources = \
   tests/unit/output_pitch_wizard.cpp \
   tests/unit/output_screens.cpp \
   tests/unit/replay_compare.cpp \
+  tests/unit/replay_draft.cpp \
   tests/unit/replay_eyes.cpp \
   tests/unit/replay_frames.h \
+  tests/unit/replay_lying_lenses.cpp \
   tests/unit/replay_page.cpp \
   tests/unit/replay_parallax.cpp \
   tests/unit/replay_parallel_views.cpp \
@@ -113,6 +133,7 @@ unit_sources = \
   tests/unit/optics_beam.cpp \
   tests/unit/optics_beam_oracle.h \
   tests/unit/optics_cells.cpp \
+  tests/unit/optics_collineation.cpp \
   tests/unit/optics_fill.cpp \
   tests/unit/optics_film.cpp \
   tests/unit/optics_lattice.cpp \
@@ -208,8 +229,15 @@ check-quick: quick-programs
 
 # The same tests at full size (see tests/README): hours. They compare with POV-Ray as compiled here,
 # whatever is installed.
-check-long: all $(test_programs) pristine
+thread_programs = $(if $(filter sanitized,$(chosen_layers)),build/threads/unit build/threads/integral build/threads/povray-integral)
+check-long: all $(test_programs) $(thread_programs) pristine
 	@$(test_environment) $(abs_top_srcdir)/tests/run --long $(LAYERS)
+	@$(MAKE) mutate
+
+# Small faults that a test should notice (tests/README).
+.PHONY: mutate
+mutate: build/bin/integral build/tests/unit
+	@$(test_environment) $(abs_top_srcdir)/tests/mutate --number=$(or $(MUTATIONS),50) --seed=$(or $(SEED),1)
 
 # The table of doc/numerics.md, as measured: LONG=1 make numerics, twenty minutes, when the optics
 # change.

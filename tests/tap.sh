@@ -5,6 +5,7 @@
 #   check "it runs" program arguments...         passes if the command succeeds; its output is shown otherwise
 #   fails "it refuses" STATUS 'pattern' command  passes if it exits with STATUS and its output matches the pattern
 #   is "it counts" "$got" "$wanted"              passes if both are the same
+#   check "they exist" every command LIST...     the command succeeds with each word of the list, which is not empty
 #   finish                                       prints the plan; the last line of every script
 #
 # TOP, BUILD, POVRAY, PRISTINE, INTEGRAL are set as tests/run sets them, so that a script runs alone
@@ -53,6 +54,13 @@ fails() {
 is() {
     printf 'got    %s\nwanted %s\n' "$2" "$3" > "$scratch/.said"
     if [ "$2" = "$3" ]; then verdict 0 "$1"; else verdict 1 "$1" "$scratch/.said"; fi
+}
+
+every() {
+    local command=$1 word
+    shift
+    [ $# -gt 0 ] || { echo "nothing was found to check: the list is empty"; return 1; }
+    for word in "$@"; do "$command" "$word" || { echo "not so: $word"; return 1; }; done
 }
 
 skip() {   # skip NAME REASON

@@ -32,23 +32,13 @@ double edge_on_borders(const Plane& edges, const std::vector<Vec2>& points, cons
 ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
                     ScanMap map);
 
+/// The same with the ratio of both scales kept.
+ScanMap fit_borders_with_ratio(const Plane& edges, const std::vector<Vec2>& points, ScanMap map);
+
 /// The points in those parts of the film (16 x 16) in which the borders show under this map: not
 /// where there is blank paper or an even picture.
 std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>& points,
                                      const LensSheet& sheet, const ScanMap& map);
-
-/// How sure a fit is.
-struct FitErrors {
-    MapChange deviation{}; ///< standard errors; 0 for what is not free
-    double across = 0;     ///< of the middle, pixels, across a lenticular sheet's lenses
-    int borders = 0;       ///< points that lie in the scan
-    bool known = false; ///< false: the fit is at no clear maximum, and the deviations say nothing
-};
-
-/// At the optimum, from how 8 x 8 parts of the film agree: the sandwich of the Hessian and the
-/// parts' gradients.
-FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
-                        const ScanMap& map);
 
 } // namespace integral
 

@@ -66,7 +66,8 @@ Plane box_mean(const Plane& plane, int reach, int threads)
 
 } // namespace
 
-Plane edge_response(const Image& scan, int reduction, double reach, int threads)
+Plane edge_response(const Image& scan, int reduction, double reach, int threads,
+                    std::optional<Vec2> across_lenses)
 {
     const std::vector<Plane> colours = reduced_colours(scan, reduction, threads);
     const int width = colours[0].width, height = colours[0].height;
@@ -83,7 +84,12 @@ Plane edge_response(const Image& scan, int reduction, double reach, int threads)
                 const double down = (c.at(left, below) - c.at(left, above)) +
                                     2 * (c.at(x, below) - c.at(x, above)) +
                                     (c.at(right, below) - c.at(right, above));
-                square += across * across + down * down;
+                if (across_lenses) {
+                    const double along_it = across * across_lenses->x + down * across_lenses->y;
+                    square += along_it * along_it;
+                } else {
+                    square += across * across + down * down;
+                }
             }
             edges.at(x, y) = float(std::sqrt(square));
         }

@@ -4,7 +4,9 @@
 #define INTEGRAL_ANALYSIS_EDGE_RESPONSE_H
 
 #include "integral/lightfield/image.h"
+#include "integral/optics/vec.h"
 
+#include <optional>
 #include <vector>
 
 namespace integral {
@@ -24,8 +26,10 @@ struct Plane {
 /// over the whole scan. It is 0 to 1 in any light and contrast, so that strong edges of the picture
 /// count little more than the borders of its micro-images. Each pixel is the mean of `reduction` x
 /// `reduction` of the scan's; an incomplete rest at the right and below is left out. reach and
-/// reduction > 0.
-Plane edge_response(const Image& scan, int reduction, double reach, int threads);
+/// reduction > 0. With `across`, a unit vector in the scan's pixels, g is the gradient along that
+/// direction only.
+Plane edge_response(const Image& scan, int reduction, double reach, int threads,
+                    std::optional<Vec2> across = std::nullopt);
 
 /// A plane blurred by a Gaussian of this standard deviation (pixels); beyond its edge the values
 /// are those at the edge. Sets the mean.

@@ -4,10 +4,13 @@
 #include "integral/analysis/border_fit.h"
 #include "integral/analysis/edge_response.h"
 #include "integral/analysis/lattice_candidates.h"
+#include "integral/analysis/lattice_phases.h"
 #include "integral/analysis/lens_borders.h"
+#include "integral/analysis/part_fits.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -16,24 +19,28 @@ namespace {
 
 constexpr double most_pixels_a_lens = 32; // of the reduced scan: more tell nothing more of borders
 constexpr double least_pixels_a_lens = 4;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int spectrum_side = 2048;
 constexpr int most_borders = 300000;
+constexpr double least_apart = 0.1;          // lenses: maps that are nearer are the same lattice
+constexpr std::size_t most_of_a_fit = 15000; // borders, before the last stages
 
-/// The distance (mm) of the farthest point from the middle.
-double farthest_of(const std::vector<Vec2>& points)
+/// The distance (mm) of the farthest point from `centre`.
+double farthest_of(const std::vector<Vec2>& points, Vec2 centre)
 {
     double farthest = 0;
     for (const Vec2 point : points)
-        farthest = std::max(farthest, length(point));
+        farthest = std::max(farthest, length(point - centre));
     return farthest;
 }
 
-/// The points within `radius` (mm) of the middle; of more than `most` that many, evenly picked.
-std::vector<Vec2> those_within(const std::vector<Vec2>& points, double radius, std::size_t most)
+/// The points within `radius` (mm) of `centre`; of more than `most`, that many, evenly picked.
+std::vector<Vec2> those_within(const std::vector<Vec2>& points, Vec2 centre, double radius,
+                               std::size_t most)
 {
     std::vector<Vec2> inside;
     for (const Vec2 point : points)
-        if (length(point) <= radius)
+        if (length(point - centre) <= radius)
             inside.push_back(point);
     if (inside.size() > most) {
         std::vector<Vec2> some;
@@ -42,30 +49,6 @@ std::vector<Vec2> those_within(const std::vector<Vec2>& points, double radius, s
         return some;
     }
     return inside;
-}
-
-/// The map with its middle moved within a cell to where there is the most edge on the borders.
-ScanMap best_middle(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
-                    const ScanMap& map)
-{
-    constexpr int steps = 12;
-    const Lattice lattice(sheet);
-    const bool lenticular = sheet.arrangement == Arrangement::lenticular;
-    ScanMap best = map;
-    double most = -1e30;
-    for (int j = 0; j < (lenticular ? 1 : steps); ++j)
-        for (int i = 0; i < steps; ++i) {
-            const double u = (i + 0.5) / steps - 0.5, v = lenticular ? 0 : (j + 0.5) / steps - 0.5;
-            ScanMap moved = map;
-            moved.middle = scan_from_film(map, (u * lattice.pitch()) * lattice.across() +
-                                                   (v * lattice.row_spacing()) * lattice.along());
-            const double edge = edge_on_borders(edges, points, moved);
-            if (edge > most) {
-                most = edge;
-                best = moved;
-            }
-        }
-    return best;
 }
 
 MapChange change_between(const ScanMap& from, const ScanMap& to)
@@ -154,7 +137,7 @@ std::vector<Vec2> borders_in_scan(const LatticeSearch& search,
 
 /// The scan's edges, blurred less and less for the stages of the fit.
 struct BlurredEdges {
-    Plane wide, middling, fine;
+    Plane middling, fine;
     Plane ridges; ///< for the last stage
 };
 
@@ -166,48 +149,102 @@ BlurredEdges blurred_edges(const Plane& edges, double pixels, bool to_the_pixel,
     BlurredEdges all;
     const double fine_deviation = to_the_pixel ? std::max(0.6, 0.02 * pixels)
                                                : std::max(0.7, 0.025 * pixels);
-    all.wide = blurred(edges, std::max(1.0, pixels / 7), threads);
     all.middling = blurred(edges, std::max(0.9, pixels / 12), threads);
     all.fine = blurred(edges, fine_deviation, threads);
     // The picture often shows more edge on one side of a border than on the other: a slope, which
     // moves the maximum. Subtracting the surroundings removes the slope and leaves the ridge.
-    all.ridges = to_the_pixel ? difference(all.fine, blurred(edges, 1.6 * fine_deviation, threads))
-                              : all.fine;
+    all.ridges = difference(all.fine, blurred(edges, 1.6 * fine_deviation, threads));
     return all;
 }
 
-/// Fits a candidate to the borders around the middle, then to those of larger and larger circles
-/// (mm) up to `farthest`.
+/// Fits a map that holds within `first_radius` (mm) of `centre` to the borders of larger and larger
+/// circles up to `farthest`.
 ScanMap fit_outwards(const BlurredEdges& edges, const std::vector<Vec2>& points,
-                     const LensSheet& sheet, const ScanMap& candidate, double first_radius,
+                     const LensSheet& sheet, ScanMap map, Vec2 centre, double first_radius,
                      double farthest)
 {
     constexpr double growth = 1.6;
-    const std::vector<Vec2> central = those_within(points, first_radius, 30000);
-    if (central.empty())
-        throw std::invalid_argument("the sheet's middle is too far outside of it");
-    ScanMap map = best_middle(edges.wide, central, sheet, candidate);
-    map = fit_borders(edges.wide, central, sheet, map);
-    for (double radius = growth * first_radius;; radius *= growth) {
-        map = fit_borders(edges.middling, those_within(points, radius, 40000), sheet, map);
+    for (double radius = first_radius;; radius *= growth) {
+        map = fit_borders(edges.middling, those_within(points, centre, radius, most_of_a_fit),
+                          sheet, map);
         if (radius > farthest)
             return map;
     }
 }
 
-/// Of the maps that are in range, the one with the most edge on the borders; nothing if none is.
-std::optional<ScanMap> strongest_in_range(const Plane& edges, const std::vector<Vec2>& points,
-                                          const std::vector<ScanMap>& maps,
-                                          const LatticeSearch& search, const ScanMap& about)
+/// Adds the maps around a candidate that have the most edge on the borders of the whole scan, each
+/// climbed to its maximum, if they are in range.
+void add_fits(const BlurredEdges& planes, const std::vector<Vec2>& points,
+              const LatticeSearch& search, const ScanMap& about, const LatticeCandidate& candidate,
+              int spectrum_extent, int threads, std::vector<ScoredMap>& fitted)
 {
-    std::optional<ScanMap> best;
+    constexpr int most_phases = 4;
+    constexpr double least_share = 0.4; // of the strongest so far
+    constexpr double bins = 1.2;        // of the spectrum, either way
+    const Plane& fine = planes.fine;
+    const Vec2 centre = film_from_scan(candidate.map, {0.5 * fine.width, 0.5 * fine.height});
+    const double radius = 0.5 * spectrum_side / std::max(about.scale.x, about.scale.y),
+                 farthest = farthest_of(points, centre);
+    const double resolution = bins * search.sheet.pitch * std::min(about.scale.x, about.scale.y) /
+                              spectrum_extent;
+    const std::vector<Vec2> near = those_within(points, centre, radius, most_borders);
+    const auto is_known = [&](const ScanMap& map) {
+        return std::any_of(fitted.begin(), fitted.end(), [&](const ScoredMap& other) {
+            return lenses_apart(search.sheet, other.map, map, fine.width, fine.height) <
+                   least_apart;
+        });
+    };
     double most = 0;
-    for (const ScanMap& map : maps) {
-        const double edge = edge_on_borders(edges, points, map);
-        if ((!best || edge > most) && is_in_range(search, about, map)) {
-            most = edge;
-            best = map;
-        }
+    for (const ScoredMap& rough :
+         strongest_phases(planes.middling, near, search.sheet, candidate.map,
+                          {resolution, resolution}, most_phases, threads)) {
+        most = std::max(most, rough.edge);
+        if (rough.edge < least_share * most || is_known(rough.map))
+            continue;
+        ScanMap map = fit_outwards(planes, points, search.sheet, rough.map, centre, radius,
+                                   farthest);
+        map = fit_borders(fine, those_within(points, centre, infinity, most_of_a_fit), search.sheet,
+                          map);
+        if (is_in_range(search, about, map))
+            fitted.push_back({map, edge_on_borders(fine, points, map)});
+    }
+}
+
+/// The strongest fit, of those sorted by their edge, that is not the first one again; nothing if
+/// there is none.
+std::optional<ScoredMap> best_rival(const std::vector<ScoredMap>& fitted,
+                                    const LatticeSearch& search, const Plane& edges)
+{
+    for (const ScoredMap& other : fitted)
+        if (lenses_apart(search.sheet, fitted.front().map, other.map, edges.width, edges.height) >
+            least_apart)
+            return other;
+    return std::nullopt;
+}
+
+/// What rivals a map whose scales differ by more than a scanner's do: a map with one scale. Along
+/// one axis the first may lie on what the picture itself repeats, at another pitch than the
+/// lenses'.
+std::optional<ScoredMap> rival_of_one_scale(const BlurredEdges& planes,
+                                            const std::vector<Vec2>& points,
+                                            const LatticeSearch& search, const ScanMap& about,
+                                            const ScanMap& map)
+{
+    constexpr double most_difference = 0.005;
+    const Vec2 relative{map.scale.x / about.scale.x, map.scale.y / about.scale.y};
+    if (search.sheet.arrangement == Arrangement::lenticular ||
+        !(std::fabs(relative.x / relative.y - 1) > most_difference))
+        return std::nullopt;
+    const std::vector<Vec2> some = those_within(points, {0, 0}, infinity, most_of_a_fit);
+    ScoredMap best;
+    for (const double factor : {relative.x, relative.y}) {
+        ScanMap one = map;
+        one.scale = factor * about.scale;
+        one = fit_borders_with_ratio(planes.middling, some, one);
+        one = fit_borders_with_ratio(planes.fine, some, one);
+        const double edge = edge_on_borders(planes.fine, points, one);
+        if (edge > best.edge)
+            best = {one, edge};
     }
     return best;
 }
@@ -227,7 +264,7 @@ CloseFit fit_closely(const BlurredEdges& edges, const std::vector<Vec2>& points,
         return where_borders_show(edges.fine, points, search.sheet, here);
     };
     CloseFit fit;
-    fit.significance = significance_of(edges.fine, those_within(points, farthest_of(points), 20000),
+    fit.significance = significance_of(edges.fine, those_within(points, {0, 0}, infinity, 20000),
                                        search, about, map);
     fit.map = fit.pulled = fit_borders(edges.fine, shown(map), search.sheet, map);
     for (int round = 0; round < 2; ++round)
@@ -243,10 +280,18 @@ FoundLattice found_lattice(const BlurredEdges& edges, const std::vector<Vec2>& p
 {
     const std::vector<Vec2> shown = where_borders_show(edges.fine, points, search.sheet, fit.map);
     const FitErrors errors = errors_of_fit(edges.ridges, shown, search.sheet, fit.map);
-    // By chance the pull may be nothing along one axis: the greater one counts for both.
-    const MapChange pull = change_between(fit.pulled, fit.map);
-    const double scale_pull = std::max(std::fabs(pull[0]), std::fabs(pull[1])),
-                 middle_pull = std::max(std::fabs(pull[3]), std::fabs(pull[4]));
+    // How far the picture's own edges and the film's pixels pull the fit shows where it goes with
+    // its surroundings left in, and with more blur; half of that counts, as most of it is removed
+    // from the fit on the ridges. By chance it may be nothing along one axis: the greater one
+    // counts for both.
+    constexpr double left_of_blur = 0.5;
+    const MapChange first = change_between(fit.pulled, fit.map),
+                    second = change_between(
+                        fit_borders(edges.middling, shown, search.sheet, fit.map), fit.map);
+    MapChange pull;
+    for (std::size_t k = 0; k < pull.size(); ++k)
+        pull[k] = std::hypot(first[k], left_of_blur * second[k]);
+    const double scale_pull = std::max(pull[0], pull[1]), middle_pull = std::max(pull[3], pull[4]);
     const auto with_pull = [](double x, double y, double pulled_by) {
         return Vec2{std::hypot(x, pulled_by), std::hypot(y, pulled_by)};
     };
@@ -265,6 +310,10 @@ FoundLattice found_lattice(const BlurredEdges& edges, const std::vector<Vec2>& p
                           : 0;
     result.significance = fit.significance;
     result.borders = errors.borders;
+    const LeftOutParts left_out = check_left_out_parts(edges.middling, shown, search.sheet,
+                                                       fit.map);
+    result.parts = left_out.parts;
+    result.agreeing_parts = left_out.agreeing;
     return result;
 }
 
@@ -294,8 +343,14 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     const double pixels = pitch * std::min(search.about.scale.x, search.about.scale.y) / reduction;
 
     // From here on in pixels of the reduced scan.
-    const Plane edges = edge_response(scan, reduction, 1.5 * pixels, threads);
     const ScanMap about = in_larger_pixels(search.about, reduction);
+    std::optional<Vec2> across;
+    // Borders that are known to the pixel need no such help, and lose some of their edge by it.
+    if (search.sheet.arrangement == Arrangement::lenticular && !search.frame) {
+        const MapChange direction = free_directions(search.sheet, about).back();
+        across = Vec2{direction[3], direction[4]};
+    }
+    const Plane edges = edge_response(scan, reduction, 1.5 * pixels, threads, across);
     if (!follow(2))
         return std::nullopt;
     const Spectrum spectrum(edges, spectrum_side);
@@ -303,32 +358,35 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     if (!follow(4))
         return std::nullopt;
     std::vector<Vec2> points = borders_in_scan(search, found, edges, 4 * pixels, threads);
-    const double farthest = farthest_of(points);
     if (!follow(5))
         return std::nullopt;
 
     const BlurredEdges planes = blurred_edges(edges, pixels, search.frame.has_value(), threads);
-    const double first_radius = std::max(6 * pitch, 0.3 * spectrum.extent() /
-                                                        std::max(about.scale.x, about.scale.y));
-    std::vector<ScanMap> fitted;
+    std::vector<ScoredMap> fitted;
     for (const LatticeCandidate& candidate : found) {
-        fitted.push_back(
-            fit_outwards(planes, points, search.sheet, candidate.map, first_radius, farthest));
+        add_fits(planes, points, search, about, candidate, spectrum.extent(), threads, fitted);
         if (!follow(7))
             return std::nullopt;
     }
-    const std::optional<ScanMap> best = strongest_in_range(planes.fine, points, fitted, search,
-                                                           about);
-    if (!best)
+    if (fitted.empty())
         return FoundLattice();
-
-    points = those_within(points, farthest, most_borders);
-    const CloseFit fit = fit_closely(planes, points, search, about, *best);
+    std::sort(fitted.begin(), fitted.end(),
+              [](const ScoredMap& a, const ScoredMap& b) { return a.edge > b.edge; });
+    points = those_within(points, {0, 0}, infinity, most_borders);
+    const CloseFit fit = fit_closely(planes, points, search, about, fitted.front().map);
     if (!follow(9))
         return std::nullopt;
     if (!is_in_range(search, about, fit.map))
         return FoundLattice();
-    const FoundLattice result = found_lattice(planes, points, search, fit, reduction);
+    FoundLattice result = found_lattice(planes, points, search, fit, reduction);
+    std::optional<ScoredMap> rival = best_rival(fitted, search, edges);
+    const auto other = rival_of_one_scale(planes, points, search, about, fitted.front().map);
+    if (other && (!rival || other->edge > rival->edge))
+        rival = other;
+    if (rival) {
+        result.rival_share = std::min(1.0, rival->edge / fitted.front().edge);
+        result.rival = in_larger_pixels(rival->map, 1.0 / reduction);
+    }
     follow(10);
     return result;
 }

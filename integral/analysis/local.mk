@@ -4,14 +4,20 @@
 build_lib_libintegral_a_SOURCES += \
   integral/analysis/border_fit.cpp \
   integral/analysis/border_fit.h \
+  integral/analysis/border_slope.cpp \
+  integral/analysis/border_slope.h \
   integral/analysis/edge_response.cpp \
   integral/analysis/edge_response.h \
   integral/analysis/lattice_candidates.cpp \
   integral/analysis/lattice_candidates.h \
+  integral/analysis/lattice_phases.cpp \
+  integral/analysis/lattice_phases.h \
   integral/analysis/lattice_search.cpp \
   integral/analysis/lattice_search.h \
   integral/analysis/lens_borders.cpp \
   integral/analysis/lens_borders.h \
+  integral/analysis/part_fits.cpp \
+  integral/analysis/part_fits.h \
   integral/analysis/rectify.cpp \
   integral/analysis/rectify.h \
   integral/analysis/rectify_report.cpp \

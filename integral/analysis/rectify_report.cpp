@@ -56,6 +56,8 @@ nlohmann::ordered_json rectify_json(const FoundLattice& found, const LatticeSear
              : nlohmann::ordered_json(nullptr)},
         {"contrast", found.contrast},
         {"significance", found.significance},
+        {"rival_share", found.rival_share},
+        {"parts", {{"agreeing", found.agreeing_parts}, {"of", found.parts}}},
         {"film",
          {{"width", film.width},
           {"height", film.height},
@@ -63,33 +65,51 @@ nlohmann::ordered_json rectify_json(const FoundLattice& found, const LatticeSear
         {"corrections", light.json()}};
 }
 
+namespace {
+
+/// "0.012, 0.015%"; "unknown"
+std::string errors_text(const FoundLattice& found, std::initializer_list<double> errors,
+                        int decimals, const char* unit)
+{
+    if (!found.errors_known)
+        return "unknown";
+    std::string text;
+    for (const double error : errors)
+        text += (text.empty() ? "" : ", ") + with_decimals(error, decimals);
+    return text + unit;
+}
+
+} // namespace
+
 std::string rectify_text(const FoundLattice& found, const LatticeSearch& search, const Film& film,
                          const LightReport& light)
 {
     const ScanMap& m = found.map;
     const double pitch = search.sheet.pitch;
-    char text[1200];
+    char text[1400];
     std::snprintf(
         text, sizeof text,
-        "turned                   %.4f +- %.4f degrees, anticlockwise\n"
-        "lens pitch               %.4f, %.4f pixels of the scan +- %.4f%%, %.4f%%\n"
+        "turned                   %.4f degrees, anticlockwise, +- %s\n"
+        "lens pitch               %.4f, %.4f pixels of the scan +- %s\n"
         "the scan's resolution    %.3f, %.3f dpi (%+.3f%%, %+.3f%% against what it says)\n"
-        "the sheet's middle       at %.3f, %.3f pixels of the scan +- %.3f, %.3f\n"
+        "the sheet's middle       at %.3f, %.3f pixels of the scan +- %s\n"
         "edge on the lens borders %+.0f%%, %.0f deviations above lattices at random\n"
+        "the next best lattice    has %.0f%% of the edge\n"
+        "parts of the scan        %d of %d show this lattice when it is fitted without them\n"
         "frame                    %d x %d pixels of %.5g x %.5g mm\n"
         "light                    %s\n",
-        m.rotation / radians_per_degree, found.rotation_error / radians_per_degree,
-        pitch * m.scale.x, pitch * m.scale.y, 100 * found.scale_error.x, 100 * found.scale_error.y,
+        m.rotation / radians_per_degree,
+        errors_text(found, {found.rotation_error / radians_per_degree}, 4, "").c_str(),
+        pitch * m.scale.x, pitch * m.scale.y,
+        errors_text(found, {100 * found.scale_error.x, 100 * found.scale_error.y}, 4, "%").c_str(),
         mm_per_inch * m.scale.x, mm_per_inch * m.scale.y,
         100 * (m.scale.x / search.about.scale.x - 1), 100 * (m.scale.y / search.about.scale.y - 1),
-        m.middle.x, m.middle.y, found.offset_error.x, found.offset_error.y, 100 * found.contrast,
-        found.significance, film.width, film.height, film.pixel_pitch.x, film.pixel_pitch.y,
+        m.middle.x, m.middle.y,
+        errors_text(found, {found.offset_error.x, found.offset_error.y}, 3, "").c_str(),
+        100 * found.contrast, found.significance, 100 * found.rival_share, found.agreeing_parts,
+        found.parts, film.width, film.height, film.pixel_pitch.x, film.pixel_pitch.y,
         light.text().empty() ? "left as it is" : light.text().c_str());
-    return text +
-           std::string(
-               found.errors_known
-                   ? ""
-                   : "the errors behind +- are not known: the edges have no clear maximum here\n");
+    return text;
 }
 
 } // namespace integral

@@ -60,17 +60,6 @@ std::string folder_of(const std::string& path)
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// Permissions for the new file: those of the old file if there is one, else the umask's default.
-mode_t mode_for(const std::string& target)
-{
-    struct stat status;
-    if (stat(target.c_str(), &status) == 0)
-        return status.st_mode & 0777;
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666 & ~mask;
-}
-
 void write_straight(const std::string& path, const std::string& bytes)
 {
     Descriptor file(path == "-" ? STDOUT_FILENO : open(path.c_str(), O_WRONLY));
@@ -154,9 +143,8 @@ OutputFile::OutputFile(const std::string& path) : path_(path)
     if (path == "-" || is_special(path))
         return;
     const std::string target = target_of(path);
-    const std::string random = "XXXXXX", name = unfinished_name(random);
-    std::string beside = folder_of(target) + "/" + name;
-    file_ = mkostemps(&beside[0], int(name.size() - name.find(random) - random.size()), O_CLOEXEC);
+    std::string beside;
+    file_ = create_unfinished(target, beside);
     if (file_ < 0)
         fail_to_write(path, errno);
     unfinished_.emplace(beside, target);

@@ -10,6 +10,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/file_bytes.h \
   integral/base/first_steps.cpp \
   integral/base/first_steps.h \
+  integral/base/folders.cpp \
+  integral/base/folders.h \
   integral/base/interrupt.cpp \
   integral/base/interrupt.h \
   integral/base/json.cpp \
@@ -18,6 +20,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/json_fields.h \
   integral/base/message_text.cpp \
   integral/base/message_text.h \
+  integral/base/notices.cpp \
+  integral/base/notices.h \
   integral/base/number_text.cpp \
   integral/base/number_text.h \
   integral/base/parallel.cpp \

@@ -8,7 +8,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,7 +45,38 @@ bool is_forgotten(const std::filesystem::directory_entry& file)
            std::filesystem::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
+/// sweep_unfinished(), the first time that this process writes to a folder.
+void sweep_once(const std::string& folder)
+{
+    static std::mutex mutex;
+    static std::set<std::string> swept;
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (swept.insert(folder).second)
+        sweep_unfinished(folder);
+}
+
 } // namespace
+
+mode_t mode_for(const std::string& target)
+{
+    struct stat status;
+    if (stat(target.c_str(), &status) == 0)
+        return status.st_mode & 0777;
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+int create_unfinished(const std::string& target, std::string& name)
+{
+    const auto slash = target.rfind('/');
+    const std::string folder = slash == std::string::npos ? "./" : target.substr(0, slash + 1);
+    sweep_once(folder);
+    const std::string random = "XXXXXX", file = unfinished_name(random);
+    name = folder + file;
+    const int after = int(file.size() - file.find(random) - random.size());
+    return mkostemps(&name[0], after, O_CLOEXEC);
+}
 
 std::string target_of(const std::string& path)
 {
@@ -61,9 +95,15 @@ UnfinishedFile::UnfinishedFile(const std::string& name, const std::string& targe
 {
 }
 
-UnfinishedFile::UnfinishedFile(const std::string& path)
-    : UnfinishedFile(target_of(path) + ".tmp", target_of(path))
+UnfinishedFile::UnfinishedFile(const std::string& path) : target_(target_of(path))
 {
+    const int file = create_unfinished(target_, name_);
+    if (file >= 0) {
+        close(file);
+        return;
+    }
+    name_.clear();
+    finished_ = true; // nothing to delete
 }
 
 UnfinishedFile::~UnfinishedFile()
@@ -74,7 +114,8 @@ UnfinishedFile::~UnfinishedFile()
 
 int UnfinishedFile::finish()
 {
-    if (std::rename(name_.c_str(), target_.c_str()) != 0)
+    if (chmod(name_.c_str(), mode_for(target_)) != 0 ||
+        std::rename(name_.c_str(), target_.c_str()) != 0)
         return errno;
     finished_ = true;
     return 0;

@@ -5,6 +5,7 @@
 #define INTEGRAL_BASE_UNFINISHED_FILE_H
 
 #include <string>
+#include <sys/types.h>
 
 namespace integral {
 
@@ -15,14 +16,24 @@ std::string target_of(const std::string& path);
 /// a folder.
 bool is_special(const std::string& path);
 
-/// Owner of a temporary file, which the caller creates and writes by any means. finish() renames it
-/// to its target. If finish() is not called, the destructor deletes it, and an older file of the
+/// Creates a temporary file for `target` in its folder, for reading and writing: under a name that
+/// nobody can predict and that sweep_unfinished() recognises, never an existing file, never through
+/// a symbolic link. Files that killed processes left in that folder are deleted, once a process.
+/// Returns its descriptor, and its path in `name`; -1, with the reason in errno, if it fails.
+int create_unfinished(const std::string& target, std::string& name);
+
+/// Permissions for a new file: those of its target if there is one, else the umask's default.
+mode_t mode_for(const std::string& target);
+
+/// Owner of a temporary file, which the caller writes by any means. finish() renames it to its
+/// target. If finish() is not called, the destructor deletes it, and an older file of the
 /// target's name stays.
 class UnfinishedFile {
 public:
-    /// Creates no file. `name` and `target` must be in the same folder.
+    /// For a file that the caller creates. `name` and `target` must be in the same folder.
     UnfinishedFile(const std::string& name, const std::string& target);
-    /// The same with target_of(path) as the target and with ".tmp" appended as the name.
+    /// Creates the file (create_unfinished) for target_of(path), to be opened by its name. If that
+    /// fails, name() is empty and errno has the reason.
     explicit UnfinishedFile(const std::string& path);
     ~UnfinishedFile();
     UnfinishedFile(const UnfinishedFile&) = delete;
@@ -31,8 +42,8 @@ public:
     const std::string& name() const { return name_; }
     const std::string& target() const { return target_; }
 
-    /// Renames the file to its target. Returns 0, or errno if that failed; the destructor then
-    /// deletes the file.
+    /// Gives the file its permissions and renames it to its target. Returns 0, or errno if that
+    /// failed; the destructor then deletes the file.
     int finish();
 
 private:

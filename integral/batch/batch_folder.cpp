@@ -2,6 +2,7 @@
 #include "integral/batch/batch_folder.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/folders.h"
 #include "integral/batch/content_hash.h"
 #include "integral/io/codecs.h"
 
@@ -17,16 +18,6 @@
 
 namespace integral {
 namespace {
-
-void make_folder(const std::string& path)
-{
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (error)
-        throw OutputError(path + ": cannot be made: " + error.message());
-    if (access(path.c_str(), W_OK | X_OK) != 0)
-        throw OutputError(path + ": cannot be written: " + std::strerror(errno));
-}
 
 double size_of(const std::string& path)
 {

@@ -5,6 +5,7 @@
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_steps.h"
 #include "integral/batch/renderer_options.h"
+#include "integral/io/memory.h"
 
 #include <algorithm>
 #include <cctype>
@@ -17,22 +18,19 @@ namespace integral {
 namespace {
 
 constexpr double mebibyte = 1 << 20;
-constexpr double program = 24 * mebibyte; ///< what a program takes for the smallest picture
+
+/// What a program takes for the smallest picture: no less than this program has in memory, which
+/// differs with the system's libraries, and a margin for what the others read and start.
+double smallest_program()
+{
+    constexpr double usual = 24 * mebibyte, margin = 3 * mebibyte;
+    static const double bytes = std::max(usual, resident_memory() + margin);
+    return bytes;
+}
 
 std::string megabytes(double bytes)
 {
     return with_decimals(std::ceil(bytes / mebibyte), 0) + " MB";
-}
-
-/// Bytes that programs can still have, as the kernel reckons.
-double free_memory()
-{
-    std::ifstream file("/proc/meminfo");
-    std::string line;
-    while (std::getline(file, line))
-        if (line.rfind("MemAvailable:", 0) == 0)
-            return std::atof(line.c_str() + 13) * 1024;
-    return 1e300; // this kernel does not say
 }
 
 std::string in_small_letters(std::string text)
@@ -89,7 +87,7 @@ double pixels_in_settings(const BatchStep& step)
 double renderer_bound(const BatchStep& step, double pixels)
 {
     constexpr double kept_in_memory = 140 * mebibyte; // the renderer puts the rest into a file
-    double bytes = program + std::min(24 * pixels, kept_in_memory);
+    double bytes = smallest_program() + std::min(24 * pixels, kept_in_memory);
     if (extension_of(step.output) == "exr")
         bytes += 9 * pixels;
     if (may_antialias(step.words))
@@ -162,8 +160,8 @@ double MemoryForecast::bound(const BatchStep& step, const std::string& frame, do
     const FrameHeader header = header_of_frame(frame);
     const PerPixel each = per_pixel(step, header.deep);
     const double made = output_pixels_(manifest_, step, header.pixel_pitch);
-    return bounds_[step.name] = program + each.fixed + header.bytes + each.frame * pixels +
-                                each.output * made;
+    return bounds_[step.name] = smallest_program() + each.fixed + header.bytes +
+                                each.frame * pixels + each.output * made;
 }
 
 double MemoryForecast::expected(const BatchStep& step, const std::string& frame, double pixels,
@@ -192,7 +190,7 @@ void MemoryForecast::learn(const BatchStep& step, const std::string& frame,
 
 std::string MemoryForecast::lack(double needed, const std::vector<MemoryUse>& running) const
 {
-    double available = limit_ > 0 ? limit_ : free_memory();
+    double available = limit_ > 0 ? limit_ : free_memory_of_machine();
     for (const MemoryUse& one : running)
         available -= limit_ > 0 ? std::max(one.expected, one.now)
                                 : std::max(0.0, one.expected - one.now);

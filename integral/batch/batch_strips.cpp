@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/batch_strips.h"
 
+#include "integral/base/folders.h"
 #include "integral/base/json.h"
 #include "integral/base/message_text.h"
 #include "integral/base/number_text.h"
@@ -219,7 +220,7 @@ StripsOfFrame strips_of(PlannedBatch& batch, const BatchStep& frame, const std::
 void publish_merged(const BatchFolder& folder, const BatchStep& frame, const StripsOfFrame& strips,
                     StepRecord& record)
 {
-    std::filesystem::create_directories(folder.work(frame));
+    make_folder(folder.work(frame));
     merge_strips(strips.files, folder.made(frame));
     read_figures(folder.made(frame), record);
     record.seconds = strips.seconds;

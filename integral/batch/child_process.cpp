@@ -3,13 +3,13 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
+#include "integral/io/memory.h"
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -103,12 +103,6 @@ ChildEnd ChildProcess::wait(const std::function<void()>& meanwhile)
 
 void ChildProcess::stop() { kill(process_, SIGTERM); }
 
-double ChildProcess::memory_now() const
-{
-    std::ifstream file("/proc/" + std::to_string(process_) + "/statm");
-    double all = 0, resident = 0;
-    file >> all >> resident;
-    return resident * double(sysconf(_SC_PAGESIZE));
-}
+double ChildProcess::memory_now() const { return resident_memory(std::to_string(process_)); }
 
 } // namespace integral

@@ -2,6 +2,7 @@
 #include "integral/batch/cluster.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/folders.h"
 #include "integral/base/interrupt.h"
 #include "integral/base/message_text.h"
 #include "integral/base/number_text.h"
@@ -51,8 +52,8 @@ public:
           retries_(wanted.retries),
           request_(request_for(batch, wanted, cluster))
     {
-        std::filesystem::create_directories(cluster_folder(batch.folder));
-        std::filesystem::create_directories(request_.log_folder);
+        make_folder(cluster_folder(batch.folder));
+        make_folder(request_.log_folder);
     }
 
     /// Submits tasks that may run in any order, once the jobs `after` have ended. Returns the new
@@ -187,7 +188,7 @@ bool is_held_by_limit(const SlurmTask& task)
 Submitted submit_batch(PlannedBatch& batch, const RunOptions& wanted, const ClusterOptions& cluster)
 {
     make_batch_folder(batch.manifest.output, batch.plan);
-    std::filesystem::create_directories(batch.folder.own() + "/strips");
+    make_folder(batch.folder.own() + "/strips");
     const JobsToMake jobs = jobs_to_make(batch, wanted, cluster.strips);
     Submitter submitter(batch, wanted, cluster);
     const Queue queued = queued_tasks(batch.folder);

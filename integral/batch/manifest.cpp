@@ -134,6 +134,7 @@ BatchScene read_scene(const Located& object, const Reading& reading)
     if (extension != "pov" && extension != "ini")
         file.refuse("a scene, .pov or .ini, is expected");
     check_quotable(file, scene.file);
+    check_renderer_name(file, scene.file.substr(scene.file.rfind('/') + 1));
     scene.options = renderer_options(object);
     scene.declare = declarations(object);
     scene.size = size_in(object);
@@ -267,7 +268,7 @@ void read_output(const Located& field, Manifest& manifest)
     if (output.empty())
         field.refuse("the name of a folder is expected");
     manifest.output = path_in(manifest.folder, output);
-    check_quotable(field, std::filesystem::absolute(manifest.output));
+    check_renderer_name(field, std::filesystem::absolute(manifest.output));
 }
 
 void read_frames(const Located& frames, Manifest& manifest)

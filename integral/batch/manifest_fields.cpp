@@ -101,6 +101,15 @@ void check_quotable(const Located& field, const std::string& text)
         field.refuse("both kinds of quotation marks in it cannot be passed on");
 }
 
+void check_renderer_name(const Located& field, const std::string& name)
+{
+    check_quotable(field, name);
+    if (std::any_of(name.begin(), name.end(), [](char c) { return (unsigned char)c > 127; }))
+        field.refuse(excerpt(name) +
+                     ": povray-integral finds no file whose name has letters outside "
+                     "of ASCII; rename it");
+}
+
 Names renderer_options(const Located& object)
 {
     Names all;

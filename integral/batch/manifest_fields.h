@@ -25,6 +25,10 @@ std::string readable_file(const Located& field, const std::string& folder);
 /// Refuses a text with both kinds of quotation marks, which POV-Ray's command line cannot hold.
 void check_quotable(const Located& field, const std::string& text);
 
+/// Refuses a name of a file that povray-integral cannot open: also one with letters outside of
+/// ASCII.
+void check_renderer_name(const Located& field, const std::string& name);
+
 /// The field "options" of an object, as options of povray-integral that the batch does not give
 /// itself; none if there is no such field.
 Names renderer_options(const Located& object);

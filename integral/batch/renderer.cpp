@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/renderer.h"
 
+#include "integral/batch/renderer_options.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -86,14 +88,17 @@ InputError no_renderer(const std::string& said)
                       "; it belongs beside this program, or on PATH");
 }
 
-std::vector<std::string> scene_words(const std::string& path)
+std::vector<std::string> scene_words(const std::string& scene)
 {
-    read_file(path);
+    if (scene == "-" || is_special(scene))
+        throw InputError(scene +
+                         ": a pipe can be read only once, and this scene is rendered several "
+                         "times; save it as a file");
     std::vector<std::string> words;
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    if (!folder.empty())
+    const std::string folder = std::filesystem::path(scene).parent_path().string();
+    if (!folder.empty() && std::filesystem::exists(without_section(scene)))
         words.push_back("+L\"" + folder + "\"");
-    words.push_back(extension_of(path) == "pov" ? "+I\"" + path + "\"" : "\"" + path + "\"");
+    words.push_back((names_settings(scene) ? "" : "+I") + quoted(scene));
     for (const char* word : {"-D", "+KFI1", "+KFF1"})
         words.push_back(word);
     return words;
@@ -131,7 +136,10 @@ ChildEnd render(const std::string& what, const std::vector<std::string>& options
     if (end.status == program_cannot_be_run)
         throw InputError(what + ": " + no_renderer(read_file(log)).what());
     if (end.status != 0)
-        throw InputError(what + ": it cannot be rendered: " + reason_in(read_file(log)));
+        throw InputError(what + (std::filesystem::exists(without_section(what))
+                                     ? ": it cannot be rendered: " + reason_in(read_file(log))
+                                     : ": cannot be read: it is neither here nor where "
+                                       "povray-integral looks for scenes; +LFOLDER adds a folder"));
     return end;
 }
 

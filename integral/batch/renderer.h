@@ -46,9 +46,10 @@ InputError no_renderer(const std::string& said);
 /// printed to the file `said`; 0 where there is none.
 double rendered_part(const std::string& said);
 
-/// The words of povray-integral's command line for a scene (.pov, .ini): one picture of an
-/// animation, no window. Throws InputError where the scene cannot be read.
-std::vector<std::string> scene_words(const std::string& path);
+/// The words of povray-integral's command line for a scene (names_scene): one picture of an
+/// animation, no window. A scene that is not here is one that povray-integral looks for, as after
+/// +I. Throws InputError for a pipe or a device, which can be read only once.
+std::vector<std::string> scene_words(const std::string& scene);
 
 /// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its
 /// end. What it prints goes to a file in `scratch`. If it fails, throws InputError with `what` (the

@@ -165,6 +165,19 @@ std::string without_quotes(const std::string& text)
     return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
+std::string without_section(const std::string& name) { return name.substr(0, name.find('[')); }
+
+bool names_settings(const std::string& name)
+{
+    return extension_of(without_section(name)) == "ini";
+}
+
+bool names_scene(const std::string& name)
+{
+    const std::string extension = extension_of(without_section(name));
+    return extension == "pov" || extension == "ini" || extension.empty();
+}
+
 bool can_be_quoted(const std::string& name)
 {
     return name.find('"') == std::string::npos || name.find('\'') == std::string::npos;

@@ -32,6 +32,16 @@ std::string quoted(const std::string& name);
 /// A text without the quotation marks around it, if it has any.
 std::string without_quotes(const std::string& text);
 
+/// The name of an .ini file without its [SECTION].
+std::string without_section(const std::string& name);
+
+/// Whether povray-integral takes this for a scene's name: NAME.pov, NAME.ini, NAME.ini[SECTION], or
+/// without an extension, to which it adds .pov.
+bool names_scene(const std::string& name);
+
+/// Whether that name is one of settings (.ini).
+bool names_settings(const std::string& name);
+
 /// Whether quoted() can pass a name on: one with both kinds of quotation marks cannot be.
 bool can_be_quoted(const std::string& name);
 

@@ -14,14 +14,16 @@ namespace integral {
 
 struct SceneDepths {
     DepthFrame depths;
-    std::optional<Frame> colours; ///< the scene's frame without lights; none of a depth frame
+    std::optional<Frame> colours; ///< the scene's frame without lights; may be absent
 };
 
-/// Reads a depth frame (.exr); or has povray-integral trace a scene (.pov, .ini) with one ray a
-/// pixel and quality 1, and reads the frames of that. `options` are further words of
-/// povray-integral's command line. `progress` counts hundredths. Throws InputError.
+/// Reads a depth frame (.exr); or has povray-integral trace a scene (names_scene) with one ray a
+/// pixel and quality 1, and reads the frames of that. `all_pixels`: trace the frame's own pixels,
+/// for a picture; otherwise a few thousand spread over it, and `colours` is empty. Either way the
+/// metadata are the print's, whether or not the frame is a draft of it. `options` are further words
+/// of povray-integral's command line. `progress` counts hundredths. Throws InputError.
 SceneDepths depths_of_scene(const std::string& path, const std::vector<std::string>& options,
-                            const Progress& progress = {});
+                            bool all_pixels, const Progress& progress = {});
 
 } // namespace integral
 

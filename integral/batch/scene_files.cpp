@@ -34,9 +34,6 @@ bool names_files(const std::string& path)
            extension == "macro" || extension == "h";
 }
 
-/// An .ini file's name without its [SECTION].
-std::string without_section(const std::string& name) { return name.substr(0, name.find('[')); }
-
 /// Whether an option is a folder of include files.
 bool is_folder(const RendererOption& option)
 {

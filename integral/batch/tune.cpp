@@ -274,10 +274,11 @@ void check_options(const std::string& scene, const std::vector<std::string>& opt
     if (std::regex_search(camera_in(options), sampling))
         throw std::invalid_argument("pixel_samples and beam_samples are what is looked for; leave "
                                     "them out of Integral_Camera");
-    if (extension_of(scene) != "pov" && extension_of(scene) != "ini")
+    if (!names_scene(scene))
         throw std::invalid_argument(scene + ": it is no scene (.pov, .ini)");
-    if (extension_of(scene) == "ini" &&
-        std::regex_search(read_file(scene), std::regex("integral_camera", std::regex::icase)))
+    const std::string file = without_section(scene);
+    if (names_settings(scene) && std::filesystem::exists(file) &&
+        std::regex_search(read_file(file), std::regex("integral_camera", std::regex::icase)))
         throw std::invalid_argument(scene + ": it has an Integral_Camera of its own; give that "
                                             "after the scene's name instead");
 }
@@ -296,8 +297,8 @@ bool worth_measuring(const Chain& chain, const std::vector<TunePoint>& points, c
 /// A word of a command line to paste: quoted only where a shell would read it otherwise.
 std::string pasted(const std::string& word)
 {
-    return word.find_first_of(" \"'$`\\<>|&;(){}*?#~!") == std::string::npos ? word
-                                                                             : for_shell(word);
+    return word.find_first_of(" \"'$`\\<>|&;(){}[]*?#~!") == std::string::npos ? word
+                                                                               : for_shell(word);
 }
 
 } // namespace
@@ -362,7 +363,7 @@ std::vector<std::string> tuned_words(const std::string& scene,
                                      const std::vector<std::string>& options,
                                      const TuneResult& result, const TuneSetting& setting)
 {
-    std::vector<std::string> words = {extension_of(scene) == "pov" ? "+I" + scene : scene};
+    std::vector<std::string> words = {names_settings(scene) ? scene : "+I" + scene};
     for (const std::string& option : options)
         if (camera_in({option}).empty())
             words.push_back(option);

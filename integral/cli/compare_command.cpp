@@ -45,7 +45,8 @@ void declare(options::options_description& all, CompareOptions& o)
     add(all, "gain", o.gain, "G (=1)", "multiply the difference picture by G");
     add(all, "sheet", o.sheet, "FILE.json",
         "geometry for frames that carry none, or instead of their own");
-    add(all, "json", o.json, "print the figures as JSON (a PSNR that is infinite is null)");
+    add(all, "json", o.json,
+        "print the figures as JSON (a figure that is infinite or unknown is null)");
     for (std::size_t i = 0; i < limit_count; ++i)
         add(all, option_of(limit_kinds[i]).c_str(), o.limits[i], limit_kinds[i].value_name,
             limit_kinds[i].explanation);
@@ -62,7 +63,8 @@ void declare(options::options_description& all, CompareOptions& o)
     add(group, "junit", o.junit, "FILE", "write the outcome as JUnit XML, for CI systems");
     group.add_options()(
         "accept", fills(o.accept, "NAME...")->multitoken()->composing(),
-        "compare nothing: make these results, by their names within the folder, the references");
+        "compare nothing: make these results the references; each is named by its name within the "
+        "folder, or by its path");
     declare(group, o.threads);
     all.add(group);
 }
@@ -156,7 +158,7 @@ int run_suite(const CompareOptions& o)
     SuitePictures pictures;
     pictures.wanted = !o.output.value_or("").empty();
     read_number("gain", o.gain, pictures.gain);
-    const SuiteFolders folders = suite_folders(*o.suite, o.references);
+    const SuiteFolders folders = suite_folders(*o.suite, o.references, o.accept.has_value());
     if (o.accept)
         return accept(*o.accept, folders);
 
@@ -218,7 +220,8 @@ pictures in the other's encoding). Colours are compared over black; alpha is a f
 channel where both have it. RMSE and PSNR (0 dB is full scale; inf: equal) are over all
 channels of all pixels; SSIM is of the lumas, over 11x11 Gaussian windows of sigma 1.5. With
 a frame's geometry, the micro-image with the greatest RMSE is named: the lens's column and row
-and its place on the sheet.
+and its place on the sheet. NaN equals NaN and infinity equals infinity; other pairs with NaN
+or infinity are counted as unequal pixels, miss every limit, and are left out of the figures.
 
 With --suite, the pictures of a folder (PNG, EXR, TIFF; its sub-folders too) are compared with
 those of the same names among the references. A picture fails if it misses a limit, or if size

@@ -2,6 +2,7 @@
 // integral depth: how far off everything is that a frame, or a set of views, shows.
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
+#include "integral/cli/fit_options.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
@@ -13,6 +14,7 @@
 #include "integral/depth/ray_trace.h"
 #include "integral/depth/relief_frame.h"
 #include "integral/depth/relief_input.h"
+#include "integral/depth/view_order.h"
 #include "integral/io/image_file.h"
 
 #include <chrono>
@@ -29,6 +31,7 @@ struct DepthOptions : CommonOptions {
     std::optional<std::string> refocus, pupil;
     std::optional<int> width, border;
     bool top_first = false, rgbd = false, json = false;
+    ViewOrderOptions given_views;
     ThreadOptions threads;
 };
 
@@ -61,6 +64,7 @@ void declare(options::options_description& all, DepthOptions& o)
     add(all, "top-first", o.top_first,
         "the views' first row is the one from above, as in the HCI light-field benchmark, in place "
         "of the one from below, as in quilts");
+    declare(all, o.given_views);
     add(all, "eyes", o.eyes, "SPACING,DISTANCE,WIDTH",
         "where views were taken from that do not say it, in mm: between neighbouring eyes, from "
         "there to the plane without parallax, and how wide a view is there. Without it depth is in "
@@ -81,6 +85,8 @@ DepthRequest request_of(const DepthOptions& o)
     if (o.views)
         request.grid = parse_view_grid(*o.views);
     request.top_first = o.top_first;
+    request.aspect = o.given_views.aspect();
+    request.right_to_left = o.given_views.right_to_left;
     request.sheet = o.sheet.value_or("");
     if (o.eyes) {
         const auto mm = parse_numbers("eyes", *o.eyes, "SPACING,DISTANCE,WIDTH", 3, 3);
@@ -116,8 +122,12 @@ MultibaselineSettings settings_of(const DepthOptions& o)
 void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMap& map,
                    double seconds)
 {
-    DepthFigures figures{
-        input.views.others.size() + 1, map.width, map.height, map.range, seconds, std::nullopt};
+    DepthFigures figures{input.views.others.size() + 1,
+                         input.views.upright_width(),
+                         input.views.upright_height(),
+                         map.range,
+                         seconds,
+                         std::nullopt};
     if (o.truth) {
         const int border = in_range("border", o.border.value_or(0), 0, 10000);
         const auto truth = usage_checked("--truth " + *o.truth + ": ",
@@ -193,6 +203,21 @@ void refocus(const DepthOptions& o, const DepthInput& input, int threads, const 
     say("depth", holes_text(picture.figures));
 }
 
+/// Tells where given views are likely to stand in the reverse order.
+void check_order(const DepthOptions& o, const DepthInput& input, const DepthMap& map)
+{
+    if (input.frame)
+        return;
+    const HiddenSides hidden = hidden_sides(input.views, map);
+    if (hidden.is_reversed())
+        say("depth", o.inputs[0] + ": at " + std::to_string(hidden.nearer) + " of " +
+                         std::to_string(hidden.nearer + hidden.farther) +
+                         " places on edges, what is measured as nearer is hidden: the views seem "
+                         "to go from " +
+                         (o.given_views.right_to_left ? "left to right; leave --right-to-left out"
+                                                      : "right to left; give --right-to-left"));
+}
+
 int run(const DepthOptions& o)
 {
     check_options(o);
@@ -211,6 +236,7 @@ int run(const DepthOptions& o)
         if (!map)
             throw Interrupted();
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        check_order(o, input, *map);
         if (o.output)
             write(o,
                   upright_map(input.views, *map, input.width, input.height, o.width.value_or(0)));

@@ -4,6 +4,7 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/lightfield/known_sheets.h"
+#include "integral/optics/aperture_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,6 +181,9 @@ void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool
             throw UsageError("no aperture, however wide, fills these lenses; give --aperture W,H");
         aperture = *filling;
     }
+    const std::string error = aperture_error(geometry.sheet, {aperture.width, aperture.height});
+    if (!error.empty())
+        throw UsageError(error);
 }
 
 bool changes_lenses(const SheetOptions& sheet, const ApertureOptions& aperture)

@@ -144,7 +144,8 @@ const Command lcd_command = {
     R"(Makes the image that a panel of pixels under a lens sheet has to be sent: every red, green and
 blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or the files of all
 views: perspective pictures whose window lies on the panel, from eyes on a line across the
-viewing zone at the viewing distance, view 0 from the far left (integral views --eyes makes such).
+viewing zone at the viewing distance, view 0 from the far left, or where the lenses lie across
+from the lowest eye (integral views --eyes makes such).
 Or it is a frame: one rendered for the panel (--camera says how) is passed through to the bit; of
 any other the views of its own zone are drawn first. Several frames or quilts make several images.
 

@@ -2,6 +2,7 @@
 #include "integral/cli/lcd_options.h"
 
 #include "integral/base/number_text.h"
+#include "integral/cli/choices.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 
@@ -9,21 +10,6 @@ namespace integral {
 namespace {
 
 constexpr int largest_view_side = 32768; // pixels
-
-Neighbours neighbours(const char* option, const std::string& word)
-{
-    return meaning_of<Neighbours>(
-        option, word, {{"nearest", Neighbours::nearest}, {"linear", Neighbours::linear}});
-}
-
-PanelCard card_named(const std::string& word)
-{
-    return meaning_of<PanelCard>("card", word,
-                                 {{"views", PanelCard::views},
-                                  {"crosstalk", PanelCard::crosstalk},
-                                  {"colours", PanelCard::colours},
-                                  {"pitch", PanelCard::pitch}});
-}
 
 /// Reads a number above 0 and up to `most` into `value`, if the option was given.
 void read_up_to(const char* option, const std::optional<std::string>& text, double most,
@@ -42,7 +28,11 @@ PanelImageOptions image_options(const LcdOptions& o)
     PanelImageOptions image;
     if (o.views)
         image.views = parse_view_grid(*o.views);
-    image.blend = {neighbours("blend", o.blend), neighbours("sampling", o.sampling)};
+    image.aspect = o.given_views.aspect();
+    image.right_to_left = o.given_views.right_to_left;
+    image.fit = o.fit.value();
+    image.blend = {meaning_of("blend", o.blend, neighbours_choices),
+                   meaning_of("sampling", o.sampling, neighbours_choices)};
     image.encoded = o.encoded;
     read_size("size", o.size, largest_view_side, image.width, image.height);
     image.lit_view = o.view;
@@ -67,6 +57,8 @@ void declare(options::options_description& all, LcdOptions& o)
         "views of a quilt whose name does not tell, across and up, or how many to see a frame of "
         "other geometry from (default: as many as pixels are nearest to a lens's), or of a card "
         "(default: 8)");
+    declare(all, o.given_views);
+    declare(all, o.fit);
     all.add_options()("blend", fills(o.blend, "WAY")->default_value(o.blend),
                       "between views: linear, or nearest, as displays' makers do");
     all.add_options()("sampling", fills(o.sampling, "WAY")->default_value(o.sampling),
@@ -83,8 +75,8 @@ void declare(options::options_description& all, LcdOptions& o)
         "white), colours (red, green, blue and white bands in one view), pitch (bars of lines "
         "about the calibrated pitch)");
     add(all, "view", o.view, "K",
-        "the view that --card crosstalk or colours lights, from 0, the leftmost (default: every "
-        "other; the middle one)");
+        "the view that --card crosstalk or colours lights, from 0, the leftmost, or lowest where "
+        "lenses lie across (default: every other; the middle one)");
     add(all, "list", o.list, "list the panels that are known by name");
     add(all, "describe", o.describe,
         "print the panel's description, to be changed and given to --panel");
@@ -114,7 +106,7 @@ LcdRequest lcd_request(const LcdOptions& o)
     request.panel = o.panel.value_or("");
     request.output = o.output.value_or("");
     if (o.card)
-        request.card = card_named(*o.card);
+        request.card = meaning_of("card", *o.card, card_choices);
     request.showing.display = o.show.value_or(request.showing.display);
     read_up_to("seconds", o.seconds, 1e7, request.showing.seconds);
     read_up_to("fps", o.fps, 1000, request.playing.rate);

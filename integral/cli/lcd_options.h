@@ -4,6 +4,7 @@
 #define INTEGRAL_CLI_LCD_OPTIONS_H
 
 #include "integral/cli/command.h"
+#include "integral/cli/fit_options.h"
 #include "integral/cli/thread_options.h"
 #include "integral/output/panel_images.h"
 #include "integral/output/screen_show.h"
@@ -20,6 +21,8 @@ struct LcdOptions : CommonOptions {
     std::optional<int> view;
     bool encoded = false, list = false, describe = false, camera = false, play = false,
          loop = false, list_displays = false, json = false;
+    FitOptions fit;
+    ViewOrderOptions given_views;
     ThreadOptions threads;
 };
 

@@ -5,12 +5,15 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_check.cpp \
   integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
+  integral/cli/choices.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/page_commands.cpp \
   integral/cli/page_commands.h \
   integral/cli/compare_command.cpp \
   integral/cli/depth_command.cpp \
+  integral/cli/fit_options.cpp \
+  integral/cli/fit_options.h \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
   integral/cli/lcd_command.cpp \

@@ -2,6 +2,7 @@
 // The integral program: finds the command, reads its options, and turns errors into exit statuses.
 #include "integral/base/file_bytes.h"
 #include "integral/base/first_steps.h"
+#include "integral/base/notices.h"
 #include "integral/cli/page_commands.h"
 
 #include <cstdio>
@@ -82,6 +83,7 @@ int guarded(const std::vector<std::string>& words)
         std::cerr << name << ": " << one_line(what) << "\n";
         return status;
     };
+    receive_notices([&](const std::string& what) { std::cerr << name << ": " << what << "\n"; });
     try {
         const int status = run_program(words, name);
         if (!std::cout.flush())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral mask: pictures from which lens sheets are made.
 #include "integral/base/number_text.h"
+#include "integral/cli/choices.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
@@ -63,8 +64,7 @@ void declare(options::options_description& all, MaskOptions& o)
 LensShape shape_of(const MaskOptions& o, const LensSheet& sheet)
 {
     const std::string kind = o.shape.value_or("spherical");
-    const bool aspheric = meaning_of<bool>("shape", kind,
-                                           {{"spherical", false}, {"aspheric", true}});
+    const bool aspheric = meaning_of("shape", kind, shape_choices);
     if (o.shape && o.conic)
         throw UsageError("--shape and --conic both say the surface; give one of them");
     double conic = aspheric ? focusing_conic(sheet) : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral multiview: integral imaging beside multi-view images of the same scene.
 #include "integral/base/file_bytes.h"
+#include "integral/base/folders.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
@@ -10,7 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <iostream>
 
 namespace integral {
@@ -68,8 +68,7 @@ int run(const MultiviewOptions& o)
 {
     const MultiviewRequest request = request_of(o);
     read_file(request.scene); // before its folder is made
-    std::error_code error;
-    std::filesystem::create_directory(request.folder, error);
+    make_folder(request.folder);
     check_writable(request.folder + "/seen.png");
     const MultiviewResult result = usage_checked(request.scene + ": ", [&] {
         return compare_multiview(request, progress_bar("multiview"));

@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/page_commands.h"
 
+#include "integral/cli/choices.h"
+#include "integral/io/sheet_plots.h"
+#include "integral/lightfield/names.h"
+#include "integral/output/paper.h"
+
 #include <regex>
 
 namespace integral {
 namespace {
+
+/// The words of a table of choices, separated by blanks.
+template <class Meaning, std::size_t count>
+std::string words_of(const Choice<Meaning> (&choices)[count])
+{
+    std::string words;
+    for (const auto& choice : choices)
+        words += std::string(words.empty() ? "" : " ") + choice.word;
+    return words;
+}
+
+/// The words of a list that messages show: "a, b or c".
+std::string words_in(const std::string& list)
+{
+    return std::regex_replace(list, std::regex(", | or | and "), " ");
+}
 
 /// The words that an option of a command may be given, separated by blanks; empty where any text is
 /// possible. Where the value's word lists them itself (draft|good|best), no row of the table is
@@ -12,23 +33,24 @@ namespace {
 std::string choices_of(const std::string& command, const std::string& option,
                        const std::string& value)
 {
-    static const std::vector<std::pair<const char*, const char*>> known = {
-        {"--arrangement KIND", "lenticular square hexagonal"},
-        {"--plot KIND", "spread lens sheets resolution pixels-seen pixel-spread film"},
-        {"wireframe --lens-model MODEL", "extended_pinhole pinhole hybrid full"},
-        {"--lens-model MODEL", "extended_pinhole pinhole full"},
-        {"--lens-mapping RULE", "auto closest accurate exhaustive"},
-        {"--path KIND[,SPAN]", "turntable sweep sway circle dolly"},
-        {"--orientation WAY", "portrait landscape auto"},
-        {"--centre WHAT", "lens picture"},
-        {"--marks KIND,...", "crop registration axis all"},
-        {"--paper NAME|WxH", "4x6 6x8 5x7 8x10 A4 A6 letter postcard"},
-        {"--intent INTENT", "perceptual relative saturation absolute"},
-        {"--blend WAY", "linear nearest"},
-        {"--sampling WAY", "linear nearest"},
-        {"--card CARD", "views crosstalk colours pitch"},
-        {"--faces STYLE", "wire hidden flat"},
-        {"--shape KIND", "spherical aspheric"},
+    static const std::vector<std::pair<const char*, std::string>> known = {
+        {"--arrangement KIND", words_in(legal_names<Arrangement>())},
+        {"--plot KIND", words_in(sheet_plot_kinds())},
+        {"wireframe --lens-model MODEL", words_in(legal_names<LensModel>())},
+        {"--lens-model MODEL", words_of(replay_lens_model_choices)},
+        {"--lens-mapping RULE", words_in(legal_names<LensMapping>())},
+        {"--path KIND[,SPAN]", words_of(path_choices)},
+        {"--fit HOW", words_of(fit_choices)},
+        {"--orientation WAY", words_of(orientation_choices)},
+        {"--centre WHAT", words_of(centre_choices)},
+        {"--marks KIND,...", words_of(marks_choices)},
+        {"--paper NAME|WxH", words_in(paper_names())},
+        {"--intent INTENT", words_of(intent_choices)},
+        {"--blend WAY", words_of(neighbours_choices)},
+        {"--sampling WAY", words_of(neighbours_choices)},
+        {"--card CARD", words_of(card_choices)},
+        {"--faces STYLE", words_of(faces_choices)},
+        {"--shape KIND", words_of(shape_choices)},
     };
     for (const auto& [name, words] : known)
         if (name == option + " " + value || name == command + " " + option + " " + value)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/print_options.h"
 
+#include "integral/cli/choices.h"
 #include "integral/cli/values.h"
 
 #include <algorithm>
@@ -22,11 +23,10 @@ void read_length(const char* option, const std::optional<std::string>& text, dou
 /// The paper as it is fed.
 std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
 {
-    const std::string way = o.orientation.value_or("auto");
-    if (way != "auto" && way != "portrait" && way != "landscape")
-        refuse("orientation", way, "portrait, landscape or auto");
+    const Orientation way = meaning_of("orientation", o.orientation.value_or("auto"),
+                                       orientation_choices);
     if (!o.paper) {
-        if (way != "auto")
+        if (way != Orientation::automatic)
             throw UsageError("--orientation needs --paper");
         return std::nullopt;
     }
@@ -34,8 +34,9 @@ std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
     Paper paper = parse_paper_size(text);
     const bool named = paper_named(text).has_value();
     const bool wide = film.width * film.pixel_pitch.x > film.height * film.pixel_pitch.y;
-    const bool turn = way == "auto" ? named && wide
-                                    : (way == "landscape") != (paper.width > paper.height);
+    const bool turn = way == Orientation::automatic
+                          ? named && wide
+                          : (way == Orientation::landscape) != (paper.width > paper.height);
     if (turn)
         std::swap(paper.width, paper.height);
     return paper;
@@ -72,8 +73,9 @@ void declare(options::options_description& all, PrintOptions& o)
         "the page: .pdf (several tiles: several pages), .tiff or .png (several tiles: files with "
         "numbers)");
     add(all, "paper", o.paper, "NAME|WxH",
-        "the paper: 4x6, 6x8, 5x7, 8x10, A4, A6, letter, postcard and others, or its width and "
-        "height in mm (default: as large as picture and marks)");
+        ("the paper: " + paper_names() +
+         ", or its width and height in mm (default: as large as picture and marks)")
+            .c_str());
     add(all, "orientation", o.orientation, "WAY",
         "portrait, landscape or auto: as the picture is (default auto; WxH: as given)");
     add(all, "dpi", o.film.dpi, "D[,D]",
@@ -145,8 +147,7 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
 {
     PageRequest request;
     request.paper = parse_paper(o, film);
-    request.centre_on_lens = meaning_of<bool>("centre", o.centre.value_or("lens"),
-                                              {{"lens", true}, {"picture", false}});
+    request.centre_on_lens = meaning_of("centre", o.centre.value_or("lens"), centre_choices);
     read_length("bleed", o.bleed, request.trim);
     read_length("overlap", o.overlap, request.overlap);
     request.tiles = o.tile;
@@ -159,11 +160,10 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
     while (!kinds.empty()) {
         const std::string kind = kinds.substr(0, kinds.find(','));
         kinds.erase(0, kind.size() + 1);
-        if (kind != "crop" && kind != "registration" && kind != "axis" && kind != "all")
-            refuse("marks", *o.marks, "crop, registration, axis or all");
-        request.crop_marks |= kind == "crop" || kind == "all";
-        request.registration_marks |= kind == "registration" || kind == "all";
-        request.axis_marks |= kind == "axis" || kind == "all";
+        const PageMarks marks = meaning_of("marks", kind, marks_choices);
+        request.crop_marks |= marks.crop;
+        request.registration_marks |= marks.registration;
+        request.axis_marks |= marks.axis;
     }
     return request;
 }
@@ -172,11 +172,7 @@ Intent intent_of(const PrintOptions& o)
 {
     if (o.intent && !o.icc)
         throw UsageError("--intent needs --icc");
-    return meaning_of<Intent>("intent", o.intent.value_or("relative"),
-                              {{"perceptual", Intent::perceptual},
-                               {"relative", Intent::relative},
-                               {"saturation", Intent::saturation},
-                               {"absolute", Intent::absolute}});
+    return meaning_of("intent", o.intent.value_or("relative"), intent_choices);
 }
 
 } // namespace integral

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral replay: what an eye sees of a frame through its sheet.
+#include "integral/base/message_text.h"
+#include "integral/base/number_text.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/replay_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/io/mpo_file.h"
 #include "integral/lightfield/names.h"
+#include "integral/replay/draft_frame.h"
+#include "integral/replay/fit_part.h"
 #include "integral/replay/replay_files.h"
 #include "integral/replay/replay_page.h"
 
@@ -75,6 +79,33 @@ std::optional<PictureSeries> begin_output(const ReplayOptions& o,
     return std::nullopt;
 }
 
+/// Fits the part of the sheet that is seen into a picture of --size.
+void fit_size(const ReplayOptions& o, View& view, const FrameMetadata& metadata, Fit fit)
+{
+    const FittedPicture picture = fit_part_to_size(view, metadata, fit);
+    if (picture.differs())
+        say("replay", o.inputs[0] + ": " +
+                          (o.part ? fit_text(picture, "--size", "more of the sheet")
+                                  : fit_text(picture, "--size")));
+}
+
+/// A frame; of a draft, unless its raw pixels are requested, what the print's pixels will show.
+Frame read_replayed(const ReplayOptions& o, const std::string& path)
+{
+    Frame frame = read_frame_with_metadata(path, o.sheet.value_or(""));
+    if (o.raw_draft || !is_draft(frame))
+        return frame;
+    const int draft = frame.metadata->render->draft;
+    auto finer = with_final_pixels(frame, o.threads.count(), progress_bar("replay"));
+    if (!finer)
+        throw Interrupted();
+    if (path == o.inputs[0])
+        say("replay", path + " is a draft with " + std::to_string(draft) +
+                          " times fewer pixels: shown as the print's pixels will fill it in; "
+                          "--raw-draft shows its own");
+    return std::move(*finer);
+}
+
 /// Writes what the eye sees: of one frame all that is asked for, of several a picture each.
 void write_views(const ReplayOptions& o, Frame first, const ReplayRequest& request,
                  std::optional<PictureSeries>& series)
@@ -89,8 +120,8 @@ void write_views(const ReplayOptions& o, Frame first, const ReplayRequest& reque
         else
             write_frame(*o.output, Frame{std::move(picture), std::nullopt});
     };
-    if (!replay_files(o.inputs, o.sheet.value_or(""), std::move(first), request, take,
-                      progress_bar("replay")))
+    const auto read = [&](const std::string& path) { return read_replayed(o, path); };
+    if (!replay_files(o.inputs, read, std::move(first), request, take, progress_bar("replay")))
         throw Interrupted();
     if (series)
         series->finish();
@@ -104,27 +135,37 @@ int run(const ReplayOptions& o)
     check_frames(o);
     if (!o.html)
         needed_output(o.output, "VIEW");
-    if (o.focus && !o.pupil && !o.html)
+    if (o.focus && !o.pupil && !o.as_seen && !o.html)
         throw UsageError("--focus needs --pupil MM: an eye without one sees every depth sharply");
     check_series_options(o.series, output);
     ReplayRequest request;
     request.view = view_of(o);
+    const Fit fit = o.fit.value();
     request.threads = o.threads.count();
     request.arrangement = arrangement_of(o);
     check_outputs({o.html});
     request.movement = movement_of(o);
     std::optional<PictureSeries> series = begin_output(o, request.movement);
 
-    Frame frame = read_frame_with_metadata(o.inputs[0], o.sheet.value_or(""));
+    Frame frame = read_replayed(o, o.inputs[0]);
     stop_if_interrupted();
     if (!o.eye)
         request.view.eye = centre_eye(*frame.metadata);
+    if (o.as_seen)
+        set_as_seen(request.view, *frame.metadata);
     check_view(request.view, *frame.metadata);
+    if (o.stereo && lenses_lie_across(frame.metadata->sheet))
+        say("replay", "--stereo: these lenses lie across (slant " +
+                          with_digits(frame.metadata->sheet.slant, 6) +
+                          "), so both eyes of a pair see the same picture; views differ up and "
+                          "down, as --path sweep shows");
     if (o.html)
         write_file(*o.html, replay_page(frame, request.view));
     if (output.empty())
         return exit_done;
-    if (!o.size)
+    if (o.size)
+        fit_size(o, request.view, *frame.metadata, fit);
+    else
         set_view_size(request.view, frame.metadata->film, default_longer_side);
     write_views(o, std::move(frame), request, series);
     return exit_done;

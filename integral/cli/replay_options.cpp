@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/replay_options.h"
 
+#include "integral/cli/choices.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/values.h"
 
@@ -30,14 +31,6 @@ void read_mm(const char* option, const std::optional<std::string>& text, double 
         value = parse_number_between(option, *text, form, least, 1e6, form);
 }
 
-LensModel parse_model(const std::string& text)
-{
-    return meaning_of<LensModel>("lens-model", text,
-                                 {{"extended_pinhole", LensModel::extended_pinhole},
-                                  {"pinhole", LensModel::pinhole},
-                                  {"full", LensModel::full}});
-}
-
 SheetPart parse_part(const std::string& text)
 {
     constexpr char form[] = "X,Y,W,H (mm, W and H greater than 0)";
@@ -46,17 +39,6 @@ SheetPart parse_part(const std::string& text)
           std::fabs(v[0]) <= farthest && std::fabs(v[1]) <= farthest))
         throw UsageError("--part " + text + ": " + form + " is expected, each at most 1e9");
     return {{v[0], v[1]}, v[2], v[3]};
-}
-
-EyePath parse_path(const std::string& word, const std::string& text)
-{
-    for (const auto& [name, path] :
-         {std::pair("turntable", EyePath::turntable), std::pair("sweep", EyePath::sweep),
-          std::pair("sway", EyePath::sway), std::pair("circle", EyePath::circle),
-          std::pair("dolly", EyePath::dolly)})
-        if (word == name)
-            return path;
-    refuse("path", text, "turntable, sweep, sway, circle or dolly");
 }
 
 } // namespace
@@ -102,14 +84,20 @@ void declare(options::options_description& all, ReplayOptions& o)
         "each view of the pair squeezed to half of its width, so that both fill --size");
     add(all, "grid", o.grid, "CxR",
         "a contact sheet: C by R views of eyes spread over the frame's capture aperture, the eye's "
-        "distance away");
+        "distance away; Cx1 of lenses that lie across: from below upwards");
     add(all, "path", o.path, "KIND[,SPAN]",
         "several views of an eye that moves: turntable (the sheet turns, SPAN degrees), sweep "
         "(sideways, SPAN mm), sway (to the right, the left and back, SPAN mm), circle (SPAN mm) or "
         "dolly (nearer, by a factor of SPAN); by default across the viewing zone, and 4 times "
-        "nearer");
+        "nearer. Before lenses that lie across, upwards in place of to the right");
     add(all, "steps", o.steps, "N (=48)",
         "views along the path, 2 to 10000; of several frames one each");
+    declare(all, o.fit);
+    add(all, "as-seen", o.as_seen,
+        "what a person sees: a pupil of 4 mm, the spread of printed dots and the blur of the "
+        "lenses' curved surface, unless --pupil and --lens-blur say otherwise");
+    add(all, "raw-draft", o.raw_draft,
+        "show a draft's own pixels, not what the print's finer pixels will fill in between them");
     declare_frame_geometry(all, o.sheet);
     declare(all, o.threads);
     declare(all, o.series);
@@ -123,11 +111,11 @@ View view_of(const ReplayOptions& o)
     read_mm("film-gap", o.film_gap, -1e6, "mm, from -1e6 to 1e6,", view.film_gap);
     read_mm("lens-blur", o.lens_blur, 0, "a diameter from 0 to 1e6 mm", view.blur);
     if (o.lens_model)
-        view.model = parse_model(*o.lens_model);
+        view.model = meaning_of("lens-model", *o.lens_model, replay_lens_model_choices);
     constexpr int plain_samples = 3, pupil_samples = 8;
     view.samples = o.samples ? in_range("samples", *o.samples, 1, most_samples)
-                   : view.pupil > 0 || view.blur > 0 ? pupil_samples
-                                                     : plain_samples;
+                   : view.pupil > 0 || view.blur > 0 || o.as_seen ? pupil_samples
+                                                                  : plain_samples;
     if (o.eye)
         view.eye = parse_eye(*o.eye);
     read_size("size", o.size, largest_replay_side, view.width, view.height);
@@ -177,7 +165,7 @@ std::optional<EyeMovement> movement_of(const ReplayOptions& o)
         return std::nullopt;
     }
     const std::string text = *o.path, word = text.substr(0, text.find(','));
-    movement.path = parse_path(word, text);
+    movement.path = meaning_of("path", word, path_choices);
     if (word == text)
         return movement;
     const double span = parse_number("path", text.substr(word.size() + 1), "KIND,SPAN (a number)");

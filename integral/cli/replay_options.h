@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_CLI_REPLAY_OPTIONS_H
 #define INTEGRAL_CLI_REPLAY_OPTIONS_H
 
+#include "integral/cli/fit_options.h"
 #include "integral/cli/series_options.h"
 #include "integral/cli/thread_options.h"
 #include "integral/replay/replay_series.h"
@@ -14,8 +15,9 @@ struct ReplayOptions : CommonOptions {
     std::optional<std::string> eye, size, part, pupil, focus, lens_model, film_gap, lens_blur;
     std::optional<int> samples;
     std::optional<std::string> stereo, grid, path;
-    bool cross_eyed = false, anaglyph = false, half = false;
+    bool cross_eyed = false, anaglyph = false, half = false, raw_draft = false, as_seen = false;
     std::optional<int> steps;
+    FitOptions fit;
     ThreadOptions threads;
     SeriesOptions series;
 };

@@ -24,7 +24,7 @@ struct SheetCommandOptions : CommonOptions {
     SheetOptions sheet;
     FilmOptions film;
     ApertureOptions aperture;
-    std::optional<std::string> pupil, detail, macro_lens;
+    std::optional<std::string> visual_pitch, pupil, detail, macro_lens;
     std::string depths = "10,20,50,100,200,300";
     std::optional<std::string> print, report, picture, plot, start, output;
     bool list = false, camera = false, json = false;
@@ -35,6 +35,9 @@ void declare(options::options_description& all, SheetCommandOptions& o)
     declare(all, o.sheet);
     declare(all, o.film);
     declare(all, o.aperture);
+    add(all, "visual-pitch", o.visual_pitch, "MM",
+        "in place of --pitch: the pitch that a pitch test finds from --distance, which is a little "
+        "more than the lenses' own");
     add(all, "pupil", o.pupil, "MM", "diameter of the eye's pupil (default 5)");
     add(all, "depths", o.depths, "MM,...", "depths to tabulate (default 10,20,50,100,200,300)");
     add(all, "detail", o.detail, "MM",
@@ -48,7 +51,7 @@ void declare(options::options_description& all, SheetCommandOptions& o)
         "--distance and --dpi");
     add(all, "camera", o.camera,
         "print the sheet and the film as the camera's words, for a scene or Integral_Camera; with "
-        "viewing_distance for a frame or where --distance is given");
+        "viewing_distance for a frame or where --distance is given, and then fit 2");
     add(all, "report", o.report, "SCENE",
         "how much of a scene is within the depth budget, and what would help: a .pov or .ini, "
         "which povray-integral looks through (what else is on the command line is for it, as +W900 "
@@ -109,7 +112,8 @@ void refuse_geometry(const SheetCommandOptions& o)
                               {"list", o.list},
                               {"camera", o.camera},
                               {"distance", o.aperture.distance},
-                              {"aperture", o.aperture.aperture}});
+                              {"aperture", o.aperture.aperture},
+                              {"visual-pitch", o.visual_pitch}});
     if (option)
         throw UsageError(std::string("--report and --") + option +
                          " do not go together: the geometry is the scene's");
@@ -125,7 +129,8 @@ int report_scene(const SheetCommandOptions& o)
     const bool page = o.output && extension_of(*o.output) == "html";
     if (page && o.json)
         throw UsageError("-o FILE.html is a page; --json goes to another file");
-    const SceneDepths scene = depths_of_scene(*o.report, o.inputs, progress_bar("depths"));
+    const SceneDepths scene = depths_of_scene(*o.report, o.inputs, o.picture || page,
+                                              progress_bar("depths"));
     stop_if_interrupted();
     const DepthFrame& depths = scene.depths;
     std::optional<Image> picture;
@@ -147,6 +152,18 @@ int report_scene(const SheetCommandOptions& o)
     return exit_done;
 }
 
+/// --visual-pitch: the lenses' own pitch from the one that is seen from --distance.
+void set_visual_pitch(const SheetCommandOptions& o, FrameMetadata& geometry)
+{
+    refuse_given({{"pitch", o.sheet.pitch}, {"lpi", o.sheet.lpi}},
+                 "and --visual-pitch contradict each other; give one of them");
+    double visual = 0, distance = geometry.aperture.distance;
+    read_positive("visual-pitch", o.visual_pitch, visual);
+    read_positive("distance", o.aperture.distance, distance);
+    geometry.sheet.pitch = pitch_of_visual(visual, geometry.sheet, distance);
+    check_geometry(geometry);
+}
+
 /// The geometry that the line says.
 FrameMetadata geometry_of(const SheetCommandOptions& o)
 {
@@ -161,7 +178,10 @@ FrameMetadata geometry_of(const SheetCommandOptions& o)
     if (!o.inputs.empty())
         start = none_if_empty(o.inputs[0]);
     FrameMetadata geometry = given_geometry(start, o.sheet, o.film, o.print);
-    change_aperture(o.aperture, geometry, start && !changes_lenses(o.sheet, o.aperture));
+    if (o.visual_pitch)
+        set_visual_pitch(o, geometry);
+    change_aperture(o.aperture, geometry,
+                    start && !o.visual_pitch && !changes_lenses(o.sheet, o.aperture));
     return geometry;
 }
 
@@ -172,6 +192,8 @@ std::string words_for_scene(const SheetCommandOptions& o, const FrameMetadata& g
     std::string words = geometry.render || o.aperture.distance
                             ? camera_words(geometry)
                             : sheet_words(geometry.sheet) + " " + film_words(geometry.film);
+    if (o.aperture.distance && !geometry.render)
+        words += " " + fit_words();
     if (o.print) {
         const Vec2 size = parse_paper_size("print", *o.print);
         words += " print_size <" + with_digits(size.x, 9) + ", " + with_digits(size.y, 9) + ">";
@@ -195,7 +217,7 @@ int run(const SheetCommandOptions& o)
         return exit_done;
     }
     if (o.list) {
-        const bool own = first_given(o.sheet) || o.start || !o.inputs.empty();
+        const bool own = first_given(o.sheet) || o.visual_pitch || o.start || !o.inputs.empty();
         print_result(o.output, o.json ? sheet_list_json(geometry, own).dump(2) + "\n"
                                       : sheet_list_text(geometry, own));
         return exit_done;

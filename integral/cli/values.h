@@ -96,20 +96,6 @@ void check_picture(const std::string& path);
 /// written.
 void check_outputs(std::initializer_list<std::optional<std::string>> paths);
 
-/// What the word that an option was given stands for. Other words are refused, and `words` named.
-template <class Meaning> using WordList = std::initializer_list<std::pair<const char*, Meaning>>;
-template <class Meaning>
-Meaning meaning_of(const char* option, const std::string& word, WordList<Meaning> words)
-{
-    std::vector<std::string> names;
-    for (const auto& [name, meaning] : words) {
-        if (word == name)
-            return meaning;
-        names.push_back(name);
-    }
-    refuse(option, word, alternatives(names));
-}
-
 constexpr int most_views_a_side = 256;
 
 /// CxR views, the value of --views.

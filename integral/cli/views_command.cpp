@@ -5,7 +5,7 @@
 #include "integral/cli/values.h"
 #include "integral/cli/views_options.h"
 #include "integral/io/image_file.h"
-#include "integral/output/view_pictures.h"
+#include "integral/output/view_export.h"
 
 #include <iostream>
 
@@ -18,9 +18,9 @@ void declare(options::options_description& all, ViewsOptions& o)
         "_qsCxRaASPECT before the extension, unless it has such an end; .webp, .webm or .mp4: an "
         "animation");
     add(all, "views", o.views, "CxR",
-        "the quilt's views across and up; those of lenticular lenses all go from left to right, "
-        "row after row from the bottom (default: as many as whole pixels are nearest to a lens's; "
-        "with --to-frame what the quilt says)");
+        "the quilt's views across and up; those of lenticular lenses all go from left to right, or "
+        "of ones that lie across from below upwards, row after row from the bottom (default: as "
+        "many as whole pixels are nearest to a lens's; with --to-frame what the quilt says)");
     add(all, "eyes", o.eyes,
         "what eyes see that are spread over the frame's viewing zone, in place of parallel views; "
         "needs --views");
@@ -47,6 +47,8 @@ void declare(options::options_description& all, ViewsOptions& o)
     add(all, "sheet", o.sheet, "FILE.json",
         "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not "
         "carry it, or instead of that");
+    declare(all, o.given_views);
+    declare(all, o.fit);
     declare(all, o.threads);
     declare(all, o.series);
 }
@@ -56,7 +58,7 @@ namespace {
 /// The views of frames, as pictures.
 int make_views(const ViewsOptions& o, const std::string& output, bool animated)
 {
-    ViewPictures wanted;
+    ViewExport wanted;
     wanted.output = output;
     wanted.sheet = o.sheet.value_or("");
     if (o.views)
@@ -67,6 +69,7 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated)
                   : animated || o.upright ? ViewKind::upright
                                           : ViewKind::parallel;
     wanted.files = o.files;
+    wanted.fit = o.fit.value();
     wanted.animation = animation_settings(o.series);
     wanted.threads = o.threads.count();
     wanted.tell = [](const std::string& what) { say("views", what); };
@@ -76,7 +79,7 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated)
         return exit_done;
     }
     const std::string path = o.inputs.size() > 1 ? write_quilts(o.inputs, wanted)
-                                                 : write_view_pictures(o.inputs[0], wanted);
+                                                 : write_views_of_frame(o.inputs[0], wanted);
     if (path != output)
         std::cout << path << '\n';
     return exit_done;
@@ -97,6 +100,10 @@ void check_options(const ViewsOptions& o, bool animated)
         throw UsageError(
             "--size is for --eyes, --upright, --rgbd and animations; else parallel views have "
             "a pixel a lens");
+    if (!o.to_frame)
+        refuse_given({{"aspect", o.given_views.given_aspect},
+                      {"right-to-left", o.given_views.right_to_left}},
+                     "is for the views of --to-frame");
     if (o.depth && !o.to_frame)
         throw UsageError("--depth is for --to-frame; integral depth measures depth");
     if (o.depth_range && (!o.depth || o.depth == "measured"))

@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_CLI_VIEWS_OPTIONS_H
 #define INTEGRAL_CLI_VIEWS_OPTIONS_H
 
+#include "integral/cli/fit_options.h"
 #include "integral/cli/series_options.h"
 #include "integral/cli/thread_options.h"
 
@@ -11,6 +12,8 @@ namespace integral {
 struct ViewsOptions : CommonOptions {
     std::optional<std::string> output, views, size, sheet, rgbd, depth, depth_range;
     bool eyes = false, files = false, upright = false, to_frame = false;
+    FitOptions fit;
+    ViewOrderOptions given_views;
     ThreadOptions threads;
     SeriesOptions series;
 };

@@ -20,6 +20,7 @@ GivenViews given_views(const ViewsOptions& o)
         request.grid = parse_view_grid(*o.views);
     request.needs_geometry = !o.sheet;
     request.of_eyes = o.eyes;
+    request.aspect = o.given_views.aspect();
     return read_given_views(o.inputs, request);
 }
 
@@ -36,7 +37,8 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
 {
     const std::string& input = o.inputs[0];
     check_writable(output);
-    const GivenViews given = given_views(o);
+    const Fit fit = o.fit.value();
+    GivenViews given = given_views(o);
     const std::string sheet = o.sheet.value_or("");
     if (sheet.empty() && !given.metadata)
         throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "
@@ -53,8 +55,14 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
     const double distance = geometry.aperture.distance;
     if (o.eyes && !eyes)
         eyes = EyeGrid{viewing_zone(geometry, distance), distance};
+    if (o.given_views.right_to_left)
+        turn_right_to_left(given.views, directions_of(given.grid, geometry.sheet));
+    const FittedPicture picture = fitted(given.shape, shape_of(geometry.film), fit);
+    if (eyes && picture.differs())
+        say("views", input + ": " + fit_text(given, picture, "the film"));
     usage_checked(input + ": ", [&] {
-        write_frame_of_views(output, given, geometry, eyes, threads, progress_bar("views"));
+        write_frame_of_views(output, given, geometry, eyes, picture, threads,
+                             progress_bar("views"));
     });
     return exit_done;
 }
@@ -82,11 +90,18 @@ ReliefRequest relief_request(const ViewsOptions& o, const FrameMetadata& geometr
     ReliefRequest request;
     if (o.views)
         request.input.grid = parse_view_grid(*o.views);
+    request.input.aspect = o.given_views.aspect();
+    request.input.right_to_left = o.given_views.right_to_left;
+    request.fit = o.fit.value();
+    if (request.fit == Fit::stretch)
+        throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
+    request.tell = [](const std::string& what) { say("views", what); };
     request.size = size_of(geometry.film);
     request.distance = geometry.aperture.distance;
     if (o.eyes)
         request.input.zone = GivenZone{{viewing_zone(geometry, request.distance), request.distance},
-                                       request.size.x};
+                                       request.size.x,
+                                       geometry.sheet};
     if (*o.depth != "measured")
         request.depth_file = *o.depth;
     if (o.depth_range) {
@@ -106,8 +121,13 @@ int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int 
     const Progress bar = progress_bar("views");
     usage_checked(o.inputs[0] + ": ", [&] {
         ReliefInput input = read_relief(o.inputs, request, threads, piece_of(bar, 0, 2));
+        const Vec2 size = input.relief.size();
+        const FittedPicture picture = fitted(size.x / size.y, shape_of(geometry.film), request.fit);
+        if (picture.differs())
+            say("views", o.inputs[0] + ": " + fit_text(picture, "the film"));
         const ReliefFigures figures = write_relief_frame(output, std::move(input.relief), geometry,
-                                                         input.form, threads, piece_of(bar, 1, 2));
+                                                         input.form, request.fit, threads,
+                                                         piece_of(bar, 1, 2));
         say("views", holes_text(figures));
     });
     return exit_done;

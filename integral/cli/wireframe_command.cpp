@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral wireframe: a mesh as a micro-image frame, by geometric projection.
+#include "integral/cli/choices.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
@@ -8,6 +9,7 @@
 #include "integral/io/image_file.h"
 #include "integral/lightfield/names.h"
 #include "integral/wireframe/mesh_file.h"
+#include "integral/wireframe/point_squares.h"
 #include "integral/wireframe/wireframe.h"
 #include "integral/wireframe/wireframe_report.h"
 
@@ -29,7 +31,7 @@ struct WireframeOptions : CommonOptions {
     FilmOptions film;
     ApertureOptions aperture;
     std::optional<std::string> start, print, model, mapping, faces, colour, background, light, fit,
-        scale, turn, move, output;
+        scale, turn, move, point_size, output;
     std::optional<int> samples, bits;
     bool in_scene = false, plain = false, pseudoscopic = false, json = false;
     ThreadOptions threads;
@@ -54,6 +56,9 @@ void declare_mesh(options::options_description& all, WireframeOptions& o)
     add(all, "colour", o.colour, "R,G,B", "of what has none in the file, 0 to 1 (default 1,1,1)");
     add(all, "background", o.background, "R,G,B", "(default 0,0,0)");
     add(all, "plain", o.plain, "ignore the file's colours");
+    add(all, "point-size", o.point_size, "MM",
+        "width and height of the points of a file without lines and faces; 0 is a pixel (default: "
+        "of vertices alone, so that they join where they are dense; else 0)");
     add(all, "light", o.light, "X,Y,Z",
         "where the light of flat faces is (default -1,1,-1: left above the viewer)");
 }
@@ -96,9 +101,7 @@ void read_colour(const char* option, const std::optional<std::string>& text, Col
 
 FaceStyle face_style(const WireframeOptions& o)
 {
-    return meaning_of<FaceStyle>(
-        "faces", o.faces.value_or("wire"),
-        {{"wire", FaceStyle::wire}, {"hidden", FaceStyle::hidden}, {"flat", FaceStyle::flat}});
+    return meaning_of("faces", o.faces.value_or("wire"), faces_choices);
 }
 
 MeshPlace place_of(const WireframeOptions& o)
@@ -158,6 +161,7 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
     MeshReading how;
     read_colour("colour", o.colour, how.plain);
     how.ignore_colours = o.plain;
+    how.warn = [](const std::string& what) { say("wireframe", what); };
     const MeshPlace at = place_of(o);
     if (o.in_scene && (o.fit || o.scale || o.turn || o.move))
         throw UsageError("--in-scene takes the mesh as it stands in the scene; --fit, --scale, "
@@ -167,8 +171,15 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
                          "rendered");
     Mesh mesh = read_mesh(o.inputs[0], how);
     if (o.in_scene)
-        for (Vec3& v : mesh.vertices)
-            v = sheet_from_scene(*geometry.placement, v);
+        for (Vec3& v : mesh.vertices) {
+            const auto seen = image_of(relief_of(geometry),
+                                       sheet_from_scene(*geometry.placement, v));
+            if (!seen)
+                throw InputError(o.inputs[0] + ": a vertex is seen beyond infinity by the "
+                                               "frame's parallax; render the frame with a parallax "
+                                               "of at most 1");
+            v = *seen;
+        }
     try {
         place(mesh, at);
     } catch (const std::invalid_argument& error) {
@@ -185,6 +196,29 @@ int bits_of(const WireframeOptions& o, const std::string& output)
         return 32;
     const int bits = bits_given(o.bits, 8);
     return floats ? 32 : bits;
+}
+
+/// Gives the points of a file that has nothing else a size.
+void enlarge_points(const WireframeOptions& o, WireframeRequest& request)
+{
+    Mesh& mesh = request.mesh;
+    if (!mesh.lines.empty() || !mesh.triangles.empty()) {
+        if (o.point_size)
+            throw UsageError("--point-size is for files of points alone; " + o.inputs[0] +
+                             " has lines or faces");
+        return;
+    }
+    double side = mesh.is_cloud ? joining_size(mesh, request.optics.sheet().pitch) : 0;
+    if (o.point_size) {
+        side = parse_numbers("point-size", *o.point_size, "a length in mm", 1, 1)[0];
+        if (!(side >= 0))
+            throw UsageError("--point-size " + *o.point_size + ": 0 mm or more are expected");
+    }
+    if (side > 0) {
+        add_squares(mesh, side);
+        request.faces = FaceStyle::flat;
+        request.light = {0, 0, -1}; // leaves their colours as they are
+    }
 }
 
 WireframeRequest request_of(const WireframeOptions& o, const FrameMetadata& geometry,
@@ -204,6 +238,7 @@ WireframeRequest request_of(const WireframeOptions& o, const FrameMetadata& geom
     read_vector("light", o.light, request.light);
     if (!(length(request.light) > 0))
         throw UsageError("--light 0,0,0 is no direction");
+    enlarge_points(o, request);
     return request;
 }
 
@@ -247,7 +282,9 @@ const Command wireframe_command = {
 vertex through every lens that can image it (thesis 3.4). It takes less than a
 second, so that things can be placed before they are traced. MESH is a Wavefront
 OBJ file, or where the program was built with Assimp a file that Assimp reads:
-PLY, STL, glTF, COLLADA, 3DS and many others.
+PLY, STL, glTF, COLLADA, 3DS and many others. Vertices without lines and faces,
+as in the clouds of points that integral depth writes, are drawn as points, so
+large that they join where they are dense.
 Its film points are those of povray-integral's rays; integral replay and print
 take the frame as any other.
 

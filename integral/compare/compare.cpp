@@ -56,10 +56,29 @@ void require_same_size(const Image& a, const Image& b)
                                     "; compare pictures of one size");
 }
 
-/// Whether `value` is larger than the largest so far; NaN is larger than all numbers.
-bool exceeds(double value, double largest) { return !std::isnan(largest) && !(value <= largest); }
+constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
-float luma(Colour c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
+/// How two values of a channel compare.
+struct ChannelPair {
+    ChannelPair(float a, float b)
+        : equal(a == b || (std::isnan(a) && std::isnan(b))),
+          finite(std::isfinite(a) && std::isfinite(b)),
+          difference(!equal && finite ? std::fabs(double(a) - b) : 0)
+    {
+    }
+
+    bool equal;
+    bool finite;       ///< whether both are
+    double difference; ///< 0 unless both are finite
+    bool has_size() const { return equal || finite; }
+};
+
+/// The luma of those channels that are finite in both pictures.
+float luma(Colour c, const ChannelPair channels[3])
+{
+    const auto value = [&](int k, float v) { return channels[k].finite ? v : 0.0f; };
+    return 0.2126f * value(0, c.r) + 0.7152f * value(1, c.g) + 0.0722f * value(2, c.b);
+}
 
 /// Sums of squared differences, lens by lens.
 class MicroImages {
@@ -82,18 +101,16 @@ public:
         last_->second.count += channels;
     }
 
-    WorstMicroImage worst() const
+    std::optional<WorstMicroImage> worst() const
     {
-        WorstMicroImage worst;
-        worst.rmse = -1;
+        std::optional<WorstMicroImage> worst;
         for (const auto& [index, sum] : sums_) {
             const double rmse = std::sqrt(sum.squares / double(sum.count));
-            if (exceeds(rmse, worst.rmse)) {
-                worst.rmse = rmse;
-                worst.lens = {index.second, index.first};
-            }
+            if (sum.count > 0 && (!worst || rmse > worst->rmse))
+                worst = {{index.second, index.first}, {}, rmse};
         }
-        worst.pole = lattice_.pole(worst.lens);
+        if (worst)
+            worst->pole = lattice_.pole(worst->lens);
         return worst;
     }
 
@@ -109,14 +126,20 @@ private:
     Sums::value_type* last_ = nullptr; // of the pixel before, which mostly has the same lens
 };
 
+/// What one row of two pictures adds to the figures.
+struct RowFigures {
+    double largest = 0;     ///< the largest difference of any channel
+    std::int64_t close = 0; ///< pixels of which no channel differs by more than 2/255
+    NotFinitePixels not_finite;
+};
+
 /// The differences of some rows of two pictures.
 struct Differences {
-    std::vector<double> squares; ///< for each pixel, the sum over its channels
+    std::vector<double> squares;        ///< for each pixel, the sum over its channels
+    std::vector<std::uint8_t> channels; ///< for each pixel, the channels that the sum is over
     std::vector<float> luma_a, luma_b;
     std::vector<LensIndex> lenses; ///< for each pixel; empty where there is no geometry
-    std::vector<double> largest;   ///< for each row, of any channel
-    /// For each row, the number of pixels of which no channel differs by more than 2/255.
-    std::vector<std::int64_t> close;
+    std::vector<RowFigures> rows;
 };
 
 } // namespace
@@ -138,30 +161,37 @@ struct Comparer::State {
     /// Fills row `row` of the differences from row `y` of a and b.
     void take_row(const Viewed& a, const Viewed& b, int y, int row)
     {
-        double row_largest = 0;
-        std::int64_t row_close = 0;
+        RowFigures figures;
         for (int x = 0; x < width; ++x) {
             const std::size_t at = std::size_t(row) * width + x;
             const Colour p = a(x, y), q = b(x, y);
-            const double difference[4] = {double(p.r) - q.r, double(p.g) - q.g, double(p.b) - q.b,
-                                          alpha ? double(p.a) - q.a : 0};
+            const ChannelPair pairs[4] = {
+                {p.r, q.r}, {p.g, q.g}, {p.b, q.b}, {p.a, alpha ? q.a : p.a}};
             double squares = 0, largest = 0;
-            for (const double v : difference) {
-                squares += v * v;
-                if (exceeds(std::fabs(v), largest))
-                    largest = std::fabs(v);
+            int sized = 0;
+            bool all_finite = true;
+            for (int k = 0; k < channels(); ++k) {
+                squares += pairs[k].difference * pairs[k].difference;
+                largest = std::max(largest, pairs[k].difference);
+                sized += pairs[k].has_size();
+                all_finite &= pairs[k].finite;
             }
-            if (exceeds(largest, row_largest))
-                row_largest = largest;
-            row_close += largest <= 2.0 / 255 + 1e-6;
+            const bool unequal = sized < channels();
+            if (unequal && figures.not_finite.unequal++ == 0) {
+                figures.not_finite.x = x;
+                figures.not_finite.y = taken + row;
+            }
+            figures.not_finite.equal += !unequal && !all_finite;
+            figures.largest = std::max(figures.largest, largest);
+            figures.close += !unequal && largest <= 2.0 / 255 + 1e-6;
             d.squares[at] = squares;
-            d.luma_a[at] = luma(p);
-            d.luma_b[at] = luma(q);
+            d.channels[at] = std::uint8_t(sized);
+            d.luma_a[at] = luma(p, pairs);
+            d.luma_b[at] = luma(q, pairs);
             if (micro_images)
                 d.lenses[at] = micro_images->lens_of(x, taken + row);
         }
-        d.largest[std::size_t(row)] = row_largest;
-        d.close[std::size_t(row)] = row_close;
+        d.rows[std::size_t(row)] = figures;
     }
 
     /// Takes the rows [y, y + rows) of a and b.
@@ -169,22 +199,29 @@ struct Comparer::State {
     {
         const std::size_t pixels = std::size_t(rows) * width;
         d.squares.resize(pixels);
+        d.channels.resize(pixels);
         d.luma_a.resize(pixels);
         d.luma_b.resize(pixels);
         d.lenses.resize(micro_images ? pixels : 0);
-        d.largest.resize(std::size_t(rows));
-        d.close.resize(std::size_t(rows));
+        d.rows.resize(std::size_t(rows));
         for_each_row(rows, 0, [&](int row) { take_row(a, b, y + row, row); });
         // In order, so that the sums are the same however many threads there are.
-        for (int row = 0; row < rows; ++row) {
-            if (exceeds(d.largest[std::size_t(row)], result.largest_difference))
-                result.largest_difference = d.largest[std::size_t(row)];
-            close += d.close[std::size_t(row)];
+        for (const RowFigures& row : d.rows) {
+            result.largest_difference = std::max(result.largest_difference, row.largest);
+            close += row.close;
+            NotFinitePixels& all = result.not_finite;
+            if (all.unequal == 0) {
+                all.x = row.not_finite.x;
+                all.y = row.not_finite.y;
+            }
+            all.equal += row.not_finite.equal;
+            all.unequal += row.not_finite.unequal;
         }
         for (std::size_t at = 0; at < pixels; ++at) {
             squares += d.squares[at];
+            sized_channels += d.channels[at];
             if (micro_images)
-                micro_images->add(d.lenses[at], d.squares[at], channels());
+                micro_images->add(d.lenses[at], d.squares[at], d.channels[at]);
         }
         if (similarity)
             similarity->add(d.luma_a.data(), d.luma_b.data(), rows);
@@ -200,6 +237,7 @@ struct Comparer::State {
     std::optional<Similarity> similarity;
     Differences d;
     double squares = 0;
+    std::int64_t sized_channels = 0; ///< that the squares are over
     std::int64_t close = 0;
     int taken = 0;
 };
@@ -223,7 +261,7 @@ Comparison Comparer::result() const
     const State& s = *state_;
     Comparison result = s.result;
     const double pixels = double(s.width) * s.height;
-    result.rmse = std::sqrt(s.squares / (pixels * s.channels()));
+    result.rmse = std::sqrt(s.squares / double(s.sized_channels));
     result.psnr = result.rmse == 0 ? std::numeric_limits<double>::infinity()
                                    : 20 * std::log10(1 / result.rmse);
     if (s.similarity)
@@ -231,6 +269,8 @@ Comparison Comparer::result() const
     result.within_two = double(s.close) / pixels;
     if (s.micro_images)
         result.worst = s.micro_images->worst();
+    if (s.sized_channels == 0)
+        result.rmse = result.psnr = result.ssim = result.largest_difference = no_figure;
     return result;
 }
 
@@ -256,7 +296,10 @@ Image difference_picture(const Image& a, const Image& b, double gain)
     for_each_row(a.height, 0, [&](int y) {
         for (int x = 0; x < a.width; ++x) {
             const Colour p = seen_a(x, y), q = seen_b(x, y);
-            const auto d = [&](float u, float v) { return float(gain * std::fabs(u - v)); };
+            const auto d = [&](float u, float v) {
+                const ChannelPair pair(u, v);
+                return pair.has_size() ? float(gain * pair.difference) : 1.0f;
+            };
             store_pixel(result, x, y, {d(p.r, q.r), d(p.g, q.g), d(p.b, q.b), 1});
         }
     });

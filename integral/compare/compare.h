@@ -5,6 +5,7 @@
 
 #include "integral/lightfield/frame.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -17,7 +18,18 @@ struct WorstMicroImage {
     double rmse = 0;
 };
 
+/// Pixels with a channel that is NaN or infinite.
+struct NotFinitePixels {
+    std::int64_t equal = 0;   ///< every such channel has the same value in both pictures
+    std::int64_t unequal = 0; ///< a channel is so in one picture only, or not the same in both
+    int x = 0, y = 0;         ///< the first of the unequal ones, row by row
+};
+
 /// Figures in the output encoding, 0..1 at full scale.
+///
+/// NaN equals NaN, and infinity equals infinity of the same sign. A channel that is NaN or infinite
+/// and unequal is a difference that has no size: it is counted in `not_finite`, and the
+/// figures are over all other channels (NaN where there are none). SSIM takes it as 0 in both.
 ///
 /// Colours are compared over black (where alpha is 1, as they are); alpha is a fourth channel
 /// where both pictures have it, and ignored otherwise. If the encodings differ, the
@@ -29,7 +41,9 @@ struct Comparison {
     double largest_difference = 0; ///< of any channel of any pixel
     double within_two = 0; ///< fraction of pixels of which no channel differs by more than 2/255
     Encoding encoding;     ///< in which the figures were computed
-    /// By the metadata of the first picture that has some; empty where neither has.
+    NotFinitePixels not_finite;
+    /// By the metadata of the first picture that has some; empty where neither has, or where no
+    /// lens has a channel that the figures are over.
     std::optional<WorstMicroImage> worst;
 };
 
@@ -57,7 +71,8 @@ private:
 Comparison compare(const Frame& a, const Frame& b);
 
 /// |a - b| of the colours as `compare` sees them, times `gain`: three channels, encoded as
-/// compared. 8 bits if both pictures have 8, else 16. Also for some rows of both pictures.
+/// compared. 8 bits if both pictures have 8, else 16. Also for some rows of both pictures. Full
+/// scale where a channel is NaN or infinite and unequal.
 Image difference_picture(const Image& a, const Image& b, double gain = 1);
 
 /// The form of the difference picture, without samples.

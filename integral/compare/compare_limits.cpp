@@ -2,6 +2,10 @@
 #include "integral/compare/compare_limits.h"
 
 #include "integral/base/number_text.h"
+#include "integral/compare/figures_text.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace integral {
 
@@ -17,6 +21,8 @@ const std::array<LimitKind, limit_count> limit_kinds = {{
 
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind)
 {
+    if (std::isnan(comparison.rmse))
+        return std::nullopt;
     switch (kind) {
     case 0: return comparison.rmse;
     case 1: return comparison.psnr;
@@ -41,6 +47,9 @@ std::vector<std::string> missed_limits(const Limits& limits, const Comparison& c
                              (limit_kinds[kind].is_most ? " is greater than " : " is less than ") +
                              with_digits(*limits[kind], 6));
     }
+    if (comparison.not_finite.unequal > 0 &&
+        std::any_of(limits.begin(), limits.end(), [](const auto& limit) { return bool(limit); }))
+        missed.push_back(unequal_text(comparison.not_finite));
     return missed;
 }
 

@@ -28,15 +28,15 @@ extern const std::array<LimitKind, limit_count> limit_kinds;
 /// The limit of each kind; empty where there is none.
 using Limits = std::array<std::optional<double>, limit_count>;
 
-/// The figure that a kind limits; empty where a comparison does not have it: the worst micro-image,
-/// without geometry.
+/// The figure that a kind limits; empty where a comparison does not have it: the worst micro-image
+/// without geometry, all figures where no value is finite in both pictures.
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind);
 
-/// Whether a figure is within a limit. NaN is within none.
+/// Whether a figure is within a limit.
 bool keeps(double figure, std::size_t kind, double limit);
 
 /// The limits that the figures miss, in words: "RMSE 0.2 is greater than 0.19". A figure that the
-/// comparison does not have misses no limit.
+/// comparison does not have misses no limit. Unequal NaN and infinite values miss any limit.
 std::vector<std::string> missed_limits(const Limits& limits, const Comparison& comparison);
 
 } // namespace integral

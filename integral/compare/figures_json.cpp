@@ -7,13 +7,19 @@ namespace integral {
 
 Json figures_json(const Comparison& c)
 {
-    Json json = {{"rmse", c.rmse},
+    Json json = {{"rmse", c.rmse}, // NaN is written as null, too
                  {"psnr", c.psnr}, // infinity is written as null
                  {"ssim", c.ssim},
                  {"largest_difference", c.largest_difference},
                  {"within_two", c.within_two},
                  {"encoding", name_of(c.encoding.kind)},
-                 {"worst_micro_image", nullptr}};
+                 {"worst_micro_image", nullptr},
+                 {"not_finite",
+                  {{"equal_pixels", c.not_finite.equal},
+                   {"unequal_pixels", c.not_finite.unequal},
+                   {"first_unequal", nullptr}}}};
+    if (c.not_finite.unequal > 0)
+        json["not_finite"]["first_unequal"] = {c.not_finite.x, c.not_finite.y};
     if (c.worst)
         json["worst_micro_image"] = {{"lens", {c.worst->lens.i, c.worst->lens.j}},
                                      {"pole_mm", {c.worst->pole.x, c.worst->pole.y}},

@@ -1,25 +1,41 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/compare/figures_text.h"
 
+#include "integral/base/number_text.h"
 #include "integral/lightfield/names.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace integral {
 
+std::string unequal_text(const NotFinitePixels& pixels)
+{
+    return counted(pixels.unequal, "pixel") + (pixels.unequal == 1 ? " differs" : " differ") +
+           " by NaN or infinite values, the first at " + std::to_string(pixels.x) + "," +
+           std::to_string(pixels.y);
+}
+
 std::string figures_text(const Comparison& c)
 {
     char text[400];
+    std::string result;
+    if (std::isnan(c.rmse)) {
+        result = "RMSE, PSNR, SSIM    none: no value is a finite number in both pictures\n";
+    } else {
+        std::snprintf(text, sizeof text,
+                      "RMSE                %.6f\n"
+                      "PSNR                %.3f dB\n"
+                      "SSIM                %.6f\n"
+                      "largest difference  %.6f\n",
+                      c.rmse, c.psnr, c.ssim, c.largest_difference);
+        result = text;
+    }
     std::snprintf(text, sizeof text,
-                  "RMSE                %.6f\n"
-                  "PSNR                %.3f dB\n"
-                  "SSIM                %.6f\n"
-                  "largest difference  %.6f\n"
                   "within 2/255        %.4f%% of the pixels\n"
                   "encoding            %s\n",
-                  c.rmse, c.psnr, c.ssim, c.largest_difference, 100 * c.within_two,
-                  name_of(c.encoding.kind));
-    std::string result = text;
+                  100 * c.within_two, name_of(c.encoding.kind));
+    result += text;
     if (c.worst) {
         std::snprintf(
             text, sizeof text, "worst micro-image   lens %lld,%lld at %.3f,%.3f mm: RMSE %.6f\n",
@@ -27,6 +43,12 @@ std::string figures_text(const Comparison& c)
             c.worst->pole.x, c.worst->pole.y, c.worst->rmse);
         result += text;
     }
+    if (c.not_finite.equal > 0)
+        result += "NaN or infinite     " + counted(c.not_finite.equal, "pixel") +
+                  " equal in both pictures\n";
+    if (c.not_finite.unequal > 0)
+        result += "NaN or infinite     " + unequal_text(c.not_finite) +
+                  "; RMSE, PSNR and SSIM leave these values out\n";
     return result;
 }
 

@@ -9,6 +9,10 @@
 
 namespace integral {
 
+/// Unequal NaN and infinite values, as a fault: "2 pixels differ by NaN or infinite values, the
+/// first at 3,4".
+std::string unequal_text(const NotFinitePixels& pixels);
+
 /// A table, a figure in each line.
 std::string figures_text(const Comparison& comparison);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/compare/suite_accept.h"
 
+#include "integral/base/folders.h"
 #include "integral/compare/suite_run.h"
 #include "integral/io/image_file.h"
 
@@ -19,26 +20,34 @@ std::vector<std::string> documents_of(const std::string& picture)
     return {picture + ".json", fs::path(picture).replace_extension(".json").string()};
 }
 
+/// The name within a folder of a path that leads into it; of other paths, something else.
+std::string name_within(const std::string& folder, const std::string& path)
+{
+    std::error_code error;
+    const fs::path name = fs::relative(path, folder, error);
+    return error ? path : name.string();
+}
+
 } // namespace
 
-void accept_results(const std::vector<std::string>& names, const SuiteFolders& folders,
+void accept_results(const std::vector<std::string>& given, const SuiteFolders& folders,
                     const Accepted& accepted)
 {
     const auto results = pictures_in(folders.results, folders.references);
-    for (const std::string& name : names) {
-        if (!results.count(name))
-            throw InputError(
-                folders.result(name) +
-                ": there is no such picture to accept; name it as it is called within " +
-                folders.results);
-        read_frame(folders.result(name));
+    std::vector<std::string> names;
+    for (const std::string& name : given) {
+        names.push_back(results.count(name) ? name : name_within(folders.results, name));
+        if (!results.count(names.back()))
+            throw InputError(folders.result(name) +
+                             ": there is no such picture to accept; give its name within " +
+                             folders.results + ", or its path");
+        read_frame(folders.result(names.back()));
     }
     for (const std::string& name : names) {
         const std::string from = folders.result(name), to = folders.reference(name);
         std::error_code error;
         const bool is_new = !fs::exists(to, error);
-        // Where this fails, write_file says why.
-        fs::create_directories(fs::path(to).parent_path(), error);
+        make_folder(fs::path(to).parent_path().string());
         const auto old_documents = documents_of(to), new_documents = documents_of(from);
         for (std::size_t i = 0; i < new_documents.size(); ++i)
             if (fs::exists(new_documents[i], error))

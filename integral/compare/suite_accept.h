@@ -15,10 +15,10 @@ namespace integral {
 using Accepted = std::function<void(const std::string& name, const std::string& reference,
                                     bool is_new)>;
 
-/// Copies the results of these names over their references, with the geometry documents beside
-/// them. Nothing is copied unless every name is a result that can be read. Throws InputError,
-/// OutputError.
-void accept_results(const std::vector<std::string>& names, const SuiteFolders& folders,
+/// Copies results over their references, with the geometry documents beside them. Each is given by
+/// its name within the folder of results, or by its path. Nothing is copied unless every name is a
+/// result that can be read. Throws InputError, OutputError.
+void accept_results(const std::vector<std::string>& given, const SuiteFolders& folders,
                     const Accepted& accepted);
 
 } // namespace integral

@@ -115,6 +115,12 @@ std::string magnified(const Image& picture, const Rectangle& r, const std::strin
            "\">";
 }
 
+/// The gain with which the largest difference is full scale.
+double full_scale_gain(const Comparison& figures)
+{
+    return figures.largest_difference > 0 ? 1 / figures.largest_difference : 1;
+}
+
 /// Where the pictures differ most, magnified, and that place in words. `times` is the caption of
 /// the difference.
 std::string magnified_detail(const Comparison& figures, const Frame& reference, const Frame& result,
@@ -122,7 +128,7 @@ std::string magnified_detail(const Comparison& figures, const Frame& reference, 
 {
     const auto& metadata = reference.metadata ? reference.metadata : result.metadata;
     const Detail detail = find_detail(
-        difference_picture(reference.image, result.image, 1 / figures.largest_difference), figures,
+        difference_picture(reference.image, result.image, full_scale_gain(figures)), figures,
         metadata ? &*metadata : nullptr);
     return "<p class=\"detail\">" + markup_text(detail.words) +
            ".</p>\n<div class=\"pictures magnified\">\n" +
@@ -142,7 +148,8 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
                             pair.state == PairState::other_size;
     const int longest = to_compare ? shown_failed : shown_small;
     std::string html = "<div class=\"pictures\">\n";
-    if (pair.figures && pair.figures->largest_difference == 0)
+    if (pair.figures && pair.figures->largest_difference == 0 &&
+        pair.figures->not_finite.unequal == 0)
         return html +
                figure("reference and result, which are equal",
                       picture_element(result->image, longest, "the result " + pair.name)) +
@@ -156,9 +163,9 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
     if (!pair.figures)
         return html + "</div>\n";
 
-    const double largest = pair.figures->largest_difference;
+    const double least = std::min(pair.figures->largest_difference, 8 * pair.figures->rmse);
     if (gain == 0) // a whole number, which the caption can state exactly
-        gain = std::clamp(std::floor(1 / std::min(largest, 8 * pair.figures->rmse)), 1.0, 65535.0);
+        gain = least > 0 ? std::clamp(std::floor(1 / least), 1.0, 65535.0) : 1;
     Image difference = difference_picture(reference->image, result->image, gain);
     difference.encoding = Encoding{}; // so that the stored values are shown unchanged
     const std::string times = "difference × " + with_digits(gain, 6);

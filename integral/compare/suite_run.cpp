@@ -36,19 +36,25 @@ std::string references_beside(const std::string& folder)
 
 } // namespace
 
-SuiteFolders suite_folders(const std::string& results, const std::optional<std::string>& references)
+SuiteFolders suite_folders(const std::string& results, const std::optional<std::string>& references,
+                           bool may_be_new)
 {
     SuiteFolders folders;
     folders.results = without_slash_at_end(results);
     folders.references = references ? without_slash_at_end(*references)
                                     : references_beside(folders.results);
-    for (const std::string& folder : {folders.results, folders.references})
-        if (std::error_code ignored; !fs::is_directory(folder, ignored))
-            throw InputError(folder + ": there is no such folder; " +
-                             (folder == folders.references
-                                  ? "say where the references are with --references"
-                                  : "--suite names the folder of pictures to check"));
     std::error_code ignored;
+    if (!fs::is_directory(folders.results, ignored))
+        throw InputError(
+            folders.results +
+            ": there is no such folder; --suite names the folder of pictures to check");
+    if (!fs::is_directory(folders.references, ignored) &&
+        !(may_be_new && !fs::exists(folders.references, ignored)))
+        throw InputError(folders.references +
+                         ": there is no such folder of references; on a first run, --accept " +
+                         folders.results +
+                         "/*.png makes those results references; or name the folder with "
+                         "--references");
     if (fs::equivalent(folders.results, folders.references, ignored))
         throw std::invalid_argument("--suite and --references are the same folder");
     return folders;

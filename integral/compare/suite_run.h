@@ -15,8 +15,9 @@ namespace integral {
 
 /// The suite's two folders. `references` is by default the folder of that name beside `results`.
 /// Throws InputError where one of them is no folder, std::invalid_argument where they are the same.
-SuiteFolders suite_folders(const std::string& results,
-                           const std::optional<std::string>& references);
+/// `may_be_new`: the references may be missing, as they are about to be made.
+SuiteFolders suite_folders(const std::string& results, const std::optional<std::string>& references,
+                           bool may_be_new);
 
 /// The pictures in a folder and in the folders below it, by their paths relative to it. Hidden
 /// files and folders are left out, and so is the folder `other`. Throws InputError.

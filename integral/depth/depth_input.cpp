@@ -56,26 +56,36 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
     wanted.grid = request.grid;
     wanted.needs_geometry = false;
     wanted.of_eyes = true;
+    wanted.aspect = request.aspect;
     GivenViews given = read_given_views(inputs, wanted);
     ViewGrid grid = given.grid;
     std::optional<ViewEyes> eyes = request.eyes;
-    if (given.metadata) {
+    if (given.metadata)
         grid = directions_of(grid, given.metadata->sheet);
+    if (request.right_to_left)
+        turn_right_to_left(given.views, grid);
+    if (given.metadata) {
         if (!given.metadata->quilt->eyes)
             return of_frame(frame_of(given, grid, threads, progress), threads, progress);
         if (!eyes)
-            eyes = eyes_in({*given.metadata->quilt->eyes, size_of(given.metadata->film).x}, grid);
+            eyes = eyes_in({*given.metadata->quilt->eyes, size_of(given.metadata->film).x,
+                            given.metadata->sheet},
+                           grid);
     }
-    if (!eyes && request.zone)
+    if (!eyes && request.zone) {
+        grid = directions_of(grid, request.zone->sheet);
         eyes = eyes_in(*request.zone, grid);
+    }
     if (request.top_first)
         turn_over(given.views, grid);
     DepthInput input;
     input.form = form_of(given.views[0]);
-    input.views = view_set(given.views, grid, eyes);
-    const PixelPlaces& places = input.views.places;
-    input.width = input.views.width * places.right.x;
-    input.height = input.views.height * -places.down.y;
+    input.views = view_set(given.views, grid, eyes, given.shape);
+    const ViewSet& set = input.views;
+    const double right = set.width * length(set.places.right),
+                 down = set.height * length(set.places.down);
+    input.width = set.turned ? down : right;
+    input.height = set.turned ? right : down;
     return input;
 }
 
@@ -85,12 +95,14 @@ DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthR
                             int threads, const Progress& progress)
 {
     std::optional<Frame> frame;
-    if (inputs.size() == 1 && !is_mpo(inputs[0])) {
+    if (inputs.size() == 1 && !is_list_of_views(inputs[0])) {
         FrameReader reader(inputs[0], request.sheet);
         reader.refuse_projection();
         if (reader.frame().metadata)
             frame = reader.whole();
     }
+    if (frame && (request.aspect || request.right_to_left))
+        throw std::invalid_argument("it is a frame; --aspect and --right-to-left are for views");
     return frame ? of_frame(*frame, threads, progress)
                  : of_views(inputs, request, threads, progress);
 }

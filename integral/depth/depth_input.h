@@ -9,10 +9,12 @@
 
 namespace integral {
 
-/// The eyes of views that are spread over a zone, and how wide a view is in the image plane, mm.
+/// The eyes of views that are spread over the zone of a sheet, and how wide a view is in the image
+/// plane, mm.
 struct GivenZone {
     EyeGrid eyes;
     double width = 0;
+    LensSheet sheet;
 };
 
 /// What is known of the inputs besides what they say themselves.
@@ -21,6 +23,8 @@ struct DepthRequest {
     std::optional<ViewEyes> eyes;  ///< where they were taken from; nothing: as they say
     std::optional<GivenZone> zone; ///< the same, where neither they nor `eyes` say it
     bool top_first = false;        ///< the files' first row of views is from above
+    bool right_to_left = false;    ///< the views stand from right to left
+    std::optional<double> aspect;  ///< the views' shape, as in ViewsRequest
     std::string sheet;             ///< a file with the frame's geometry; "": it carries its own
 };
 

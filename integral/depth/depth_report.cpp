@@ -36,12 +36,17 @@ std::vector<float> read_truth(const std::string& path, const DepthInput& input)
             throw std::invalid_argument("a depth frame is for a frame; views need .pfm");
         return true_disparities(input.views, *input.frame, read_depths(path));
     }
-    FloatMap map = read_pfm(path);
-    if (map.width != input.views.width || map.height != input.views.height)
+    const FloatMap map = read_pfm(path);
+    const ViewSet& views = input.views;
+    if (map.width != views.upright_width() || map.height != views.upright_height())
         throw std::invalid_argument("it has " + size_text(map.width, map.height) +
                                     " pixels, and a view " +
-                                    size_text(input.views.width, input.views.height));
-    return std::move(map.values);
+                                    size_text(views.upright_width(), views.upright_height()));
+    std::vector<float> truth;
+    for (int y = 0; y < views.height; ++y)
+        for (int x = 0; x < views.width; ++x)
+            truth.push_back(map.values[views.upright_pixel(x, y)]);
+    return truth;
 }
 
 std::string figures_text(const DepthFigures& figures)

@@ -124,10 +124,13 @@ Eyes eyes_of(const FrameMetadata& metadata)
     // One fewer than there are pixels, so that each lies between two of them under every lens.
     const auto count = [](double pixels) { return int(std::floor(pixels + 1e-6)) - 1; };
     Eyes eyes;
-    const double across = pixels(zone.x, metadata.film.pixel_pitch.x);
-    eyes.columns = count(across);
-    eyes.spacing.x = zone.x / across;
-    if (sheet.arrangement != Arrangement::lenticular) {
+    const bool lie_across = lenses_lie_across(sheet);
+    if (!lie_across) {
+        const double across = pixels(zone.x, metadata.film.pixel_pitch.x);
+        eyes.columns = count(across);
+        eyes.spacing.x = zone.x / across;
+    }
+    if (lie_across || sheet.arrangement != Arrangement::lenticular) {
         const double down = pixels(zone.y, metadata.film.pixel_pitch.y);
         eyes.rows = count(down);
         eyes.spacing.y = zone.y / down;
@@ -138,7 +141,7 @@ Eyes eyes_of(const FrameMetadata& metadata)
     return eyes;
 }
 
-/// Draws views of a sheet's lenses.
+/// Draws views of a sheet's lenses, turned as in ViewSet where they lie across.
 class SheetViews {
 public:
     SheetViews(const Frame& frame, int threads, const Progress& progress)
@@ -147,8 +150,10 @@ public:
           light(frame, optics, threads, progress),
           hexagonal(lenses.arrangement == Arrangement::hexagonal)
     {
-        width = hexagonal ? lenses.window.columns / 2 : lenses.window.columns;
-        height = lenses.window.rows;
+        width = lenses.lie_across ? lenses.window.rows
+                : hexagonal       ? lenses.window.columns / 2
+                                  : lenses.window.columns;
+        height = lenses.lie_across ? lenses.window.columns : lenses.window.rows;
     }
 
     PixelPlaces places() const
@@ -194,8 +199,10 @@ private:
     /// The middle of a row's lens.
     Vec2 middle(int column, int row) const
     {
+        if (lenses.lie_across)
+            return lenses.middle(lenses.lens_at(0, width - 1 - column), row, 0);
         const int first = hexagonal && is_shifted(row) ? 1 : 0;
-        return lenses.middle(lenses.lens_at(hexagonal ? 2 * column + first : column, row), row);
+        return lenses.middle(lenses.lens_at(hexagonal ? 2 * column + first : column, row), 0, row);
     }
 
     /// Lenses of odd rows stand half a lens to the right: gives such a row the places of the
@@ -229,8 +236,10 @@ ViewSet view_set(const Frame& frame, int threads, const Progress& progress)
     set.width = sheet.width;
     set.height = sheet.height;
     set.places = sheet.places();
-    const double pixel = length(set.places.right);
-    set.scale = DepthScale{metadata.aperture.distance, eyes.spacing.x / pixel};
+    set.turned = sheet.lenses.lie_across;
+    const double pixel = length(set.places.right),
+                 spacing = set.turned ? eyes.spacing.y : eyes.spacing.x;
+    set.scale = DepthScale{metadata.aperture.distance, spacing / pixel};
     // A disparity of 1 moves a point by -eye / spacing pixels' widths on the sheet.
     const PixelPlaces steps{{0, 0}, set.places.right, set.places.down};
     std::vector<Vec2> from{{0, 0}};
@@ -239,7 +248,7 @@ ViewSet view_set(const Frame& frame, int threads, const Progress& progress)
             if (const Vec2 eye = eyes.at(column, row); length(eye) > 0)
                 from.push_back(eye);
     const auto new_view = [&](Vec2 eye) {
-        return sheet.blank_view(steps.pixel_at((-pixel / eyes.spacing.x) * eye));
+        return sheet.blank_view(steps.pixel_at((-pixel / spacing) * eye));
     };
     set.middle = new_view({0, 0});
     for (std::size_t k = 1; k < from.size(); ++k)

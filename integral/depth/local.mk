@@ -39,6 +39,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/spread.h \
   integral/depth/texture.cpp \
   integral/depth/texture.h \
+  integral/depth/view_order.cpp \
+  integral/depth/view_order.h \
   integral/depth/view_set.cpp \
   integral/depth/view_set.h \
   integral/depth/votes.cpp \

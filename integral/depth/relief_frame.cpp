@@ -34,15 +34,20 @@ private:
 /// The light of film points.
 class FilmLight {
 public:
-    FilmLight(const Relief& relief, const FrameMetadata& geometry)
-        : relief_(relief), film_(geometry.film), optics_(geometry.sheet, geometry.aperture)
+    FilmLight(const Relief& relief, const FrameMetadata& geometry, const FittedPicture& picture)
+        : relief_(relief),
+          film_(geometry.film),
+          optics_(geometry.sheet, geometry.aperture),
+          picture_(picture)
     {
         const auto parts = [&](double length) { // samples across it
             return std::clamp(int(std::ceil(length / relief.pixel() - 0.25)), 1, 4);
         };
         across_ = parts(optics_.lattice().pitch());
         lenticular_ = geometry.sheet.arrangement == Arrangement::lenticular;
-        along_ = lenticular_ ? parts(film_.pixel_pitch.y) : across_;
+        pixel_along_ = lenses_lie_across(geometry.sheet) ? Vec2{film_.pixel_pitch.x, 0}
+                                                         : Vec2{0, film_.pixel_pitch.y};
+        along_ = lenticular_ ? parts(length(pixel_along_)) : across_;
     }
 
     Colour pixel(int x, int y, ReliefFigures& figures) const
@@ -64,6 +69,9 @@ private:
         for (int k = 0; k < across_ * along_; ++k) {
             const auto line = line_of(
                 *ray, {(k % across_ + 0.5) / across_, (k / across_ + 0.5) / along_});
+            const Vec2 pixel = pixel_from_film(film_, line.place);
+            if (picture_.is_in_bar({pixel.x / film_.width, pixel.y / film_.height}))
+                continue;
             const Seen seen = relief_.along(line);
             figures.lines += 1;
             figures.holes += seen.known ? 0 : 1;
@@ -75,13 +83,13 @@ private:
     }
 
     /// The line of a film point's beam through a place of its lens's cell (lenticular: across the
-    /// lens, and along it within the pixel's height).
+    /// lens, and along it within the pixel).
     ReliefLine line_of(const LensRay& ray, Vec2 unit) const
     {
         const Vec2 cell{unit.x, lenticular_ ? 0.5 : unit.y};
         Vec2 place = ray.pole + cell_point(optics_.lattice(), cell).offset;
         if (lenticular_)
-            place.y += (unit.y - 0.5) * film_.pixel_pitch.y;
+            place = place + (unit.y - 0.5) * pixel_along_;
         const double along = -relief_.distance() / ray.direction.z;
         return {place, place + along * Vec2{ray.direction.x, ray.direction.y}};
     }
@@ -89,7 +97,9 @@ private:
     const Relief& relief_;
     Film film_;
     SheetOptics optics_;
+    FittedPicture picture_; ///< the relief's on the film
     bool lenticular_ = false;
+    Vec2 pixel_along_; ///< the film's pixel along lenticular lenses
     int across_ = 1, along_ = 1;
 };
 
@@ -114,12 +124,16 @@ std::string holes_text(const ReliefFigures& figures)
 }
 
 ReliefFigures write_relief_frame(const std::string& path, Relief relief,
-                                 const FrameMetadata& geometry, const Image& form, int threads,
-                                 const Progress& progress)
+                                 const FrameMetadata& geometry, const Image& form, Fit fit,
+                                 int threads, const Progress& progress)
 {
     const Vec2 film = size_of(geometry.film);
-    relief.scale(std::max(film.x / relief.size().x, film.y / relief.size().y));
-    const FilmLight light(relief, geometry);
+    const FittedPicture picture = fitted(relief.size().x / relief.size().y, shape_of(geometry.film),
+                                         fit);
+    relief.scale(picture.differs() && fit == Fit::contain
+                     ? std::min(film.x / relief.size().x, film.y / relief.size().y)
+                     : std::max(film.x / relief.size().x, film.y / relief.size().y));
+    const FilmLight light(relief, geometry, picture);
     FrameMetadata metadata = geometry;
     metadata.encoding = form.encoding;
     metadata.quilt.reset();

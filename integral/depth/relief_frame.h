@@ -4,6 +4,7 @@
 #define INTEGRAL_DEPTH_RELIEF_FRAME_H
 
 #include "integral/depth/relief.h"
+#include "integral/lightfield/picture_fit.h"
 
 #include <string>
 
@@ -19,12 +20,13 @@ struct ReliefFigures {
 std::string holes_text(const ReliefFigures& figures);
 
 /// Writes the frame of that geometry which shows the relief, in the form of `form`, a band of rows
-/// at a time. The relief is made as large as fills the film. A lens gathers the light of its whole
-/// cell, at up to 4 x 4 points where the relief's pictures are finer than the lenses. Pixels that
-/// image nothing are black (transparent). Throws OutputError, Interrupted.
+/// at a time. The relief is made as large as `fit` has it, contain or cover, of which contain
+/// leaves black bars. A lens gathers the light of its whole cell, at up to 4 x 4 points where the
+/// relief's pictures are finer than the lenses. Pixels that image nothing are black (transparent).
+/// Throws OutputError, Interrupted.
 ReliefFigures write_relief_frame(const std::string& path, Relief relief,
-                                 const FrameMetadata& geometry, const Image& form, int threads,
-                                 const Progress& progress);
+                                 const FrameMetadata& geometry, const Image& form, Fit fit,
+                                 int threads, const Progress& progress);
 
 /// A lens before the relief that takes its picture.
 struct Refocus {

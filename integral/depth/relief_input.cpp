@@ -117,10 +117,13 @@ std::vector<ReliefMap> maps_of_depth_frame(const DepthInput& input, const std::s
     return maps;
 }
 
-/// The parallax of an upright map over the whole picture, as the first one's eye sees it.
-ReliefMap map_of_file(const std::string& path, const std::optional<GreyDepths>& grey,
-                      const DecodedDepths* decoded, Vec2 size, double distance)
+/// The parallax of an upright map over the whole picture, or as much as its shape allows, as the
+/// first one's eye sees it.
+ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded, Vec2 size,
+                      double distance)
 {
+    const std::string& path = request.depth_file;
+    const std::optional<GreyDepths>& grey = request.grey;
     ReliefMap map;
     std::vector<float> mm;
     if (decoded) {
@@ -150,7 +153,12 @@ ReliefMap map_of_file(const std::string& path, const std::optional<GreyDepths>& 
     }
     for (const float z : mm)
         map.parallax.push_back(parallax_of(z, distance));
-    const Vec2 pixel{size.x / map.width, size.y / map.height};
+    const FittedPicture on_picture = fitted(double(map.width) / map.height, size.x / size.y,
+                                            request.fit);
+    if (on_picture.differs())
+        request.tell(path + ": " + fit_text(on_picture, "the picture", "no depth"));
+    const Vec2 pixel{on_picture.size.x * size.x / map.width,
+                     on_picture.size.y * size.y / map.height};
     map.places = {{-0.5 * (map.width - 1) * pixel.x, 0.5 * (map.height - 1) * pixel.y},
                   {pixel.x, 0},
                   {0, -pixel.y}};
@@ -174,7 +182,7 @@ std::optional<DecodedDepths> decoded_depths(const std::string& path)
 bool is_photograph(const std::vector<std::string>& inputs, const ReliefRequest& request)
 {
     if (inputs.size() != 1 || request.depth_file.empty() || request.input.grid ||
-        is_mpo(inputs[0]) || grid_in_name(inputs[0]))
+        is_list_of_views(inputs[0]) || quilt_in_name(inputs[0]))
         return false;
     return !FrameReader(inputs[0], request.input.sheet).frame().metadata &&
            !read_views(inputs[0], false).metadata;
@@ -206,8 +214,8 @@ ReliefInput read_photograph(const std::string& path, const ReliefRequest& reques
                                     " is a frame's depth frame; a photograph needs its own map");
     std::vector<ReliefPicture> pictures;
     pictures.push_back(std::move(picture));
-    std::vector<ReliefMap> maps{map_of_file(request.depth_file, request.grey,
-                                            decoded ? &*decoded : nullptr, size, request.distance)};
+    std::vector<ReliefMap> maps{
+        map_of_file(request, decoded ? &*decoded : nullptr, size, request.distance)};
     return {Relief(std::move(pictures), std::move(maps), request.distance, size), form_of(image)};
 }
 
@@ -245,8 +253,8 @@ ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequ
     if (decoded && !decoded->document.empty()) {
         maps = maps_of_depth_frame(input, request.depth_file);
     } else {
-        maps.push_back(map_of_file(request.depth_file, request.grey, decoded ? &*decoded : nullptr,
-                                   size, input.views.scale->distance));
+        maps.push_back(
+            map_of_file(request, decoded ? &*decoded : nullptr, size, input.views.scale->distance));
         maps[0].eye = eye_of(input.views, input.views.middle);
     }
     return {relief_of(input.views, input.form.encoding, std::move(maps), size, threads),

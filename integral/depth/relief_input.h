@@ -7,7 +7,9 @@
 #include "integral/depth/depth_input.h"
 #include "integral/depth/depth_quality.h"
 #include "integral/depth/relief.h"
+#include "integral/lightfield/picture_fit.h"
 
+#include <functional>
 #include <string>
 
 namespace integral {
@@ -22,9 +24,12 @@ struct ReliefRequest {
     std::string depth_file;                    ///< "": depth is measured
     std::optional<GreyDepths> grey;            ///< which a grey picture needs as depth_file
     DepthQuality quality = DepthQuality::good; ///< of measuring
-    Vec2 size;           ///< of a photograph in the image plane, mm: the larger rectangle of its
-                         ///< shape and place; its eye is before its middle
+    Vec2 size;           ///< the larger rectangle of a photograph's shape and this place is its
+                         ///< size in the image plane, mm; its eye is before its middle
     double distance = 0; ///< of a photograph's eye from the image plane, mm
+    Fit fit = Fit::contain; ///< of a depth_file on pictures of another shape
+    /// Is told, in a line each, what was done with the depth_file.
+    std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
 /// A relief, and the form of the pictures that it was made of.

@@ -22,15 +22,17 @@ Vec2 PixelPlaces::pixel_at(Vec2 point) const
 
 namespace {
 
-DepthView view_of(const Image& picture, Vec2 shift)
+DepthView view_of(const ViewSet& set, const Image& picture, Vec2 shift)
 {
     DepthView view;
     view.shift = shift;
     for (auto& channel : view.channels)
-        channel.reserve(std::size_t(picture.width) * picture.height);
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
-            const Colour c = stored_pixel(picture, x, y);
+        channel.reserve(set.pixels());
+    for (int y = 0; y < set.height; ++y)
+        for (int x = 0; x < set.width; ++x) {
+            const std::size_t at = set.upright_pixel(x, y);
+            const Colour c = stored_pixel(picture, int(at % std::size_t(picture.width)),
+                                          int(at / std::size_t(picture.width)));
             view.channels[0].push_back(c.r);
             view.channels[1].push_back(c.g);
             view.channels[2].push_back(c.b);
@@ -90,29 +92,37 @@ void soften(ViewSet& views, int threads)
 }
 
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
-                 const std::optional<ViewEyes>& eyes)
+                 const std::optional<ViewEyes>& eyes, std::optional<double> shape)
 {
     check(views);
     ViewSet set;
-    set.width = views[0].width;
-    set.height = views[0].height;
+    set.turned = grid.columns == 1;
+    set.width = set.turned ? views[0].height : views[0].width;
+    set.height = set.turned ? views[0].width : views[0].height;
+    // A pixel's height by its width, as the views are seen.
+    const double of_pixels = double(set.upright_width()) / set.upright_height(),
+                 tall = of_pixels / shape.value_or(of_pixels);
     double pixel = 1, up = 1; // a pixel's width, mm; a step up by a step across
     if (eyes) {
-        pixel = eyes->width / set.width;
+        pixel = eyes->width / set.upright_width();
         if (grid.columns > 1 && grid.rows > 1)
             up = eyes->spacing.y / eyes->spacing.x;
         const double spacing = grid.columns > 1 ? eyes->spacing.x : eyes->spacing.y;
-        set.scale = DepthScale{eyes->distance, spacing / pixel};
+        set.scale = DepthScale{eyes->distance, spacing / (set.turned ? pixel * tall : pixel)};
         set.eye = {(grid.columns / 2 - 0.5 * (grid.columns - 1)) * eyes->spacing.x,
                    (grid.rows / 2 - 0.5 * (grid.rows - 1)) * eyes->spacing.y};
     }
-    set.places = {
-        {-0.5 * (set.width - 1) * pixel, 0.5 * (set.height - 1) * pixel}, {pixel, 0}, {0, -pixel}};
+    up /= tall; // of pixels
+    const Vec2 right = set.turned ? Vec2{0, pixel * tall} : Vec2{pixel, 0},
+               down = set.turned ? Vec2{pixel, 0} : Vec2{0, -pixel * tall};
+    set.places = {-0.5 * (set.width - 1) * right - 0.5 * (set.height - 1) * down, right, down};
     const int middle_column = grid.columns / 2, middle_row = grid.rows / 2;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column) {
-            const Vec2 shift{double(middle_column - column), up * (row - middle_row)};
-            DepthView view = view_of(views[std::size_t(row * grid.columns + column)], shift);
+            const Vec2 shift = set.turned
+                                   ? Vec2{double(middle_row - row), 0}
+                                   : Vec2{double(middle_column - column), up * (row - middle_row)};
+            DepthView view = view_of(set, views[std::size_t(row * grid.columns + column)], shift);
             if (column == middle_column && row == middle_row)
                 set.middle = std::move(view);
             else

@@ -5,6 +5,9 @@
 // Disparity is the unit of all measuring: by how many pixels (of a view, across) a point of the
 // scene moves to the left from one view to the next on the right. It is 0 in the image plane, which
 // of a frame is its sheet, greater than 0 in front of it and less behind it.
+//
+// Views of eyes above each other (of lenses that lie across, or a single column) are turned by a
+// quarter, clockwise, and so become views side by side: their right is up in the scene.
 #ifndef INTEGRAL_DEPTH_VIEW_SET_H
 #define INTEGRAL_DEPTH_VIEW_SET_H
 
@@ -57,7 +60,15 @@ struct ViewSet {
     PixelPlaces places;
     std::optional<DepthScale> scale; ///< nothing: millimetres are not known
     Vec2 eye; ///< of the middle view, mm; not 0 in a grid with no eye in its middle
+    bool turned = false; ///< clockwise by a quarter
 
+    /// Pixels of the views before they were turned, and the index of a pixel there.
+    int upright_width() const { return turned ? height : width; }
+    int upright_height() const { return turned ? width : height; }
+    std::size_t upright_pixel(int x, int y) const
+    {
+        return turned ? std::size_t(width - 1 - x) * height + y : std::size_t(y) * width + x;
+    }
     std::size_t pixels() const { return std::size_t(width) * height; }
     bool is_lit(std::size_t pixel) const { return middle.lit.empty() || middle.lit[pixel] > 0; }
 };
@@ -76,15 +87,16 @@ struct ViewEyes {
 
 /// The views of a grid of eyes as a set; the middle one is that of column columns / 2 and row
 /// rows / 2. `eyes`: if nothing, the spacing is taken as the same across and up, and millimetres
-/// are not known. Throws std::invalid_argument if the views differ in size or are fewer than 3.
+/// are not known. `shape`: width by height of a view as it is to be seen; nothing: that of its
+/// pixels. Throws std::invalid_argument if the views differ in size or are fewer than 3.
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
-                 const std::optional<ViewEyes>& eyes);
+                 const std::optional<ViewEyes>& eyes, std::optional<double> shape = std::nullopt);
 
 /// What eyes see of a frame that are spread over its viewing zone, as far apart as neighbouring
 /// pixels of the film show: a column for each lens and a row for each row of lenses, or (lenticular
-/// sheets) of the film. Each value is interpolated between the pixels of its lens, never across the
-/// border of two. Throws std::invalid_argument for a frame with fewer than 3 pixels a lens, or of a
-/// sheet that shows no views from left to right; Interrupted if `progress` stops the work.
+/// sheets) of the film; turned where lenses lie across. Each value is interpolated between the
+/// pixels of its lens, never across the border of two. Throws std::invalid_argument for a frame
+/// with fewer than 3 pixels a lens; Interrupted if `progress` stops the work.
 ViewSet view_set(const Frame& frame, int threads, const Progress& progress);
 
 } // namespace integral

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/io/codecs.h"
+#include "integral/io/as_shown.h"
 
 #include "integral/io/memory.h"
+#include "integral/io/mpo_file.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -31,16 +33,17 @@ std::string encoded(const DecodedImage& picture, Write write)
     return std::move(sink.bytes);
 }
 
-} // namespace
+bool is_exr(const InputFile& file) { return file.beginning(4) == "\x76\x2f\x31\x01"; }
 
-std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path)
+/// A reader for whichever format the file's first bytes indicate; the rest as read_any.
+std::unique_ptr<RowReader> read_stored(const InputFile& file, const std::string& path)
 {
     const std::string magic = file.beginning(4);
     if (magic == "\x89PNG")
         return read_png(file);
-    if (magic == "\x76\x2f\x31\x01")
+    if (is_exr(file))
         return read_exr(file);
-    if (magic.compare(0, 3, "\xff\xd8\xff") == 0)
+    if (magic.compare(0, 2, "\xff\xd8") == 0)
         return read_jpeg(file);
     for (const auto& tiff : {"II*\0"s, "MM\0*"s, "II+\0"s, "MM\0+"s})
         if (magic == tiff)
@@ -53,6 +56,57 @@ std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& pa
             throw std::runtime_error("it is broken: its name ends in ." + extension +
                                      ", but it begins as no PNG, OpenEXR, TIFF or JPEG does");
     throw std::runtime_error("it is no PNG, OpenEXR, TIFF or JPEG; convert it first");
+}
+
+using OpenView = std::function<std::unique_ptr<RowReader>()>;
+
+std::vector<OpenView> views_of_exr(const InputFile& file)
+{
+    std::vector<OpenView> views;
+    for (int view = 0, count = views_in_exr(file); view < count; ++view)
+        views.push_back([&file, view] { return read_exr(file, view); });
+    return views;
+}
+
+/// The pictures of an MPO, each from where it begins to where the next one in the file does.
+std::vector<OpenView> views_of_mpo(const InputFile& file)
+{
+    std::vector<std::size_t> places = pictures_in_mpo(file.part(0, file.size()));
+    if (places.empty())
+        places = {0};
+    std::vector<OpenView> views;
+    for (const std::size_t place : places) {
+        ByteRange range{place, UINT64_MAX};
+        for (const std::size_t other : places)
+            if (other > place)
+                range.count = std::min<std::uint64_t>(range.count, other - place);
+        views.push_back([&file, range] { return read_jpeg(file, range); });
+    }
+    return views;
+}
+
+} // namespace
+
+std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path)
+{
+    return as_shown(read_stored(file, path));
+}
+
+std::vector<Image> read_list_of_views(const InputFile& file,
+                                      const std::function<void(RowReader&)>& take_notices)
+{
+    const std::vector<OpenView> views = is_exr(file) ? views_of_exr(file) : views_of_mpo(file);
+    double bytes = 0;
+    for (const OpenView& open : views)
+        bytes += size_in_bytes(open()->head().image);
+    check_memory(bytes);
+    std::vector<Image> pictures;
+    for (const OpenView& open : views) {
+        const auto reader = as_shown(open());
+        pictures.push_back(whole_picture(*reader).image);
+        take_notices(*reader);
+    }
+    return pictures;
 }
 
 Image whole_blank(const Image& form)
@@ -70,7 +124,10 @@ DecodedImage whole_picture(RowReader& reader)
 }
 
 DecodedImage decode_png(const std::string& bytes) { return decoded(bytes, read_png); }
-DecodedImage decode_exr(const std::string& bytes) { return decoded(bytes, read_exr); }
+DecodedImage decode_exr(const std::string& bytes)
+{
+    return decoded(bytes, [](const InputFile& file) { return read_exr(file); });
+}
 DecodedImage decode_tiff(const std::string& bytes) { return decoded(bytes, read_tiff); }
 
 std::string encode_png(const DecodedImage& picture) { return encoded(picture, write_png); }

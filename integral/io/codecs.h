@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Readers and writers of the image formats PNG, OpenEXR, TIFF and JPEG, row by row or as whole
-// files in memory. To be included only by image_file.cpp, image_writer.cpp, printed pages, the strips of a frame, the
-// replay's page, depth maps and the tests; others use image_file.h.
+// files in memory. To be included only by the readers and writers themselves, image_file.cpp,
+// image_writer.cpp, printed pages, the strips of a frame, the replay's page, depth maps and the
+// tests; others use image_file.h.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
@@ -9,9 +10,13 @@
 #include "integral/io/input_file.h"
 #include "integral/lightfield/image.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace integral {
 
@@ -20,8 +25,10 @@ struct DecodedImage {
     Image image;
     std::string document;            ///< the JSON document, unparsed; empty if there is none
     std::optional<Vec2> pixel_pitch; ///< mm, from the file's resolution
-    std::string profile = ""; ///< bytes of an ICC profile, empty if none; written to PNG and TIFF,
-                              ///< never read
+    std::string profile = "";        ///< bytes of an ICC profile of R, G and B, empty if none
+    int orientation = 1;             ///< 1 to 8, as in Exif and TIFF; 1 is upright. Never written
+    bool grey = false;               ///< the file has one channel, read as three equal ones
+    bool colours_converted = false;  ///< from a profile: a document's encoding is that of before
 };
 
 /// Reads a picture row by row, from the top.
@@ -34,26 +41,52 @@ public:
     const DecodedImage& head() const { return head_; }
 
     /// Reads the next band.height rows into `band`, which has the picture's form and width. The
-    /// call that reads the last rows also checks the rest of the file. Interlaced pictures, and
-    /// TIFFs with separate planes for the channels, are read into memory whole. Throws
-    /// std::runtime_error or std::bad_alloc.
+    /// call that reads the last rows also checks the rest of the file. Interlaced and turned
+    /// pictures are read into memory whole. Throws std::runtime_error or std::bad_alloc.
     virtual void read(Image& band) = 0;
+
+    /// Sentences about what was found so far that a user should know, such as a decoder's warnings;
+    /// none twice.
+    virtual std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
+    void add_notice(const std::string& sentence) { notices_.push_back(sentence); }
 
 protected:
     DecodedImage head_;
+
+private:
+    std::vector<std::string> notices_;
+};
+
+/// A part of a file: `count` bytes from `at`, or all up to the file's end if there are fewer.
+struct ByteRange {
+    std::uint64_t at = 0, count = UINT64_MAX;
 };
 
 /// Each opens a picture and reads its metadata, but no pixel. Throws std::runtime_error with the
 /// reason (without the file's name) if the file is not valid. The file must outlive the reader.
-/// Grey pictures are read as three equal channels.
+/// Grey pictures are read as three equal channels, CMYK as RGB. `view`: of several, the number from
+/// the left; without it the leftmost is read, with a notice. The rows are as they are stored:
+/// neither turned nor converted from a profile of R, G and B.
 std::unique_ptr<RowReader> read_png(const InputFile& file);
-std::unique_ptr<RowReader> read_exr(const InputFile& file);
+std::unique_ptr<RowReader> read_exr(const InputFile& file, std::optional<int> view = {});
 std::unique_ptr<RowReader> read_tiff(const InputFile& file);
-std::unique_ptr<RowReader> read_jpeg(const InputFile& file);
+std::unique_ptr<RowReader> read_jpeg(const InputFile& file, ByteRange range = {});
 
-/// The same for whichever format the file's first bytes indicate. `path`: the file's name, by which
-/// a broken picture is told from a file of another format.
+/// Number of views in an OpenEXR file: 1 unless it is a stereo or multi-view picture. Throws as
+/// read_exr does.
+int views_in_exr(const InputFile& file);
+
+/// The same for whichever format the file's first bytes indicate, as viewers show it: upright, and
+/// in the working space. `path`: the file's name, by which a broken picture is told from a file of
+/// another format.
 std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path = "");
+
+/// Reads all views of an MPO or an OpenEXR, the leftmost first; of another JPEG or OpenEXR one.
+/// `take_notices` gets the readers' notices. Throws std::runtime_error if a picture cannot be read,
+/// or if all of them together need more memory than is free, which is known before any pixel is
+/// read.
+std::vector<Image> read_list_of_views(const InputFile& file,
+                                      const std::function<void(RowReader&)>& take_notices);
 
 /// Reads a whole picture; no row may have been read before. Throws std::runtime_error if the
 /// picture cannot be read or needs more memory than is free.

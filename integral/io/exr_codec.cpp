@@ -3,6 +3,8 @@
 // pixelAspectRatio; samples are linear and premultiplied by alpha.
 #include "integral/io/codecs.h"
 #include "integral/io/exr_header.h"
+#include "integral/io/exr_stream.h"
+#include "integral/io/exr_views.h"
 #include "integral/io/memory.h"
 
 #include "integral/optics/film.h"
@@ -10,8 +12,9 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
@@ -27,64 +30,6 @@ namespace {
 constexpr char attribute[] = "integral";
 constexpr double greatest_ratio = 2000; // ZIP reaches 1032, PIZ about 500
 constexpr int largest_side = 1000000;
-
-using Offset = decltype(std::declval<Imf::IStream&>().tellg()); // the type's name differs between
-                                                                // OpenEXR 2 and 3
-
-class ExrSource : public Imf::IStream {
-public:
-    explicit ExrSource(const InputFile& file) : Imf::IStream("image"), file_(file) {}
-    bool read(char data[], int count) override
-    {
-        if (count < 0)
-            throw std::runtime_error("the file ends too early");
-        file_.read(position_, data, std::size_t(count));
-        position_ += std::uint64_t(count);
-        return position_ < file_.size();
-    }
-    Offset tellg() override { return position_; }
-    void seekg(Offset position) override { position_ = position; }
-
-private:
-    const InputFile& file_;
-    std::uint64_t position_ = 0;
-};
-
-class ExrSink : public Imf::OStream {
-public:
-    explicit ExrSink(ByteSink& sink) : Imf::OStream("image"), sink_(sink) {}
-    void write(const char data[], int count) override
-    {
-        sink_.write(position_, data, std::size_t(count));
-        position_ += std::uint64_t(count);
-    }
-    Offset tellp() override { return position_; }
-    void seekp(Offset position) override { position_ = position; }
-
-private:
-    ByteSink& sink_;
-    std::uint64_t position_ = 0;
-};
-
-/// Names of the file's channels for R, G, B (Y three times for a grey picture) and alpha.
-std::vector<const char*> channel_names(const Imf::ChannelList& channels)
-{
-    std::vector<const char*> names;
-    if (channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B"))
-        names = {"R", "G", "B"};
-    else if (channels.findChannel("Y") && !channels.findChannel("RY"))
-        names = {"Y", "Y", "Y"};
-    else
-        throw std::runtime_error("it has no channels R, G and B");
-    if (channels.findChannel("A"))
-        names.push_back("A");
-    for (const char* name : names) {
-        const auto* channel = channels.findChannel(name);
-        if (channel->xSampling != 1 || channel->ySampling != 1)
-            throw std::runtime_error("its channels are subsampled");
-    }
-    return names;
-}
 
 /// The OpenEXR slice of one interleaved channel of `image`, whose rows are those of `window` in the
 /// file.
@@ -125,10 +70,19 @@ struct ExrFile {
     explicit ExrFile(const InputFile& input) : source(checked(input))
     {
         Imf::Header::setMaxImageSize(largest_side, largest_side);
-        file.emplace(source);
+        parts.emplace(source);
     }
+
+    std::vector<Imf::Header> headers() const
+    {
+        std::vector<Imf::Header> all;
+        for (int part = 0; part < parts->parts(); ++part)
+            all.push_back(parts->header(part));
+        return all;
+    }
+
     ExrSource source;
-    std::optional<Imf::InputFile> file;
+    std::optional<Imf::MultiPartInputFile> parts;
 };
 
 /// Returns what `work` returns; rethrows its exceptions as codecs.h promises.
@@ -159,19 +113,30 @@ PictureHeader decode_start(const InputFile& input)
     source.seekg(magic_and_version);
     Imf::Header header;
     header.readFrom(source, version);
-    const Imath::Box2i window = header.dataWindow();
+    const Imath::Box2i window = header.displayWindow();
     return {width_of(window), height_of(window), 32, document_of(header)};
 }
 
 class ExrReader : public RowReader {
 public:
-    explicit ExrReader(const InputFile& input) : exr_(input)
+    ExrReader(const InputFile& input, std::optional<int> view) : exr_(input)
     {
-        const Imf::Header& header = exr_.file->header();
-        names_ = channel_names(header.channels());
-        window_ = header.dataWindow();
-        head_.image = form_of(32, width_of(window_), height_of(window_), int(names_.size()),
-                              Encoding{Encoding::Kind::linear, 1});
+        const ExrViews all = exr_views(exr_.headers());
+        view_ = all.views.at(std::size_t(view.value_or(0)));
+        if (!all.notice.empty())
+            add_notice(all.notice);
+        if (!view && all.views.size() > 1)
+            add_notice("it holds " + std::to_string(all.views.size()) + " views; " +
+                       all.views[0].name + " is read");
+        part_.emplace(*exr_.parts, view_.part);
+        const Imf::Header& header = part_->header();
+        check_channels(header.channels());
+        data_ = header.dataWindow();
+        display_ = header.displayWindow();
+        if (width_of(display_) > largest_side || height_of(display_) > largest_side)
+            throw std::runtime_error("its display window makes no sense");
+        head_.image = form_of(32, width_of(display_), height_of(display_),
+                              int(view_.channels.size()), Encoding{Encoding::Kind::linear, 1});
         head_.image.premultiplied = true;
         head_.document = document_of(header);
         if (Imf::hasXDensity(header) && Imf::xDensity(header) > 0 &&
@@ -179,30 +144,44 @@ public:
             const double pitch = mm_per_inch / Imf::xDensity(header);
             head_.pixel_pitch = Vec2{pitch, pitch / header.pixelAspectRatio()};
         }
-        const double packed_row = double(head_.image.width) * head_.image.channels *
-                                  2; // half floats
-        check_plausible_size(packed_row * rows_kept(header, head_.image.height),
-                             double(input.size()), greatest_ratio);
+        const double packed_row = double(width_of(data_)) * head_.image.channels * 2; // half floats
+        check_plausible_size(packed_row * rows_kept(header, height_of(data_)), double(input.size()),
+                             greatest_ratio);
     }
 
     void read(Image& band) override
     {
-        guarded([&] { read_rows(band); });
+        guarded([&] {
+            if (data_ == display_)
+                read_stored(band, display_.min.y + next_);
+            else
+                place_stored(band, display_.min.y + next_);
+        });
+        next_ += band.height;
     }
 
 private:
-    void read_rows(Image& band)
+    void check_channels(const Imf::ChannelList& channels) const
     {
-        Imath::Box2i rows = window_;
-        rows.min.y = window_.min.y + next_;
-        rows.max.y = rows.min.y + band.height - 1;
+        for (const std::string& name : view_.channels) {
+            const auto* channel = channels.findChannel(name);
+            if (channel->xSampling != 1 || channel->ySampling != 1)
+                throw std::runtime_error("its channels are subsampled");
+        }
+    }
+
+    /// Reads rows of the data window from row `first` of the file on.
+    void read_stored(Image& band, int first)
+    {
+        Imath::Box2i rows = data_;
+        rows.min.y = first;
+        rows.max.y = first + band.height - 1;
         Imf::FrameBuffer target;
         for (int c = 0; c < band.channels; ++c)
-            target.insert(names_[c], slice(band, c, rows));
-        exr_.file->setFrameBuffer(target);
-        exr_.file->readPixels(rows.min.y, rows.max.y);
-        next_ += band.height;
-        if (std::strcmp(names_[0], "Y") != 0)
+            target.insert(view_.channels[std::size_t(c)], slice(band, c, rows));
+        part_->setFrameBuffer(target);
+        part_->readPixels(rows.min.y, rows.max.y);
+        if (view_.channels[0] != view_.channels[1])
             return;
         // A grey picture has three slices for one channel, of which OpenEXR fills only the last.
         auto& samples = std::get<std::vector<float>>(band.samples);
@@ -210,9 +189,37 @@ private:
             samples[i] = samples[i + 1] = samples[i + 2];
     }
 
+    /// Reads rows of the display window from row `first` of the file on. What the data window does
+    /// not cover is black and transparent.
+    void place_stored(Image& band, int first)
+    {
+        auto& samples = std::get<std::vector<float>>(band.samples);
+        std::fill(samples.begin(), samples.end(), 0.0f);
+        const int left = std::max(data_.min.x, display_.min.x),
+                  right = std::min(data_.max.x, display_.max.x),
+                  end = std::min(first + band.height - 1, data_.max.y);
+        if (right < left)
+            return;
+        const Image form = form_of(32, width_of(data_), 1, band.channels, band.encoding);
+        const int most = rows_of_a_band(form);
+        for (int y = std::max(first, data_.min.y); y <= end; y += most) {
+            Image part = blank_like(form, form.width, std::min(most, end - y + 1));
+            read_stored(part, y);
+            const auto& from = std::get<std::vector<float>>(part.samples);
+            const auto at = [&](const Image& image, int row, int column) {
+                return (std::size_t(row) * image.width + column) * image.channels;
+            };
+            for (int row = 0; row < part.height; ++row)
+                std::copy_n(&from[at(part, row, left - data_.min.x)],
+                            std::size_t(right - left + 1) * band.channels,
+                            &samples[at(band, y + row - first, left - display_.min.x)]);
+        }
+    }
+
     ExrFile exr_;
-    std::vector<const char*> names_;
-    Imath::Box2i window_;
+    ExrView view_;
+    std::optional<Imf::InputPart> part_;
+    Imath::Box2i data_, display_;
     int next_ = 0;
 };
 
@@ -255,7 +262,8 @@ private:
 DecodedDepths decode_z(const InputFile& input)
 {
     ExrFile exr(input);
-    const Imf::Header& header = exr.file->header();
+    Imf::InputPart part(*exr.parts, 0);
+    const Imf::Header& header = part.header();
     for (const char* name : {"Z", "A"}) {
         const auto* channel = header.channels().findChannel(name);
         if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
@@ -275,8 +283,8 @@ DecodedDepths decode_z(const InputFile& input)
         target.insert(channel == &depths.depth ? "Z" : "A",
                       Imf::Slice::Make(Imf::FLOAT, channel->data(), window, step, row));
     }
-    exr.file->setFrameBuffer(target);
-    exr.file->readPixels(window.min.y, window.max.y);
+    part.setFrameBuffer(target);
+    part.readPixels(window.min.y, window.max.y);
     return depths;
 }
 
@@ -305,9 +313,14 @@ bool is_whole_exr(const std::string& path)
     }
 }
 
-std::unique_ptr<RowReader> read_exr(const InputFile& file)
+std::unique_ptr<RowReader> read_exr(const InputFile& file, std::optional<int> view)
 {
-    return guarded([&] { return std::make_unique<ExrReader>(file); });
+    return guarded([&] { return std::make_unique<ExrReader>(file, view); });
+}
+
+int views_in_exr(const InputFile& file)
+{
+    return guarded([&] { return int(exr_views(ExrFile(file).headers()).views.size()); });
 }
 
 DecodedDepths decode_depths(const std::string& bytes)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/image_file.h"
 
+#include "integral/base/notices.h"
 #include "integral/io/codecs.h"
 #include "integral/io/memory.h"
-#include "integral/io/mpo_file.h"
 
 #include <algorithm>
 #include <new>
@@ -29,16 +29,31 @@ template <class Read> auto guarded(const std::string& path, Read read)
     }
 }
 
+void pass_notices(const std::string& path, RowReader& rows)
+{
+    for (const std::string& notice : rows.take_notices())
+        give_notice(display_name(path, "standard input") + ": " + notice);
+}
+
 /// An open picture file whose metadata has been read.
 struct OpenPicture {
-    explicit OpenPicture(const std::string& path)
-        : path(path), file(path), rows(guarded(path, [&] { return read_any(file, path); }))
-    {
-    }
+    explicit OpenPicture(const std::string& path) : path(path), file(path) { open(); }
     const DecodedImage& head() const { return rows->head(); }
+    void open()
+    {
+        rows = guarded(path, [&] { return read_any(file, path); });
+        pass_notices(path, *rows);
+    }
+    void read(Image& band)
+    {
+        guarded(path, [&] { rows->read(band); });
+        pass_notices(path, *rows);
+    }
     Image whole()
     {
-        return guarded(path, [&] { return whole_picture(*rows).image; });
+        Image all = guarded(path, [&] { return whole_blank(head().image); });
+        read(all);
+        return all;
     }
 
     std::string path;
@@ -94,7 +109,8 @@ struct FrameReader::Source {
         const auto metadata = geometry_for(path, sheet_file, picture.head().document);
         if (!metadata)
             return;
-        if (sheet_file.empty()) // a separate sheet file does not tell this picture's encoding
+        // A separate sheet file does not contain this picture's encoding.
+        if (sheet_file.empty() && !picture.head().colours_converted)
             frame.image.encoding = metadata->encoding;
         holds_views = metadata->quilt.has_value();
         if (holds_views)
@@ -143,10 +159,7 @@ void FrameReader::refuse_projection() const
                "nothing; integral replay looks through it");
 }
 
-void FrameReader::read(Image& band)
-{
-    guarded(source_->picture.path, [&] { source_->picture.rows->read(band); });
-}
+void FrameReader::read(Image& band) { source_->picture.read(band); }
 
 Frame FrameReader::whole()
 {
@@ -155,11 +168,7 @@ Frame FrameReader::whole()
     return frame;
 }
 
-void FrameReader::restart()
-{
-    OpenPicture& picture = source_->picture;
-    picture.rows = guarded(picture.path, [&] { return read_any(picture.file, picture.path); });
-}
+void FrameReader::restart() { source_->picture.open(); }
 
 Frame read_frame(const std::string& path, const std::string& sheet_file)
 {
@@ -184,7 +193,7 @@ ViewsReader::ViewsReader(const std::string& path, bool needs_geometry)
         if (needs_geometry)
             throw;
     }
-    if (views.metadata)
+    if (views.metadata && !head.colours_converted)
         views.image.encoding = views.metadata->encoding;
     if (views.metadata && !views.metadata->quilt)
         views.metadata.reset();
@@ -194,10 +203,7 @@ ViewsReader::~ViewsReader() = default;
 
 const Views& ViewsReader::head() const { return source_->views; }
 
-void ViewsReader::read(Image& band)
-{
-    guarded(source_->picture.path, [&] { source_->picture.rows->read(band); });
-}
+void ViewsReader::read(Image& band) { source_->picture.read(band); }
 
 Views ViewsReader::whole()
 {
@@ -218,19 +224,21 @@ Views read_views(const std::string& path, bool needs_geometry)
 
 bool is_mpo(const std::string& path) { return extension_of(path) == "mpo"; }
 
-std::vector<Image> read_mpo(const std::string& path)
+bool is_list_of_views(const std::string& path)
 {
-    const std::string bytes = read_file(path);
+    if (is_mpo(path))
+        return true;
+    if (extension_of(path) != "exr")
+        return false;
+    const InputFile file(path);
+    return guarded(path, [&] { return views_in_exr(file) > 1; });
+}
+
+std::vector<Image> read_list_of_views(const std::string& path)
+{
+    const InputFile file(path);
     return guarded(path, [&] {
-        std::vector<std::size_t> places = pictures_in_mpo(bytes);
-        if (places.empty())
-            places = {0};
-        std::vector<Image> pictures;
-        for (const std::size_t place : places) {
-            const std::string one = bytes.substr(place);
-            pictures.push_back(whole_picture(*read_jpeg(InputFile::of_bytes(one))).image);
-        }
-        return pictures;
+        return read_list_of_views(file, [&](RowReader& rows) { pass_notices(path, rows); });
     });
 }
 

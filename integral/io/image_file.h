@@ -19,9 +19,10 @@ enum class ImageFormat { png, exr, tiff };
 /// OutputError, with the legal extensions, for any other.
 ImageFormat format_for(const std::string& path);
 
-/// Reads a picture; "-" is standard input. The first bytes tell the format. The geometry comes from
-/// the first of these that exists: `sheet_file` (a JSON file; "" for none), the picture's own
-/// document, the document in the same folder (FRAME.json or FRAME.EXTENSION.json for
+/// Reads a picture as viewers show it, upright and in the working space; "-" is standard input. The
+/// first bytes indicate the format. What a user should know of it goes to give_notice. The geometry
+/// comes from the first of these that exists: `sheet_file` (a JSON file; "" for none), the
+/// picture's own document, the document in the same folder (FRAME.json or FRAME.EXTENSION.json for
 /// FRAME.EXTENSION). A picture that holds views of a frame gets no geometry. The encoding is the
 /// document's, else the one that the format specifies, else sRGB. Throws InputError.
 Frame read_frame(const std::string& path, const std::string& sheet_file = "");
@@ -92,11 +93,16 @@ private:
 /// Reads a quilt or a single view of one at once. Throws as ViewsReader does.
 Views read_views(const std::string& path, bool needs_geometry);
 
-/// Whether a path names a pair, or more, of views in one file: it ends in .mpo, in any case.
+/// Whether a path names a pair, or more, of views to be written into one file: it ends in .mpo, in
+/// any case.
 bool is_mpo(const std::string& path);
 
-/// The pictures of such a file, the leftmost first; of a plain JPEG one. Throws InputError.
-std::vector<Image> read_mpo(const std::string& path);
+/// Whether a file holds several views of a scene: its name ends in .mpo, in any case, or it is a
+/// stereo or multi-view OpenEXR. Throws InputError if an OpenEXR cannot be read.
+bool is_list_of_views(const std::string& path);
+
+/// The views of such a file, the leftmost first; of a plain JPEG or OpenEXR one. Throws InputError.
+std::vector<Image> read_list_of_views(const std::string& path);
 
 /// Width and height of a picture, without reading its pixels. Throws InputError.
 std::pair<int, int> picture_size(const std::string& path);

@@ -57,10 +57,11 @@ void InputFile::read(std::uint64_t at, void* to, std::size_t count) const
     }
 }
 
-std::string InputFile::beginning(std::size_t count) const
+std::string InputFile::part(std::uint64_t at, std::uint64_t count) const
 {
-    std::string bytes(std::size_t(std::min<std::uint64_t>(count, size_)), '\0');
-    read(0, &bytes[0], bytes.size());
+    const std::uint64_t rest = size_ - std::min(at, size_);
+    std::string bytes(std::size_t(std::min(count, rest)), '\0');
+    read(std::min(at, size_), &bytes[0], bytes.size());
     return bytes;
 }
 

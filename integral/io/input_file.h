@@ -28,7 +28,10 @@ public:
     void read(std::uint64_t at, void* to, std::size_t count) const;
 
     /// The first `count` bytes, or all if there are fewer. Throws as read does.
-    std::string beginning(std::size_t count) const;
+    std::string beginning(std::size_t count) const { return part(0, count); }
+
+    /// At most `count` bytes from offset `at`. Throws as read does.
+    std::string part(std::uint64_t at, std::uint64_t count) const;
 
 private:
     explicit InputFile(const std::string* bytes) : bytes_(bytes), size_(bytes->size()) {}

@@ -4,11 +4,20 @@
 build_lib_libintegral_a_SOURCES += \
   integral/io/animation.cpp \
   integral/io/animation.h \
+  integral/io/as_shown.cpp \
+  integral/io/as_shown.h \
   integral/io/codecs.cpp \
   integral/io/codecs.h \
+  integral/io/embedded_profile.cpp \
+  integral/io/embedded_profile.h \
+  integral/io/exif.cpp \
+  integral/io/exif.h \
   integral/io/exr_codec.cpp \
   integral/io/exr_header.cpp \
   integral/io/exr_header.h \
+  integral/io/exr_stream.h \
+  integral/io/exr_views.cpp \
+  integral/io/exr_views.h \
   integral/io/html_page.cpp \
   integral/io/html_page.h \
   integral/io/image_file.cpp \
@@ -16,7 +25,9 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/image_writer.cpp \
   integral/io/input_file.cpp \
   integral/io/input_file.h \
-  integral/io/jpeg_codec.cpp \
+  integral/io/jpeg_errors.h \
+  integral/io/jpeg_reader.cpp \
+  integral/io/jpeg_writer.cpp \
   integral/io/markup.cpp \
   integral/io/markup.h \
   integral/io/memory.cpp \
@@ -39,12 +50,20 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/plot_names.h \
   integral/io/plot_series.cpp \
   integral/io/plot_series.h \
-  integral/io/png_codec.cpp \
+  integral/io/png_reader.cpp \
+  integral/io/png_session.h \
   integral/io/png_spans.cpp \
   integral/io/png_spans.h \
+  integral/io/png_writer.cpp \
   integral/io/release.h \
   integral/io/sheet_plots.cpp \
   integral/io/sheet_plots.h \
-  integral/io/tiff_codec.cpp \
+  integral/io/tiff_layout.cpp \
+  integral/io/tiff_layout.h \
+  integral/io/tiff_reader.cpp \
+  integral/io/tiff_samples.h \
+  integral/io/tiff_stream.cpp \
+  integral/io/tiff_stream.h \
+  integral/io/tiff_writer.cpp \
   integral/io/video.cpp \
   integral/io/video.h

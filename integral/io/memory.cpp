@@ -47,22 +47,27 @@ double free_of_process()
     return double(limit.rlim_cur) - pages * double(sysconf(_SC_PAGESIZE));
 }
 
-/// Bytes that the process may still allocate under the limits of its control group and the groups
-/// above it (cgroup version 2). File cache counts as free.
-double free_of_group()
+/// How a version of control groups names its folder and files.
+struct GroupVersion {
+    const char* folder;
+    const char *limit, *used, *cached; ///< `cached` is a word in the file memory.stat
+};
+constexpr GroupVersion version_1 = {"/sys/fs/cgroup/memory", "memory.limit_in_bytes",
+                                    "memory.usage_in_bytes", "total_inactive_file"};
+constexpr GroupVersion version_2 = {"/sys/fs/cgroup", "memory.max", "memory.current",
+                                    "inactive_file"};
+
+/// Bytes that the group at `path` and the groups above it leave. Inside a container the path may be
+/// that of the host, but the folder's top is then the container's own group.
+double free_of_groups(const std::string& root, const GroupVersion& version, std::string path)
 {
-    std::ifstream groups("/proc/self/cgroup");
-    std::string line, path;
-    while (std::getline(groups, line))
-        if (line.rfind("0::", 0) == 0)
-            path = line.substr(3);
     double least = unknown;
     while (!path.empty()) {
-        const std::string folder = "/sys/fs/cgroup" + (path == "/" ? "" : path) + "/memory.";
-        const double most = figure(folder + "max", "", unknown);
+        const std::string folder = root + version.folder + (path == "/" ? "" : path) + "/";
+        const double most = figure(folder + version.limit, "", unknown);
         if (most < unknown) {
-            const double used = figure(folder + "current", "", 0);
-            const double cached = figure(folder + "stat", "inactive_file", 0);
+            const double used = figure(folder + version.used, "", 0);
+            const double cached = figure(folder + "memory.stat", version.cached, 0);
             least = std::min(least, most - used + cached);
         }
         if (path == "/")
@@ -72,11 +77,49 @@ double free_of_group()
     return least;
 }
 
+/// Whether a list "a,b,c" has a word.
+bool has_word(const std::string& list, const std::string& word)
+{
+    return ("," + list + ",").find("," + word + ",") != std::string::npos;
+}
+
 } // namespace
+
+double free_of_control_groups(const std::string& root)
+{
+    std::ifstream groups(root + "/proc/self/cgroup");
+    double least = unknown;
+    // Each line is NUMBER:CONTROLLERS:PATH; version 2 has the line 0::PATH.
+    for (std::string line; std::getline(groups, line);) {
+        const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+        if (first == std::string::npos || second == std::string::npos)
+            continue;
+        const std::string controllers = line.substr(first + 1, second - first - 1);
+        const std::string path = line.substr(second + 1);
+        if (controllers.empty())
+            least = std::min(least, free_of_groups(root, version_2, path));
+        else if (has_word(controllers, "memory"))
+            least = std::min(least, free_of_groups(root, version_1, path));
+    }
+    return least;
+}
+
+double free_memory_of_machine()
+{
+    return std::max(0.0, std::min(free_of_machine(), free_of_control_groups("")));
+}
 
 double free_memory()
 {
-    return std::max(0.0, std::min({free_of_machine(), free_of_process(), free_of_group()}));
+    return std::max(0.0, std::min(free_memory_of_machine(), free_of_process()));
+}
+
+double resident_memory(const std::string& process)
+{
+    std::ifstream file("/proc/" + process + "/statm");
+    double all = 0, resident = 0;
+    file >> all >> resident;
+    return resident * double(sysconf(_SC_PAGESIZE));
 }
 
 void check_memory(double bytes)

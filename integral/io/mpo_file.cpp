@@ -4,7 +4,9 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/message_text.h"
 #include "integral/io/codecs.h"
+#include "integral/io/exif.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -129,31 +131,12 @@ std::string other_index(std::size_t view, double baseline)
     return segment('\xe2', "MPF\0"s + header() + directory(attributes(view, baseline, true), 8));
 }
 
-/// Reads numbers of either byte order from a file's bytes.
-struct Numbers {
-    const std::string& bytes;
-    std::size_t begin; ///< of the header
-    bool little = false;
-
-    std::uint32_t at(std::size_t offset, int count) const
-    {
-        const std::size_t first = begin + offset;
-        if (first > bytes.size() || bytes.size() - first < std::size_t(count))
-            throw std::runtime_error("its index of pictures ends too early");
-        std::uint32_t value = 0;
-        for (int k = 0; k < count; ++k)
-            value = value << 8 |
-                    std::uint8_t(bytes[first + std::size_t(little ? count - 1 - k : k)]);
-        return value;
-    }
-};
-
 /// Where the index's header is; nothing where a file has none.
 std::optional<std::size_t> index_header(const std::string& bytes)
 {
     if (bytes.compare(0, 2, "\xff\xd8") != 0)
         return std::nullopt;
-    const Numbers file{bytes, 0};
+    const TiffNumbers file(bytes, 0); // markers' lengths: big-endian, as no II is there
     for (std::size_t at = 2; at + 8 <= bytes.size() && bytes[at] == '\xff';) {
         const auto marker = std::uint8_t(bytes[at + 1]);
         if (marker == 0xda || marker == 0xd9) // pixels follow, or nothing
@@ -206,8 +189,7 @@ std::vector<std::size_t> pictures_in_mpo(const std::string& bytes)
     const auto begin = index_header(bytes);
     if (!begin)
         return {};
-    Numbers index{bytes, *begin};
-    index.little = index.at(0, 2) == 0x4949;
+    const TiffNumbers index(bytes, *begin);
     const std::size_t first = index.at(4, 4), fields = index.at(first, 2);
     std::vector<std::size_t> pictures;
     for (std::size_t k = 0; k < fields; ++k) {
@@ -216,13 +198,21 @@ std::vector<std::size_t> pictures_in_mpo(const std::string& bytes)
             continue;
         const std::size_t count = index.at(field + 4, 4) / entry_size,
                           list = index.at(field + 8, 4);
-        if (count > most_pictures)
-            throw std::runtime_error("its index is of " + std::to_string(count) + " pictures");
+        if (pictures.size() + count > most_pictures)
+            throw std::runtime_error("its index is of more than " + std::to_string(most_pictures) +
+                                     " pictures");
         for (std::size_t i = 0; i < count; ++i) {
-            const std::uint32_t offset = index.at(list + entry_size * i + 8, 4);
-            pictures.push_back(offset == 0 ? 0 : *begin + offset);
-            if (pictures.back() + 2 > bytes.size())
+            const std::size_t entry = list + entry_size * i;
+            constexpr std::uint32_t of_thumbnails = 1; // kind of small copies of another picture
+            if ((index.at(entry, 4) >> 16 & 0xff) == of_thumbnails)
+                continue;
+            const std::uint32_t offset = index.at(entry + 8, 4);
+            const std::size_t place = offset == 0 ? 0 : *begin + offset;
+            if (place + 2 > bytes.size())
                 throw std::runtime_error("its index says that a picture is beyond its end");
+            if (std::find(pictures.begin(), pictures.end(), place) != pictures.end())
+                throw std::runtime_error("its index has a picture twice");
+            pictures.push_back(place);
         }
     }
     return pictures;

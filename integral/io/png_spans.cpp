@@ -19,7 +19,7 @@ struct ChunkHead {
         return std::uint64_t(bytes[0]) << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
     }
     bool is(const char* type) const { return std::memcmp(bytes + 4, type, 4) == 0; }
-    bool is_text() const { return is("iTXt") || is("tEXt") || is("zTXt"); }
+    bool is_metadata() const { return is("iTXt") || is("tEXt") || is("zTXt") || is("eXIf"); }
 };
 
 ChunkHead head_at(const InputFile& file, std::uint64_t at)
@@ -29,20 +29,20 @@ ChunkHead head_at(const InputFile& file, std::uint64_t at)
     return head;
 }
 
-/// The file's bytes, with the texts moved to before the byte `first_pixels`, which lies before all
-/// of them.
-std::vector<ByteSpan> with_texts_first(const InputFile& file, std::uint64_t first_pixels,
-                                       const std::vector<ByteSpan>& texts)
+/// The file's bytes, with the metadata moved to before the byte `first_pixels`, which lies before
+/// all of them.
+std::vector<ByteSpan> with_metadata_first(const InputFile& file, std::uint64_t first_pixels,
+                                          const std::vector<ByteSpan>& metadata)
 {
     std::vector<ByteSpan> spans;
     std::uint64_t at = 0;
-    if (!texts.empty()) {
+    if (!metadata.empty()) {
         spans.push_back({0, first_pixels});
-        spans.insert(spans.end(), texts.begin(), texts.end());
+        spans.insert(spans.end(), metadata.begin(), metadata.end());
         at = first_pixels;
-        for (const ByteSpan& text : texts) {
-            spans.push_back({at, text.at - at});
-            at = text.at + text.count;
+        for (const ByteSpan& chunk : metadata) {
+            spans.push_back({at, chunk.at - at});
+            at = chunk.at + chunk.count;
         }
     }
     spans.push_back({at, file.size() - at});
@@ -54,7 +54,7 @@ std::vector<ByteSpan> with_texts_first(const InputFile& file, std::uint64_t firs
 std::vector<ByteSpan> png_spans(const InputFile& file, bool whole)
 {
     std::uint64_t first_pixels = 0;
-    std::vector<ByteSpan> behind; // text chunks after the pixels
+    std::vector<ByteSpan> behind; // chunks of metadata after the pixels
     for (std::uint64_t at = signature; at + around <= file.size();) {
         const ChunkHead head = head_at(file, at);
         const std::uint64_t length = head.length();
@@ -71,12 +71,12 @@ std::vector<ByteSpan> png_spans(const InputFile& file, bool whole)
                 break;
             behind.clear(); // chunks between pixel chunks stay there, and libpng refuses them
             first_pixels = first_pixels ? first_pixels : at;
-        } else if (first_pixels && head.is_text()) {
+        } else if (first_pixels && head.is_metadata()) {
             behind.push_back({at, around + length});
         }
         at += around + length;
     }
-    return with_texts_first(file, first_pixels, behind);
+    return with_metadata_first(file, first_pixels, behind);
 }
 
 } // namespace integral

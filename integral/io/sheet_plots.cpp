@@ -308,27 +308,40 @@ Plot film_plot(const FrameMetadata& g)
     return plot;
 }
 
+struct PlotKind {
+    const char* word;
+    Plot (*plot)(const FrameMetadata& geometry, const Viewer& viewer);
+};
+
+const PlotKind plot_kinds[] = {
+    {"spread", [](const FrameMetadata& g, const Viewer&) { return spread_plot(g); }},
+    {"lens", [](const FrameMetadata& g, const Viewer&) { return lens_plot(g); }},
+    {"sheets", [](const FrameMetadata&, const Viewer&) { return sheets_plot(); }},
+    {"resolution", resolution_plot},
+    {"pixels-seen", pixels_seen_plot},
+    {"pixel-spread", [](const FrameMetadata& g, const Viewer&) { return pixel_spread_plot(g); }},
+    {"film", [](const FrameMetadata& g, const Viewer&) { return film_plot(g); }},
+};
+
 } // namespace
 
-Plot sheet_plot(const std::string& kind, const FrameMetadata& g, const Viewer& viewer)
+std::string sheet_plot_kinds()
 {
-    if (kind == "spread")
-        return spread_plot(g);
-    if (kind == "lens")
-        return lens_plot(g);
-    if (kind == "sheets")
-        return sheets_plot();
-    if (kind == "resolution")
-        return resolution_plot(g, viewer);
-    if (kind == "pixels-seen")
-        return pixels_seen_plot(g, viewer);
-    if (kind == "pixel-spread")
-        return pixel_spread_plot(g);
-    if (kind == "film")
-        return film_plot(g);
-    throw std::invalid_argument("--plot " + kind +
-                                ": spread, lens, sheets, resolution, pixels-seen, pixel-spread or "
-                                "film is expected");
+    std::string text;
+    for (const PlotKind& kind : plot_kinds)
+        text += (text.empty()                        ? ""
+                 : &kind == std::end(plot_kinds) - 1 ? " or "
+                                                     : ", ") +
+                std::string(kind.word);
+    return text;
+}
+
+Plot sheet_plot(const std::string& word, const FrameMetadata& g, const Viewer& viewer)
+{
+    for (const PlotKind& kind : plot_kinds)
+        if (word == kind.word)
+            return kind.plot(g, viewer);
+    throw std::invalid_argument("--plot " + word + ": " + sheet_plot_kinds() + " is expected");
 }
 
 } // namespace integral

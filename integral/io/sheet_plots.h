@@ -22,6 +22,9 @@ namespace integral {
 /// Throws std::invalid_argument for another kind, and where the sheet has no such figures.
 Plot sheet_plot(const std::string& kind, const FrameMetadata& geometry, const Viewer& viewer);
 
+/// All kinds, for messages and completion: "spread, lens or film".
+std::string sheet_plot_kinds();
+
 } // namespace integral
 
 #endif

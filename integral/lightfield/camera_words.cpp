@@ -68,6 +68,8 @@ std::string film_words(const Film& film)
     return words + " }";
 }
 
+std::string fit_words() { return "fit 2"; }
+
 std::string camera_words(const FrameMetadata& geometry)
 {
     const Aperture& aperture = geometry.aperture;

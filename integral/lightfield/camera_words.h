@@ -16,8 +16,12 @@ std::string sheet_words(const LensSheet& sheet);
 /// pitch.
 std::string film_words(const Film& film);
 
+/// `fit 2`, for scenes that are put on a sheet as they are: nine tenths of the picture within two
+/// depth budgets, sharp or soft.
+std::string fit_words();
+
 /// sheet_words and film_words; capture_aperture where it is limited and not what fills the lenses;
-/// and viewing_distance.
+/// and viewing_distance. The parallax of a rendered frame is its scene's and is left out.
 std::string camera_words(const FrameMetadata& geometry);
 
 } // namespace integral

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double enough = 0.95; // sharp: more is not sought
 constexpr double worth = 0.01;  // gain in sharp below which a change is not worth a word
-constexpr int flattest = 25;    // percent: depths are not compressed further: the scene would be a
-                                // relief
 constexpr double printer_dpi[] = {300, 360, 600, 720, 1200, 1440, 2400, 2880};
 
 /// Depths of a frame's surfaces, mm, in ascending order.
@@ -32,12 +30,6 @@ double share(const std::vector<double>& depths, double low, double high)
     const auto first = std::lower_bound(depths.begin(), depths.end(), low);
     const auto last = std::upper_bound(first, depths.end(), high);
     return double(last - first) / double(depths.size());
-}
-
-double rounded(double value, int digits)
-{
-    const double unit = std::pow(10, std::floor(std::log10(std::fabs(value))) - digits + 1);
-    return std::round(value / unit) * unit;
 }
 
 /// The change, if it is worth a word.
@@ -64,72 +56,6 @@ std::optional<DepthRemedy> least_change(const std::vector<double>& values, Sharp
     return std::nullopt;
 }
 
-/// The distances from the scene's eye at which the sheet may stand, in scene units, and what is
-/// sharp there. A sheet at D has k = D/viewed units per mm if the window sets the scale (`viewed`:
-/// mm from the scene's eye to the sheet, for every D), else a fixed k.
-struct SheetPlaces {
-    double distance, units_per_mm, viewed, budget;
-    bool fixed_scale;
-
-    /// From where to where things are sharp about a sheet at D, scene units from the eye.
-    double low(double d) const
-    {
-        return fixed_scale ? d - budget * units_per_mm : d * (1 - budget / viewed);
-    }
-    double high(double d) const
-    {
-        return fixed_scale ? d + budget * units_per_mm : d * (1 + budget / viewed);
-    }
-    /// The sheet's distance for which things are sharp from `place` on, and up to `place`.
-    double with_low(double place) const
-    {
-        return fixed_scale ? place + budget * units_per_mm : place / (1 - budget / viewed);
-    }
-    double with_high(double place) const
-    {
-        return fixed_scale ? place - budget * units_per_mm : place / (1 + budget / viewed);
-    }
-};
-
-/// The sheet's distance with most of the sorted depths sharp. Among several that hold the same, the
-/// middle one.
-std::optional<DepthRemedy> best_sheet(const std::vector<double>& depths, const SheetPlaces& places,
-                                      double now)
-{
-    if (!places.fixed_scale && places.budget >= places.viewed)
-        return std::nullopt; // everything in front is sharp already
-    std::vector<double> from_eye;
-    for (const double depth : depths)
-        from_eye.push_back(places.distance + depth * places.units_per_mm);
-    std::size_t most = 0, end = 0;
-    double best = places.distance;
-    for (std::size_t first = 0; first < from_eye.size(); ++first) {
-        const double farthest = places.with_low(from_eye[first]);
-        while (end < from_eye.size() && from_eye[end] <= places.high(farthest))
-            ++end;
-        if (end - first <= most)
-            continue;
-        most = end - first;
-        best = 0.5 * (farthest + places.with_high(from_eye[end - 1]));
-    }
-    if (!(best > 0))
-        return std::nullopt;
-    best = rounded(best, 4);
-    return if_worth(best, share(from_eye, places.low(best), places.high(best)), now);
-}
-
-std::optional<DepthRemedy> least_compression(const std::vector<double>& depths, double budget,
-                                             double now)
-{
-    const auto sharp_at = [&](double factor) {
-        return share(depths, -budget / factor, budget / factor);
-    };
-    std::vector<double> factors;
-    for (int percent = 95; percent >= flattest; percent -= 5)
-        factors.push_back(percent / 100.0);
-    return least_change(factors, sharp_at, now);
-}
-
 std::optional<DepthRemedy> coarsest_film(const std::vector<double>& depths, const Film& film,
                                          double pixel, double budget, double now)
 {
@@ -146,6 +72,30 @@ std::optional<DepthRemedy> coarsest_film(const std::vector<double>& depths, cons
     return least_change(finer, sharp_at, now);
 }
 
+/// The scene's own distances from its eye plane of sorted depths, in scene units.
+std::vector<double> distances_of(const std::vector<double>& depths, const FrameMetadata& metadata)
+{
+    const Collineation relief = relief_of(metadata);
+    const double k = metadata.placement->units_per_mm;
+    std::vector<double> distances;
+    for (const double depth : depths)
+        if (const auto z = preimage_depth(relief, depth))
+            distances.push_back((scene_distance(metadata) + *z) * k);
+    return distances;
+}
+
+FitAdvice fit_advice(const std::vector<double>& distances, double budgets, double beta)
+{
+    FitAdvice advice;
+    advice.budgets = budgets;
+    advice.fit = fit_to_budget(*depth_ends(distances), {budgets * beta, {}, {}});
+    advice.shares.sharp = part_within(advice.fit, distances, beta);
+    advice.shares.soft = part_within(advice.fit, distances, soft_budgets * beta) -
+                         advice.shares.sharp;
+    advice.shares.beyond = 1 - advice.shares.sharp - advice.shares.soft;
+    return advice;
+}
+
 } // namespace
 
 DepthAdvice depth_advice(const DepthFrame& frame, double budget)
@@ -157,20 +107,12 @@ DepthAdvice depth_advice(const DepthFrame& frame, double budget)
     advice.now.sharp = share(depths, -budget, budget);
     advice.now.soft = soft - advice.now.sharp;
     advice.now.beyond = 1 - soft;
-    const double now = advice.now.sharp;
-    if (metadata.placement) {
-        const Placement& at = *metadata.placement;
-        const double distance = at.sheet_distance > 0
-                                    ? at.sheet_distance
-                                    : metadata.aperture.distance * at.units_per_mm;
-        advice.sheet_distance = distance;
-        advice.sheet = best_sheet(
-            depths,
-            {distance, at.units_per_mm, distance / at.units_per_mm, budget, at.scale_is_given},
-            now);
-    }
-    advice.compress = least_compression(depths, budget, now);
-    advice.dpi = coarsest_film(depths, metadata.film, counted(metadata).pixel, budget, now);
+    if (metadata.placement)
+        for (const double budgets : {1.0, 2.0})
+            advice.fits.push_back(fit_advice(distances_of(depths, metadata), budgets,
+                                             budget / viewer_distance(metadata)));
+    advice.dpi = coarsest_film(depths, metadata.film, counted(metadata).pixel, budget,
+                               advice.now.sharp);
     return advice;
 }
 

@@ -5,8 +5,10 @@
 #define INTEGRAL_LIGHTFIELD_DEPTH_ADVICE_H
 
 #include "integral/lightfield/depth_range.h"
+#include "integral/lightfield/scene_fit.h"
 
 #include <optional>
+#include <vector>
 
 namespace integral {
 
@@ -24,18 +26,23 @@ struct DepthRemedy {
     double value = 0, sharp = 0;
 };
 
-/// What to do for a depth frame. Changes that do not make at least a hundredth of the surfaces
-/// sharp that were not are left out.
-struct DepthAdvice {
-    DepthShares now;
-    double sheet_distance = 0;           ///< scene units, as it is
-    std::optional<DepthRemedy> sheet;    ///< another sheet_distance, scene units
-    std::optional<DepthRemedy> compress; ///< depths about the sheet times this, 0.25 to 0.95
-    std::optional<DepthRemedy> dpi;      ///< of a printer; none for panels
+/// The fit to a number of depth budgets, and what it would make of the picture.
+struct FitAdvice {
+    double budgets = 1;
+    SceneFit fit; ///< its sheet_distance in scene units
+    DepthShares shares;
 };
 
-/// The advice for a frame that shows surfaces. `budget`: mm on either side of the sheet, > 0.
-/// Compression and film are the least with which 95% are sharp, or else nearly as much as can be.
+/// What to do for a depth frame.
+struct DepthAdvice {
+    DepthShares now;
+    std::vector<FitAdvice> fits;     ///< to 1 and to 2 budgets; none without a placement
+    std::optional<DepthRemedy> dpi; ///< of a printer; none for panels
+};
+
+/// The advice for a frame that shows surfaces. `budget`: mm on either side of the sheet, > 0. The
+/// film is the coarsest with which 95% are sharp, or else nearly as much as can be; one that does
+/// not make at least a hundredth of the surfaces sharp that were not is left out.
 DepthAdvice depth_advice(const DepthFrame& frame, double budget);
 
 } // namespace integral

@@ -57,6 +57,12 @@ ProjectionLens projection_from(const JsonObject& object)
     return lens;
 }
 
+Parallax parallax_from(const JsonObject& object)
+{
+    return {number_at(object, "factor", 0, 100),
+            number_at(object, "scene_distance_mm", 1e-2, 1e9)};
+}
+
 Encoding encoding_from(const JsonObject& object)
 {
     Encoding encoding;
@@ -99,6 +105,8 @@ RenderRecord render_from(const JsonObject& object)
         render.pixel_samples = whole_at(object, "pixel_samples", 1, most_samples);
     if (object.has("beam_samples"))
         render.beam_samples = whole_at(object, "beam_samples", 1, most_samples);
+    if (object.has("fit"))
+        render.fit = string_at(object, "fit");
     if (object.has("draft"))
         render.draft = whole_at(object, "draft", 1, largest_side);
     render.pseudoscopic = flag_at(object, "pseudoscopic");
@@ -123,6 +131,29 @@ QuiltRecord quilt_from(const JsonObject& object)
                              number_at(eyes, "distance_mm", least_distance, largest_distance)};
     }
     return quilt;
+}
+
+/// The distance that viewing_distance_mm or the aperture states, if one of them does.
+std::optional<double> viewing_distance_in(const JsonObject& document)
+{
+    if (document.has("aperture"))
+        return number_at(object_at(document, "aperture"), "distance_mm", least_distance,
+                         largest_distance);
+    if (document.has("viewing_distance_mm"))
+        return number_at(document, "viewing_distance_mm", least_distance, largest_distance);
+    return std::nullopt;
+}
+
+/// Throws for a display's calibration, from which no sheet is worked out here.
+void refuse_calibration(const JsonObject& document)
+{
+    if (document.has("sheet"))
+        return;
+    for (const char* const field : {"calibration", "DPI", "lineNumber"})
+        if (document.has(field))
+            throw std::invalid_argument(
+                "it is a display's calibration; integral lcd --panel FILE --describe -o "
+                "PANEL.json makes the description that is read here");
 }
 
 Json list(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
@@ -184,6 +215,8 @@ Json json_of(const RenderRecord& render)
                  {"pixel_samples", render.pixel_samples},
                  {"beam_samples", render.beam_samples},
                  {"seconds", render.seconds}};
+    if (!render.fit.empty())
+        json["fit"] = render.fit;
     if (render.draft > 1)
         json["draft"] = render.draft;
     if (render.pseudoscopic)
@@ -209,6 +242,21 @@ Json json_of(const QuiltRecord& quilt)
 
 } // namespace
 
+double viewer_distance(const FrameMetadata& m)
+{
+    return m.projection ? m.projection->viewer : m.aperture.distance;
+}
+
+double scene_distance(const FrameMetadata& m)
+{
+    return m.parallax ? m.parallax->scene_distance : viewer_distance(m);
+}
+
+Collineation relief_of(const FrameMetadata& m)
+{
+    return m.parallax ? relief_of(*m.parallax, viewer_distance(m)) : Collineation();
+}
+
 std::string to_json(const FrameMetadata& metadata)
 {
     Json document = {{"sheet", json_of(metadata.sheet)},
@@ -218,6 +266,9 @@ std::string to_json(const FrameMetadata& metadata)
         document["camera"] = json_of(*metadata.placement);
     if (metadata.projection)
         document["projection"] = json_of(*metadata.projection);
+    if (metadata.parallax)
+        document["parallax"] = {{"factor", metadata.parallax->factor},
+                                {"scene_distance_mm", metadata.parallax->scene_distance}};
     document["encoding"] = json_of(metadata.encoding);
     if (metadata.render)
         document["render"] = json_of(*metadata.render);
@@ -234,14 +285,25 @@ FrameMetadata frame_metadata_from_json(const std::string& text)
 
     const JsonObject document{json, ""};
     FrameMetadata metadata;
-    metadata.sheet = sheet_from(object_at(document, "sheet"));
-    metadata.film = film_from(object_at(document, "film"));
+    refuse_calibration(document);
+    const JsonObject sheet = object_at(document, "sheet");
+    const bool of_panel = document.has("panel") && !document.has("film");
+    metadata.film = of_panel ? film_from(object_at(document, "panel"), PitchForm::number_or_pair)
+                             : film_from(object_at(document, "film"));
+    std::optional<double> distance = viewing_distance_in(document);
+    if (of_panel && !distance)
+        distance = nominal_viewing_distance(size_of(metadata.film));
+    metadata.sheet = sheet_seen_from(sheet, distance);
     check_ranges(metadata.sheet, metadata.film);
-    metadata.aperture = aperture_from(object_at(document, "aperture"), metadata.sheet);
+    metadata.aperture = distance && !document.has("aperture")
+                            ? default_aperture(metadata.sheet, *distance)
+                            : aperture_from(object_at(document, "aperture"), metadata.sheet);
     if (document.has("camera"))
         metadata.placement = placement_from(object_at(document, "camera"));
     if (document.has("projection"))
         metadata.projection = projection_from(object_at(document, "projection"));
+    if (document.has("parallax"))
+        metadata.parallax = parallax_from(object_at(document, "parallax"));
     if (document.has("encoding"))
         metadata.encoding = encoding_from(object_at(document, "encoding"));
     if (document.has("render"))

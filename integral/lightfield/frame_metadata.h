@@ -23,6 +23,7 @@ struct RenderRecord {
     bool pseudoscopic = false, display_prefilter = false;
     int draft = 1;                      ///< pixels of the final frame across one of this frame's
     double seconds = 0;                 ///< rendering time; 0 if unknown
+    std::string fit; ///< the camera's words that Integral_Fit chose; empty: no fit
     std::optional<ErrorEstimate> error; ///< in the output encoding
 };
 
@@ -34,10 +35,19 @@ struct FrameMetadata {
     std::optional<Placement> placement;       ///< where the sheet stood in its scene
     std::optional<ProjectionLens> projection; ///< as IntegralCamera has it: `placement` is that of
                                               ///< the sheet's projected image
+    std::optional<Parallax> parallax; ///< nothing: the viewer's eye was the scene's own
     Encoding encoding;
     std::optional<RenderRecord> render;
     std::optional<QuiltRecord> quilt; ///< if set, the picture holds views of the frame instead
 };
+
+/// From where things stood in the scene to where the viewer sees them (Parallax), both in the sheet
+/// frame: the identity without `parallax`.
+Collineation relief_of(const FrameMetadata& metadata);
+
+/// mm from the sheet, or its projected image, to the viewer's eye and to the scene's own.
+double viewer_distance(const FrameMetadata& metadata);
+double scene_distance(const FrameMetadata& metadata);
 
 /// The JSON document with the objects `sheet`, `film`, `aperture`, `camera`, `render` (see
 /// interfaces.md) and `quilt`. Numbers are written so that they read back as the same double.

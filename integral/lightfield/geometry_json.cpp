@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/geometry_json.h"
 
+#include "integral/lightfield/sheet_figures.h"
+#include "integral/optics/aperture_error.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -60,6 +63,23 @@ LensSheet sheet_from(const JsonObject& object, const char* pitch_field)
         sheet.offset = vec2_at(object, "offset_mm", -largest_figure, largest_figure);
     return sheet;
 }
+
+LensSheet sheet_seen_from(const JsonObject& object, std::optional<double> distance)
+{
+    const char* const field = "micro_image_pitch_mm";
+    if (!object.has(field))
+        return sheet_from(object);
+    if (object.has("pitch_mm"))
+        refuse(object.path_of(field), "cannot stand beside pitch_mm: one follows from the other");
+    if (!distance)
+        refuse(object.path_of(field), "needs aperture.distance_mm, from where it is seen");
+    LensSheet sheet = sheet_from(object, field);
+    check_ranges(sheet, {1, 1, {1, 1}});
+    sheet.pitch = pitch_of_visual(sheet.pitch, sheet, *distance);
+    return sheet;
+}
+
+double nominal_viewing_distance(Vec2 size) { return 2.5 * std::sqrt(dot(size, size)); }
 
 Subpixels subpixels_from(const JsonObject& film)
 {
@@ -125,6 +145,9 @@ Aperture aperture_from(const JsonObject& object, const LensSheet& sheet)
         aperture.height = extent_at(object, "height_mm");
     if (object.has("shape"))
         aperture.shape = kind_at<ApertureShape>(object, "shape");
+    const std::string error = aperture_error(sheet, {aperture.width, aperture.height});
+    if (!error.empty())
+        throw std::invalid_argument(error);
     return aperture;
 }
 

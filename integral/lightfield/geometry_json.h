@@ -16,6 +16,10 @@ constexpr double largest_extent = 1e30;                         // mm, of an ape
 /// may be in a field of another name.
 LensSheet sheet_from(const JsonObject& object, const char* pitch_field = "pitch_mm");
 
+/// The same, or micro_image_pitch_mm in place of pitch_mm: the pitch that is seen from a distance
+/// (mm; nothing: it is not known), from which the lenses' own follows.
+LensSheet sheet_seen_from(const JsonObject& object, std::optional<double> distance);
+
 /// What pixel_pitch_mm may be: a list of two numbers, or also one number for both directions.
 enum class PitchForm { pair, number_or_pair };
 
@@ -32,6 +36,10 @@ Aperture aperture_from(const JsonObject& object, const LensSheet& sheet);
 /// The aperture at a distance (mm) whose image fills the lens on the axis; without limits where
 /// none does.
 Aperture default_aperture(const LensSheet& sheet, double distance);
+
+/// Where viewers of a screen of that size stand unless something else is said: at two and a half
+/// times its diagonal, mm.
+double nominal_viewing_distance(Vec2 size);
 
 /// Throws unless sheet and film are within the scene language's ranges (find_value_errors).
 void check_ranges(const LensSheet& sheet, const Film& film);

@@ -48,6 +48,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/pass_rows.h \
   integral/lightfield/pass_schedule.cpp \
   integral/lightfield/pass_schedule.h \
+  integral/lightfield/picture_fit.cpp \
+  integral/lightfield/picture_fit.h \
   integral/lightfield/pixel_beam.cpp \
   integral/lightfield/pixel_sampler.cpp \
   integral/lightfield/pixel_sampler.h \
@@ -69,6 +71,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/sample_points.h \
   integral/lightfield/sampling_forecast.cpp \
   integral/lightfield/sampling_forecast.h \
+  integral/lightfield/scene_fit.cpp \
+  integral/lightfield/scene_fit.h \
   integral/lightfield/scene_depth_report.cpp \
   integral/lightfield/scene_depth_report.h \
   integral/lightfield/sheet_figures.cpp \

@@ -1,28 +1,49 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/lightfield/quilt_name.h"
 
+#include <charconv>
 #include <cstdio>
+#include <regex>
 
 namespace integral {
+namespace {
 
-std::optional<ViewGrid> grid_in_name(const std::string& path)
+/// The parts of a quilt's path: all before the end; columns, rows and aspect; what is appended to a
+/// copy's name, and the extension.
+std::optional<std::smatch> parts_of(const std::string& path)
 {
-    const std::size_t end = path.rfind("_qs"), dot = path.find_last_of('.');
-    if (end == std::string::npos || dot == std::string::npos || dot < end)
+    static const std::regex form("(.*)_[qQ][sS]([0-9]{1,4})[xX]([0-9]{1,4})[aA]"
+                                 "([0-9]*\\.?[0-9]+|[0-9]+\\.)([ (][^/]*)?(\\.[^./]*)");
+    std::smatch parts;
+    if (!std::regex_match(path, parts, form))
         return std::nullopt;
-    ViewGrid grid;
-    int aspect = 0, whole = 0; // where the aspect begins, and how much of the end has been read
-    const std::string text = path.substr(end, dot - end);
-    if (std::sscanf(text.c_str(), "_qs%4dx%4da%n%*[0-9.]%n", &grid.columns, &grid.rows, &aspect,
-                    &whole) < 2 ||
-        whole <= aspect || std::size_t(whole) != text.size())
+    return parts;
+}
+
+/// A number that has the form of one.
+template <class Number> Number number_of(const std::ssub_match& text)
+{
+    const std::string digits = text.str();
+    Number value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
+} // namespace
+
+std::optional<QuiltName> quilt_in_name(const std::string& path)
+{
+    const auto parts = parts_of(path);
+    if (!parts)
         return std::nullopt;
-    return grid;
+    const QuiltName name{{number_of<int>((*parts)[2]), number_of<int>((*parts)[3])},
+                         number_of<double>((*parts)[4])};
+    return name.aspect > 0 ? std::optional(name) : std::nullopt;
 }
 
 std::string quilt_name(const std::string& path, ViewGrid grid, double aspect)
 {
-    if (grid_in_name(path))
+    if (quilt_in_name(path))
         return path;
     char end[64];
     std::snprintf(end, sizeof end, "_qs%dx%da%.4g", grid.columns, grid.rows, aspect);
@@ -32,8 +53,10 @@ std::string quilt_name(const std::string& path, ViewGrid grid, double aspect)
 
 std::string without_grid(const std::string& path)
 {
-    return grid_in_name(path) ? path.substr(0, path.rfind("_qs")) + path.substr(path.rfind('.'))
-                              : path;
+    if (!quilt_in_name(path))
+        return path;
+    const auto parts = *parts_of(path);
+    return parts.str(1) + parts.str(5) + parts.str(6);
 }
 
 } // namespace integral

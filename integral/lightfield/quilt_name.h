@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Names of quilts' files, by the Looking Glass quilt standard
 // (lookingglassfactory.com/tutorial/what-is-a-quilt): they end in _qs<columns>x<rows>a<aspect>
-// before the extension, as in first_qs8x6a0.75.png.
+// before the extension, as in first_qs8x6a0.75.png. Upper case counts as well, and what browsers
+// and file managers append to a copy's name, as in "first_qs8x6a0.75 (1).png".
 #ifndef INTEGRAL_LIGHTFIELD_QUILT_NAME_H
 #define INTEGRAL_LIGHTFIELD_QUILT_NAME_H
 
@@ -12,11 +13,16 @@
 
 namespace integral {
 
-/// The columns and rows that a quilt's file name says; nothing if it does not.
-std::optional<ViewGrid> grid_in_name(const std::string& path);
+/// What a quilt's file name states.
+struct QuiltName {
+    ViewGrid grid;
+    double aspect = 0; ///< a view's width divided by its height, as it is to be seen; > 0
+};
 
-/// The path with such an end; as it is if it has one already. `aspect`: a view's width by its
-/// height, as it is to be seen.
+/// Reads a quilt's file name; nothing if it has no such end.
+std::optional<QuiltName> quilt_in_name(const std::string& path);
+
+/// The path with such an end; as it is if it has one already.
 std::string quilt_name(const std::string& path, ViewGrid grid, double aspect);
 
 /// The path without such an end, if it has one.

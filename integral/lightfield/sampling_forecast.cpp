@@ -68,11 +68,11 @@ std::vector<Vec2> pixels_behind_a_lens(const IntegralCamera& camera)
     const LensSheet& sheet = camera.optics.sheet();
     const Vec2 cell = cell_extent(sheet);
     const Vec2 lens = camera.optics.lattice().pole(camera.optics.lattice().nearest({0, 0}));
-    const bool upright = sheet.arrangement == Arrangement::lenticular && !slit_is_horizontal(sheet);
+    const bool lie_across = lenses_lie_across(sheet);
     std::vector<Vec2> centres;
     for (int i = 0; i < looked_at; ++i) {
         const double part = (i + 0.5) / looked_at - 0.5;
-        const Vec2 at = lens + (upright ? Vec2{0, part * cell.y} : Vec2{part * cell.x, 0});
+        const Vec2 at = lens + (lie_across ? Vec2{0, part * cell.y} : Vec2{part * cell.x, 0});
         const Vec2 pixel = pixel_from_film(camera.film, at);
         const Vec2 centre{std::floor(pixel.x) + 0.5, std::floor(pixel.y) + 0.5};
         if (centres.empty() || length(centre - centres.back()) > 0.5)

@@ -45,51 +45,21 @@ std::string place_text(double depth)
     return with_digits(std::fabs(depth), 3) + " mm" + side;
 }
 
-/// The words for each change, and what it makes sharp.
-std::string changes_text(const DepthAdvice& advice)
+std::string shares_text(const DepthShares& shares)
 {
-    std::string text;
-    const auto add = [&](const std::string& words, const std::optional<DepthRemedy>& remedy) {
-        if (remedy)
-            text += (text.empty() ? "" : "; ") + words + ": " + percent(remedy->sharp) + " sharp";
-    };
-    if (advice.sheet)
-        add("sheet_distance " + with_digits(advice.sheet->value, 4) + " (now " +
-                with_digits(advice.sheet_distance, 4) + ")",
-            advice.sheet);
-    if (advice.compress)
-        add("depth compressed to " + with_digits(100 * advice.compress->value, 3) + "%",
-            advice.compress);
-    if (advice.dpi)
-        add("film { dpi " + with_digits(advice.dpi->value, 6) + " }", advice.dpi);
-    return text;
+    return percent(shares.sharp) + " sharp, " + percent(shares.soft) + " soft, " +
+           percent(shares.beyond) + " beyond";
 }
 
-std::string vector_text(Vec3 v)
+/// The words of a fit, as the camera takes them. With units_per_mm another sheet_distance would
+/// move the viewer, too.
+std::string words_of(const SceneFit& fit, const FrameMetadata& metadata)
 {
-    const auto word = [](double value) { return with_digits(value + 0.0, 5); }; // no -0
-    return "<" + word(v.x) + ", " + word(v.y) + ", " + word(v.z) + ">";
-}
-
-/// The scene's words that compress depth about the sheet.
-std::string compression_text(const Placement& at, double factor)
-{
-    const Vec3 axis = (1 / length(at.z)) * at.z;
-    return "  To compress depth, put all objects and lights into one union and add to it\n"
-           "    #include \"transforms.inc\" translate " +
-           vector_text(-1.0 * at.origin) + " Axial_Scale_Trans(" + vector_text(axis) + ", " +
-           with_digits(factor, 3) + ") translate " + vector_text(at.origin) + "\n";
-}
-
-std::string to_do_text(const DepthAdvice& advice)
-{
-    if (advice.now.sharp >= 0.95)
-        return "nothing needs to be done";
-    const std::string changes = changes_text(advice);
-    if (!changes.empty())
-        return changes;
-    return "neither sheet_distance nor a finer film helps: take a larger print, or a sheet with a "
-           "larger budget (integral sheet --list)";
+    return "sheet_distance " + with_digits(fit.sheet_distance, 4) + " parallax " +
+           with_digits(fit.parallax, 4) +
+           (metadata.placement->scale_is_given
+                ? " viewing_distance " + with_digits(viewer_distance(metadata), 6)
+                : "");
 }
 
 std::string backdrop_text(const DepthRange& range)
@@ -129,15 +99,18 @@ std::string scene_verdict_text(const std::string& scene, const DepthFrame& depth
         return text +
                "  the lenses are too wide for the sheet's thickness to have a depth budget\n";
     const DepthShares& now = j.advice->now;
-    text += "  Picture:  " + percent(now.sharp) + " sharp (to " + with_digits(*j.budget, 3) +
-            " mm before and behind the sheet), " + percent(now.soft) + " soft (to " +
-            with_digits(soft_budgets * *j.budget, 3) + " mm), " + percent(now.beyond) +
-            " beyond; nine tenths lie from " + place_text(j.range.twentieth) + " to " +
-            place_text(j.range.last_twentieth) + " it\n";
-    text += "  To do:    " + to_do_text(*j.advice) + "\n";
+    for (const FitAdvice& fit : j.advice->fits)
+        text += "  Fit " + with_digits(fit.budgets, 2) + ":    " + words_of(fit.fit, depths.metadata) + ": " +
+                shares_text(fit.shares) + "  (Integral_Fit=" + with_digits(fit.budgets, 2) + ")\n";
+    text += "  As it is: " + shares_text(now) + "; sharp: up to " + with_digits(*j.budget, 3) +
+            " mm before and behind the sheet, soft: up to " +
+            with_digits(soft_budgets * *j.budget, 3) + " mm\n";
+    text += "  Depth:    nine tenths lie from " + place_text(j.range.twentieth) + " to " +
+            place_text(j.range.last_twentieth) + " the sheet\n";
+    if (j.advice->dpi)
+        text += "  Film:     film { dpi " + with_digits(j.advice->dpi->value, 6) +
+                " }: " + percent(j.advice->dpi->sharp) + " sharp\n";
     text += "  Backdrop: " + backdrop_text(j.range) + "\n";
-    if (now.sharp < 0.95 && j.advice->compress && depths.metadata.placement)
-        text += compression_text(*depths.metadata.placement, j.advice->compress->value);
     return text;
 }
 
@@ -194,13 +167,14 @@ Json scene_depth_json(const std::string& scene, const DepthFrame& depths)
     json["beyond"] = a.now.beyond;
     json["before_budget"] = r.before;
     json["behind_budget"] = r.behind;
-    const auto add = [&](const char* name, const std::optional<DepthRemedy>& remedy) {
-        json["remedies"][name] = remedy ? Json({{"value", remedy->value}, {"sharp", remedy->sharp}})
-                                        : Json(nullptr);
-    };
-    add("sheet_distance", a.sheet);
-    add("compress", a.compress);
-    add("dpi", a.dpi);
+    for (const FitAdvice& fit : a.fits)
+        json["fits"].push_back({{"budgets", fit.budgets},
+                                {"sheet_distance", fit.fit.sheet_distance},
+                                {"parallax", fit.fit.parallax},
+                                {"sharp", fit.shares.sharp},
+                                {"soft", fit.shares.soft},
+                                {"beyond", fit.shares.beyond}});
+    json["dpi"] = a.dpi ? Json({{"value", a.dpi->value}, {"sharp", a.dpi->sharp}}) : Json(nullptr);
     return json;
 }
 

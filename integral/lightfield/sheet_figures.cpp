@@ -96,9 +96,21 @@ double discrete_view_distance(const LensSheet& sheet, double pixel, double width
     return width * sheet.thickness / pixel;
 }
 
-double visual_pitch(double pitch, const LensSheet& sheet, double distance)
+/// By which part of its place the eye's image lies farther out than the lens.
+static double image_displacement(const LensSheet& sheet, double distance, double place)
 {
-    return pitch * (1 + sheet.thickness / (sheet.ior * distance));
+    const double m = (sheet.ior - 1) * (sheet.ior + 1);
+    return sheet.thickness / std::hypot(sheet.ior * distance, std::sqrt(m) * place);
+}
+
+double visual_pitch(double pitch, const LensSheet& sheet, double distance, double place)
+{
+    return pitch * (1 + image_displacement(sheet, distance, place));
+}
+
+double pitch_of_visual(double visual, const LensSheet& sheet, double distance, double place)
+{
+    return visual / (1 + image_displacement(sheet, distance, place));
 }
 
 std::optional<double> moire_pitch(double pitch, const LensSheet& sheet, double pixel,

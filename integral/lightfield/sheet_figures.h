@@ -67,9 +67,13 @@ double observer_resolution(double pitch, double viewing, double object);
 /// lens, width t / pixel.
 double discrete_view_distance(const LensSheet& sheet, double pixel, double width);
 
-/// The pitch at which the lenses image an eye at `distance` on the film, on the axis:
-/// p (1 + t/(n d)), a little more than the lenses' own.
-double visual_pitch(double pitch, const LensSheet& sheet, double distance);
+/// The pitch at which lenses of a sheet's thickness and index image an eye at `distance` on the
+/// film, a little more than the lenses' own: the mean from the axis to a lens `place` mm from it,
+/// p (1 + t/sqrt(n^2 d^2 + (n^2 - 1) place^2)) (optics.md section 4).
+double visual_pitch(double pitch, const LensSheet& sheet, double distance, double place = 0);
+
+/// Inverse of visual_pitch: the lenses' own pitch.
+double pitch_of_visual(double visual, const LensSheet& sheet, double distance, double place = 0);
 
 /// The period on the sheet of the pattern in which an eye sees the lenses change from one pixel
 /// to the next (thesis 5.3): p / |N - round(N)| for N pixels per visual pitch.

@@ -267,7 +267,7 @@ Json sampling_json(const FrameMetadata& g, const Viewer& viewer)
 Counted counted(const FrameMetadata& g)
 {
     const Vec2 cell = cell_extent(g.sheet);
-    if (g.sheet.arrangement == Arrangement::lenticular && !slit_is_horizontal(g.sheet))
+    if (lenses_lie_across(g.sheet))
         return {cell.y, cell.y, g.film.pixel_pitch.y, g.aperture.height, g.film.height};
     const double period = g.sheet.arrangement == Arrangement::lenticular ? cell.x : g.sheet.pitch;
     return {period, cell.x, g.film.pixel_pitch.x, g.aperture.width, g.film.width};

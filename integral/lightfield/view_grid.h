@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_LIGHTFIELD_VIEW_GRID_H
 #define INTEGRAL_LIGHTFIELD_VIEW_GRID_H
 
-#include "integral/optics/lens_sheet.h"
+#include "integral/optics/aperture.h"
 
 #include <optional>
 
@@ -18,11 +18,14 @@ struct ViewGrid {
 };
 
 /// The view directions, across and up, of the views that fill a quilt's tiles. Behind lenticular
-/// lenses views differ across alone: 8 x 6 tiles are 48 views from left to right, which begin at
-/// the bottom left and go on, row by row, to the top right.
+/// lenses views differ one way alone: 8 x 6 tiles are 48 views from left to right, or behind lenses
+/// that lie across from below upwards. They begin at the bottom left and go on, row by row, to the
+/// top right.
 inline ViewGrid directions_of(ViewGrid tiles, const LensSheet& sheet)
 {
-    return sheet.arrangement == Arrangement::lenticular ? ViewGrid{tiles.count(), 1} : tiles;
+    if (sheet.arrangement != Arrangement::lenticular)
+        return tiles;
+    return lenses_lie_across(sheet) ? ViewGrid{1, tiles.count()} : ViewGrid{tiles.count(), 1};
 }
 
 /// The eyes of perspective views: at the centres of equal parts of a rectangle in front of the

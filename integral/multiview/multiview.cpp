@@ -22,7 +22,10 @@ void check_sheet(const FrameMetadata& geometry)
     if (geometry.sheet.arrangement != Arrangement::lenticular)
         throw std::invalid_argument("multi-view images are compared for lenticular sheets, whose "
                                     "views differ across alone; this sheet's lenses are round");
-    lens_window(geometry); // refuses a slant of more than 45 degrees
+    if (lenses_lie_across(geometry.sheet))
+        throw std::invalid_argument("multi-view images are compared for upright lenses, whose eyes "
+                                    "are side by side, and these lie across; give lens_sheet a "
+                                    "slant of 45 degrees at most");
     if (!std::isfinite(geometry.aperture.width))
         throw std::invalid_argument("no viewing zone, however wide, fills these lenses; "
                                     "capture_aperture in the camera would limit it");

@@ -18,8 +18,13 @@ std::string vector_text(Vec3 v)
 
 } // namespace
 
-std::string perspective_camera(const FrameMetadata& geometry, Eye eye, Vec2 window, Cameras cameras)
+std::string perspective_camera(const FrameMetadata& geometry, Eye viewer, Vec2 window,
+                               Cameras cameras)
 {
+    // The scene's eye, of which the viewer sees the picture.
+    const Vec3 in_scene =
+        *preimage_of(relief_of(geometry), Vec3{viewer.x, viewer.y, -viewer.distance});
+    const Eye eye{in_scene.x, in_scene.y, -in_scene.z};
     const Placement& placement = *geometry.placement;
     const auto scene_way = [&](Vec3 v) {
         return scene_from_sheet(placement, v) - placement.origin;

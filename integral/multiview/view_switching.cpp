@@ -89,7 +89,7 @@ Interleaver::~Interleaver() = default;
 
 Frame Interleaver::frame(const std::vector<Image>& views) const
 {
-    const ViewPictures pictures(views, {int(views.size()), 1});
+    const ViewRaster pictures(views, {int(views.size()), 1});
     const Film& film = state_->geometry.film;
     Frame frame{panel_image(pictures, film.width, film.height), std::nullopt};
     interlace(frame.image, pictures, state_->mapping, {Neighbours::nearest, Neighbours::nearest},

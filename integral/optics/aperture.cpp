@@ -31,6 +31,11 @@ bool within_ellipse(const Aperture& aperture, Vec2 point)
 
 bool slit_is_horizontal(const LensSheet& sheet) { return std::fabs(sheet.slant) <= 45; }
 
+bool lenses_lie_across(const LensSheet& sheet)
+{
+    return sheet.arrangement == Arrangement::lenticular && !slit_is_horizontal(sheet);
+}
+
 double extent_along_slit(const LensSheet& sheet, Vec2 extent)
 {
     return slit_is_horizontal(sheet) ? extent.x : extent.y;

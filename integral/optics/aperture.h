@@ -33,6 +33,11 @@ inline bool contains(const Aperture& aperture, Vec2 point)
 /// Whether a lenticular sheet's slit lies along x (|slant| <= 45 degrees) or along y.
 bool slit_is_horizontal(const LensSheet& sheet);
 
+/// Whether the lenses are cylinders that lie across, so that views differ up and down: a lenticular
+/// sheet whose slit lies along y. Views of upright cylinders differ sideways, those of other lenses
+/// in both directions.
+bool lenses_lie_across(const LensSheet& sheet);
+
 /// Of an extent (or a point) in x and y, the component along a lenticular sheet's slit, and the
 /// component across it.
 double extent_along_slit(const LensSheet& sheet, Vec2 extent);

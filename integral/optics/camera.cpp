@@ -2,6 +2,7 @@
 #include "integral/optics/camera.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,18 +39,29 @@ double scale_of(const CameraParameters& p, const ViewFrame& view, double film_wi
     return k;
 }
 
-/// mm from the viewer's eye to the sheet, or its projected image, by k scene units per mm.
-double eye_distance(const CameraParameters& p, const ViewFrame& view, double k)
+/// mm from the scene's eye to the sheet, or its projected image, by k scene units per mm.
+double scene_distance(const CameraParameters& p, const ViewFrame& view, double k)
 {
-    const double distance = p.viewing_distance.value_or(scene_viewing_distance(view, k));
+    if (p.move_eye)
+        return *p.viewing_distance;
+    const double distance = scene_viewing_distance(view, k);
     if (!(distance >= 1e-2 && distance <= 1e9)) {
         std::ostringstream text;
-        text << "the viewer is " << distance << " mm from the sheet (" << k
+        text << "the scene's eye is " << distance << " mm from the sheet (" << k
              << " scene units a mm); 0.01 to 1e9 mm is possible: change sheet_distance, angle or "
-                "units_per_mm, or give viewing_distance";
+                "units_per_mm, or give viewing_distance and move_eye";
         fail(text.str());
     }
     return distance;
+}
+
+/// Nothing if the scene's eye moves as the viewer's, which is `viewed` mm from the sheet.
+std::optional<Parallax> parallax_of(const CameraParameters& p, double scene, double viewed)
+{
+    const Parallax parallax{p.parallax.value_or(scene / viewed), scene};
+    if (parallax.factor == 1 && scene == viewed)
+        return std::nullopt;
+    return parallax;
 }
 
 /// `scale`: of the aperture by that of the scene's words.
@@ -143,7 +155,8 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
             int(p.projection_lens->columns), int(p.projection_lens->rows), {}};
     const double k = scale_of(p, view,
                               (projection ? projection->magnification() : 1) * size_of(film).x);
-    const double eye = eye_distance(p, view, k);
+    const double scene = scene_distance(p, view, k), eye = p.viewing_distance.value_or(scene);
+    const std::optional<Parallax> parallax = parallax_of(p, scene, eye);
     if (projection)
         projection->viewer = eye;
     const Aperture aperture = make_aperture(p, projection, eye);
@@ -160,7 +173,9 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
             p.beam_samples.value_or(default_beam_samples(p)),
             p.pseudoscopic,
             p.display_prefilter,
-            projection};
+            projection,
+            parallax,
+            parallax ? relief_of(*parallax, eye) : Collineation()};
 }
 
 double viewer_distance(const IntegralCamera& camera)
@@ -178,9 +193,9 @@ static double start_distance(const IntegralCamera& camera)
                                 : eye;
 }
 
-/// Where the line of sight starts and which way it goes into the scene (any length): in the sheet
-/// frame, or with a projection lens in the frame of the sheet's image.
-static Line line_into_scene(const IntegralCamera& camera, const BeamRay& ray)
+/// Where the line of sight starts and which way it goes (any length) as the viewer sees it: in the
+/// sheet frame, or with a projection lens in the frame of the sheet's image.
+static Line seen_line(const IntegralCamera& camera, const BeamRay& ray)
 {
     const Vec3 d = -1 * ray.direction;
     const double distance = camera.optics.aperture().distance, front = start_distance(camera);
@@ -198,10 +213,33 @@ static Line line_into_scene(const IntegralCamera& camera, const BeamRay& ray)
     return {{ray.aperture_point.x, ray.aperture_point.y, -distance}, d};
 }
 
+/// The line in the scene, of unit direction, that is seen as `seen`.
+static Line scene_line(const Collineation& relief, const Line& seen)
+{
+    Line line = preimage_of(relief, seen);
+    line.origin = line.origin + *preimage_depth(relief, seen.origin.z) * line.direction;
+    line.direction = (1 / length(line.direction)) * line.direction;
+    return line;
+}
+
+Vec3 seen_from_scene(const IntegralCamera& camera, Vec3 scene_point)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Vec3 point = sheet_from_scene(camera.placement, scene_point);
+    return camera.parallax ? image_of(camera.relief, point).value_or(Vec3{0, 0, infinity}) : point;
+}
+
+std::optional<Vec3> scene_from_seen(const IntegralCamera& camera, Vec3 seen)
+{
+    const auto point = preimage_of(camera.relief, seen);
+    return point ? std::optional(scene_from_sheet(camera.placement, *point)) : std::nullopt;
+}
+
 SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray)
 {
     const Placement& at = camera.placement;
-    const Line sight = line_into_scene(camera, ray);
+    const Line seen = seen_line(camera, ray),
+               sight = camera.parallax ? scene_line(camera.relief, seen) : seen;
     const Vec3 d = sight.direction;
     SightLine line;
     line.origin = scene_from_sheet(at, sight.origin);
@@ -209,7 +247,9 @@ SightLine sight_line(const IntegralCamera& camera, const BeamRay& ray)
     const double scale = at.right_angled ? at.units_per_mm : length(direction);
     line.direction = (1 / scale) * direction;
     if (camera.depth_range)
-        line.length = scale * (start_distance(camera) + camera.depth_range->y) / d.z;
+        if (const auto end = preimage_depth(camera.relief, camera.depth_range->y))
+            line.length = scale *
+                          (*end - *preimage_depth(camera.relief, -start_distance(camera))) / d.z;
     return line;
 }
 
@@ -222,7 +262,8 @@ std::optional<StartRegion> start_region(const IntegralCamera& camera)
     const bool at_aperture = !camera.depth_range && !camera.pseudoscopic;
     // Anti-aliasing and audit sample the lens's cell, so that a ray may be a cell's radius beside
     // the pole ray. The rest allows for rounding: a ray through the aperture's very edge counts.
-    const double margin = cell_circumradius(optics.sheet()) + 1e-3 * optics.sheet().pitch;
+    const double margin = cell_circumradius(optics.sheet()),
+                 rounding = 1e-3 * optics.sheet().pitch;
     Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
     if (!at_aperture) { // between aperture and sheet a ray is within the larger of the two
         half.x = std::max(half.x, 0.5 * size_of(camera.film).x);
@@ -231,8 +272,12 @@ std::optional<StartRegion> start_region(const IntegralCamera& camera)
             half = half + Vec2{2 * optics.sheet().pitch, 2 * optics.sheet().pitch};
     }
     const Placement& at = camera.placement;
-    return StartRegion{scene_from_sheet(at, {0, 0, -start_distance(camera)}),
-                       (1.0001 * half.x + margin) * at.x, (1.0001 * half.y + margin) * at.y};
+    // The scene's eye moves less or more than the viewer's.
+    const double z = *preimage_depth(camera.relief, -start_distance(camera)),
+                 scale = 1 + camera.relief.bend * z;
+    const Vec2 reach{scale * (1.0001 * half.x + margin) + rounding,
+                     scale * (1.0001 * half.y + margin) + rounding};
+    return StartRegion{scene_from_sheet(at, {0, 0, z}), reach.x * at.x, reach.y * at.y};
 }
 
 } // namespace integral

@@ -6,6 +6,7 @@
 
 #include "integral/optics/beam.h"
 #include "integral/optics/camera_parameters.h"
+#include "integral/optics/collineation.h"
 #include "integral/optics/projection.h"
 
 #include <optional>
@@ -36,6 +37,20 @@ inline Vec3 scene_from_sheet(const Placement& p, Vec3 v)
 /// Inverse of scene_from_sheet.
 Vec3 sheet_from_scene(const Placement& placement, Vec3 point);
 
+/// How the scene's eye differs from the viewer's (optics.md section 8).
+struct Parallax {
+    double factor = 1;         ///< K, 0 to 100: it moves K mm where the viewer's moves 1 mm
+    double scene_distance = 0; ///< d0, mm from the sheet to the scene's eye, > 0
+};
+
+/// From where things stand in the scene to where a viewer at `viewing_distance` (mm, > 0) sees
+/// them, both in the sheet frame (of a projection, the frame of the sheet's image).
+inline Collineation relief_of(const Parallax& parallax, double viewing_distance)
+{
+    const double k = parallax.factor, d = parallax.scene_distance;
+    return {1, k * viewing_distance / d, (1 - k) / d};
+}
+
 /// One integral camera, ready to render W x H pixels: immutable.
 struct IntegralCamera {
     SheetOptics optics;
@@ -54,6 +69,9 @@ struct IntegralCamera {
     /// The aperture is then this lens, of a lenticular sheet the image by it of where the eyes may
     /// be; and `placement` that of the image frame (projection.h).
     std::optional<ProjectionLens> projection = {};
+    /// Nothing: the scene's eye and the viewer's are one.
+    std::optional<Parallax> parallax = {};
+    Collineation relief = {}; ///< of `parallax`; else the identity
 
     /// Height (mm) of a lenticular sheet's slit at a point of the aperture plane; 0 for other
     /// sheets.
@@ -64,13 +82,21 @@ struct IntegralCamera {
 double viewer_distance(const IntegralCamera& camera);
 
 /// How far from the sheet the scene has its eye, mm: what the viewing distance is unless
-/// CameraParameters::viewing_distance moves the eye.
+/// CameraParameters::viewing_distance is given.
 double scene_viewing_distance(const ViewFrame& view, double units_per_mm);
 
 /// Builds the camera for a frame of width x height pixels.
 /// Throws std::invalid_argument, with a sentence for the user, where the parameters cannot work.
 IntegralCamera make_camera(const CameraParameters& parameters, const ViewFrame& view, int width,
                            int height);
+
+/// Where the viewer sees a point of the scene, mm in the sheet frame; z is infinite where that is
+/// infinitely far or beyond.
+Vec3 seen_from_scene(const IntegralCamera& camera, Vec3 scene_point);
+
+/// Inverse: the point of the scene that the viewer sees there. Nothing where there is none: beyond
+/// the place where the scene's infinity is seen.
+std::optional<Vec3> scene_from_seen(const IntegralCamera& camera, Vec3 seen);
 
 /// A line of sight in scene coordinates: from its end on the viewer's side into the scene.
 struct SightLine {

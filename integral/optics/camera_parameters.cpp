@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/optics/camera_parameters.h"
 
+#include "integral/optics/aperture_error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -35,8 +37,8 @@ void check_sheet(const LensSheet& sheet, Complaints& c)
     c.require(in(sheet.thickness, 1e-6, 1e6), "thickness", sheet.thickness,
               "it is the distance from lens to film, 0.000001 to 1000000 mm");
     c.require(in(sheet.ior, 1, 4), "ior", sheet.ior, "it is the sheet's refractive index, 1 to 4");
-    c.require(in(std::fabs(sheet.slant), 0, 89.99), "slant", sheet.slant,
-              "it is in degrees, -89.99 to 89.99");
+    c.require(in(std::fabs(sheet.slant), 0, 90), "slant", sheet.slant,
+              "it is in degrees, -90 to 90");
     for (const double offset : {sheet.offset.x, sheet.offset.y})
         c.require(in(std::fabs(offset), 0, 1e6), "offset", offset,
                   "it is in mm, at most 1000000 either way");
@@ -70,6 +72,13 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     if (p.viewing_distance)
         c.require(in(*p.viewing_distance, 1e-2, 1e9), "viewing_distance", *p.viewing_distance,
                   "it is in mm from the sheet to the eye, 0.01 to 1e9");
+    if (p.parallax)
+        c.require(in(*p.parallax, 0, 100), "parallax", *p.parallax,
+                  "it is how far the scene's eye moves where the viewer's moves 1 mm, 0 to 100 mm");
+    if (p.fit)
+        c.require(in(*p.fit, 0.1, 100), "fit", *p.fit,
+                  "it is how many depth budgets the scene may reach either side of the sheet, 0.1 to "
+                  "100");
     if (p.print_size)
         for (const double extent : {p.print_size->x, p.print_size->y})
             c.require(in(extent, 1e-3, 1e6), "print_size", extent,
@@ -110,9 +119,6 @@ std::vector<std::string> find_value_errors(const CameraParameters& p)
     return c.list;
 }
 
-namespace {
-
-/// Says what is wrong with a capture aperture for this sheet; empty if nothing is.
 std::string aperture_error(const LensSheet& sheet, Vec2 extent)
 {
     if (sheet.arrangement == Arrangement::lenticular) {
@@ -128,6 +134,8 @@ std::string aperture_error(const LensSheet& sheet, Vec2 extent)
                                         : "capture_aperture needs a width and a height greater "
                                           "than 0: nothing would be imaged";
 }
+
+namespace {
 
 std::string pixels_error(Vec2 print_size, double pixels)
 {
@@ -179,6 +187,14 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     if (p.projection_lens && p.pseudoscopic)
         errors.push_back("pseudoscopic does not go with projection_lens, whose image is turned "
                          "upside down and in depth by the lens itself");
+    if (p.move_eye && !p.viewing_distance)
+        errors.push_back("move_eye moves the scene's eye to viewing_distance: add viewing_distance "
+                         "and how far from the sheet the eye is, in mm");
+    if (p.fit && p.move_eye)
+        errors.push_back("fit chooses the scene's depth for an eye that keeps its place, and "
+                         "move_eye moves it: leave one of them out");
+    if (p.fit && p.sheet_distance && p.parallax)
+        errors.push_back("fit has nothing to choose: leave out sheet_distance or parallax");
     if (p.display_prefilter && refracts_at_surface(p.model))
         errors.push_back("display_prefilter is a filter of the ideal beam: it goes with lens_model "
                          "extended_pinhole or pinhole");

@@ -33,9 +33,16 @@ struct CameraParameters {
     FilmParameters film;
     /// Scene units from the scene's eye to the sheet: where the sheet stands, and how wide it is.
     std::optional<double> sheet_distance;
-    /// mm from the sheet to the viewer's eye. The eye moves along the line of sight; the sheet and
-    /// its window stay. Nothing: the eye stays where the scene has it.
+    /// mm from the sheet to the viewer's eye. The scene's eye, and so the picture from the middle,
+    /// stays the scene's own unless move_eye is given. Nothing: where the scene's eye is.
     std::optional<double> viewing_distance;
+    /// K: the scene's eye moves K mm where the viewer's moves 1 mm (optics.md section 8), 0 to 100.
+    /// Nothing: depth at the sheet is true, that is the scene's eye distance by the viewer's.
+    std::optional<double> parallax;
+    /// Depth budgets that nine tenths of the picture may reach either side of the sheet, 0.1 to 100:
+    /// the renderer chooses sheet_distance and parallax for them, unless one is given.
+    std::optional<double> fit;
+    bool move_eye = false; ///< the scene's eye goes to viewing_distance, along its line of sight
     /// Width and height of the picture on paper, mm; the frame has to have print_pixels. Nothing:
     /// as large as the frame's pixels make it.
     std::optional<Vec2> print_size;

@@ -14,6 +14,15 @@ std::int64_t round_to_index(double value)
     return static_cast<std::int64_t>(nearest_integer(value));
 }
 
+/// The unit vector along the lens rows. At 90 degrees it is exactly along y: the cosine of the
+/// double nearest to pi/2 is not 0.
+Vec2 row_direction(double slant)
+{
+    if (std::fabs(slant) == 90)
+        return {0, std::copysign(1.0, slant)};
+    return {std::cos(slant * radians_per_degree), std::sin(slant * radians_per_degree)};
+}
+
 } // namespace
 
 double surface_radius(const LensSheet& sheet)
@@ -26,8 +35,7 @@ Lattice::Lattice(const LensSheet& sheet)
       pitch_(sheet.pitch),
       row_spacing_(sheet.arrangement == Arrangement::hexagonal ? hexagonal_row_spacing * sheet.pitch
                                                                : sheet.pitch),
-      across_{std::cos(sheet.slant * radians_per_degree),
-              std::sin(sheet.slant * radians_per_degree)},
+      across_(row_direction(sheet.slant)),
       along_{-across_.y, across_.x},
       offset_(sheet.offset)
 {

@@ -21,7 +21,7 @@ struct LensSheet {
     double pitch = 1.27;     ///< p, between the axes of neighbouring lenses; > 0
     double thickness = 3.08; ///< t, from the pole to the film; > 0
     double ior = 1.6;        ///< n of the medium; >= 1
-    double slant = 0;        ///< degrees, anticlockwise as the viewer sees it; (-90, 90)
+    double slant = 0;        ///< degrees, anticlockwise as the viewer sees it; -90 to 90
     Vec2 offset;             ///< of the lens at index (0, 0), along the sheet frame's x and y
 };
 

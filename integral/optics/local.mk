@@ -4,12 +4,14 @@
 build_lib_libintegral_a_SOURCES += \
   integral/optics/aperture.cpp \
   integral/optics/aperture.h \
+  integral/optics/aperture_error.h \
   integral/optics/beam.cpp \
   integral/optics/beam.h \
   integral/optics/camera.cpp \
   integral/optics/camera.h \
   integral/optics/camera_parameters.cpp \
   integral/optics/camera_parameters.h \
+  integral/optics/collineation.h \
   integral/optics/coverage.cpp \
   integral/optics/coverage.h \
   integral/optics/film.h \

@@ -5,7 +5,7 @@
 #ifndef INTEGRAL_OPTICS_PROJECTION_H
 #define INTEGRAL_OPTICS_PROJECTION_H
 
-#include "integral/optics/vec.h"
+#include "integral/optics/collineation.h"
 
 #include <algorithm>
 
@@ -23,6 +23,14 @@ struct ProjectionLens {
 
     double magnification() const { return focal_length / (distance - focal_length); }
     double image_distance() const { return distance * magnification(); }
+
+    /// From the sheet frame to the image frame, for one lens with its middle on the axis: the thin
+    /// lens's equation.
+    Collineation image() const
+    {
+        const double m = magnification();
+        return {-m, m * m, 1 / (distance - focal_length)};
+    }
 
     /// How far before the sheet the viewer's eye has its image by the lens: less than `distance`.
     double eye_image_distance() const { return distance - eye_image_beside(); }
@@ -51,21 +59,17 @@ private:
     }
 };
 
-/// A straight line: origin + s direction.
-struct Line {
-    Vec3 origin, direction;
-};
-
 /// The line in the image frame, into the scene, along which light travels that leaves the sheet
 /// (sheet frame) through `sheet_point` in its plane and meets the lens at `lens_point`: the lens
 /// brings all light of a sheet's point together in its image. Origin: in the plane of the image;
 /// direction.z = 1.
 inline Line projected(const ProjectionLens& lens, Vec2 sheet_point, Vec2 lens_point)
 {
-    const Vec2 middle = lens.middle_at(lens_point);
-    const Vec2 image = middle - lens.magnification() * (sheet_point - middle);
-    const Vec2 slope = (1 / lens.image_distance()) * (lens_point - image);
-    return {{image.x, image.y, 0}, {slope.x, slope.y, 1}};
+    const Vec2 middle = lens.middle_at(lens_point), from = sheet_point - middle,
+               slope = (1 / lens.distance) * (sheet_point - lens_point);
+    Line line = image_of(lens.image(), Line{{from.x, from.y, 0}, {slope.x, slope.y, 1}});
+    line.origin = line.origin + Vec3{middle.x, middle.y, 0};
+    return line;
 }
 
 /// Inverse: where a line in the image frame (direction.z not 0) comes from.
@@ -74,11 +78,12 @@ struct ProjectedFrom {
 };
 inline ProjectedFrom projected_from(const ProjectionLens& lens, const Line& line)
 {
-    const Vec2 slope{line.direction.x / line.direction.z, line.direction.y / line.direction.z};
-    const Vec2 image = Vec2{line.origin.x, line.origin.y} + -line.origin.z * slope;
-    const Vec2 lens_point = image + lens.image_distance() * slope;
-    const Vec2 middle = lens.middle_at(lens_point);
-    return {middle - (1 / lens.magnification()) * (image - middle), lens_point};
+    const Vec3 meets = line.origin + ((lens.image_distance() - line.origin.z) / line.direction.z) *
+                                         line.direction;
+    const Vec2 lens_point{meets.x, meets.y}, middle = lens.middle_at(lens_point);
+    const Vec3 off_axis{middle.x, middle.y, 0};
+    const Line on_sheet = preimage_of(lens.image(), Line{line.origin - off_axis, line.direction});
+    return {middle + Vec2{on_sheet.origin.x, on_sheet.origin.y}, lens_point};
 }
 
 } // namespace integral

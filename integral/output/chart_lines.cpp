@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/chart_lines.h"
 
-#include "integral/base/constants.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,21 +27,20 @@ double second_integral(double u)
 
 std::vector<ChartDirection> chart_directions(const LensSheet& sheet)
 {
-    const double angle = sheet.slant * pi / 180;
-    const auto direction = [&](double turn, double share) {
-        Vec2 wave{std::cos(angle + turn), std::sin(angle + turn)};
+    const Lattice lattice(sheet);
+    const auto direction = [&](Vec2 wave, double share) {
         const bool upright = std::fabs(wave.y) > std::fabs(wave.x) * (1 + 1e-9);
         if ((upright ? wave.y : wave.x) < 0)
             wave = -1.0 * wave;
         return ChartDirection{wave, share, upright};
     };
     if (sheet.arrangement == Arrangement::lenticular)
-        return {direction(0, 1)};
+        return {direction(lattice.across(), 1)};
     if (sheet.arrangement == Arrangement::square)
-        return {direction(0, 1), direction(pi / 2, 1)};
+        return {direction(lattice.across(), 1), direction(lattice.along(), 1)};
     // The lenses of neighbouring rows are shifted by half a pitch along the rows. Lines half a
     // pitch apart look the same under all of them.
-    return {direction(0, 0.5), direction(pi / 2, std::sqrt(0.75))};
+    return {direction(lattice.across(), 0.5), direction(lattice.along(), std::sqrt(0.75))};
 }
 
 void set_rectangle(const Film& film, double left, double top, double right, double bottom,

@@ -34,7 +34,7 @@ void write_rows(const std::string& output, const Drawing& drawing, const Frame& 
 
 void write_frame_of_views(const std::string& output, const GivenViews& given,
                           const FrameMetadata& geometry, const std::optional<EyeGrid>& eyes,
-                          int threads, const Progress& progress)
+                          const FittedPicture& picture, int threads, const Progress& progress)
 {
     const ViewGrid directions = directions_of(given.grid, geometry.sheet);
     Frame form{form_of(given.views.at(0)), std::nullopt};
@@ -44,8 +44,8 @@ void write_frame_of_views(const std::string& output, const GivenViews& given,
     metadata.quilt.reset();
     set_metadata(form, metadata);
     if (eyes)
-        write_rows(output, FrameOfPerspectives(given.views, geometry, directions, *eyes), form,
-                   threads, progress);
+        write_rows(output, FrameOfPerspectives(given.views, geometry, directions, *eyes, picture),
+                   form, threads, progress);
     else
         write_rows(output, FrameOfViews(given.views, geometry, directions), form, threads,
                    progress);

@@ -8,12 +8,13 @@
 namespace integral {
 
 /// Writes to `output` the frame of that geometry, whose quilt record is left out. The views are of
-/// eyes if there are `eyes`, else parallel ones. `threads` and `progress` as in for_each_row.
+/// eyes if there are `eyes`, and lie on the film as `picture` has it; else they are parallel ones.
+/// `threads` and `progress` as in for_each_row.
 /// Throws std::invalid_argument where the views do not go with the geometry, OutputError, and
 /// Interrupted where `progress` stops the work.
 void write_frame_of_views(const std::string& output, const GivenViews& given,
                           const FrameMetadata& geometry, const std::optional<EyeGrid>& eyes,
-                          int threads, const Progress& progress);
+                          const FittedPicture& picture, int threads, const Progress& progress);
 
 } // namespace integral
 

@@ -2,10 +2,12 @@
 #include "integral/output/given_views.h"
 
 #include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
 #include "integral/io/image_file.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 
@@ -13,10 +15,11 @@ namespace integral {
 
 namespace {
 
-/// The views of an MPO, which stand from left to right.
-GivenViews read_pair(const std::string& input, const ViewsRequest& request)
+/// The views of an MPO or a stereo OpenEXR, which stand from left to right.
+GivenViews read_list(const std::string& input, const ViewsRequest& request)
 {
-    GivenViews all{read_mpo(input), {}, std::nullopt};
+    GivenViews all;
+    all.views = read_list_of_views(input);
     all.grid = request.grid.value_or(ViewGrid{int(all.views.size()), 1});
     if (all.grid.count() != int(all.views.size()))
         throw RequestError(input + ": it holds " + std::to_string(all.views.size()) +
@@ -30,11 +33,13 @@ ViewGrid grid_of_quilt(const std::string& input, const Views& quilt,
                        const std::optional<ViewGrid>& asked)
 {
     if (!quilt.metadata) {
-        const auto grid = asked ? asked : grid_in_name(input);
-        if (!grid)
+        if (asked)
+            return *asked;
+        const auto name = quilt_in_name(input);
+        if (!name)
             throw RequestError(input +
                                ": its name does not end in _qsCxRaASPECT; --views CxR would tell");
-        return *grid;
+        return name->grid;
     }
     const ViewGrid held = quilt.metadata->quilt->grid;
     if (asked && (held.columns != asked->columns || held.rows != asked->rows))
@@ -48,7 +53,9 @@ GivenViews read_quilt(const std::string& input, const ViewsRequest& request)
     ViewsReader file(input, request.needs_geometry);
     const Views& quilt = file.head();
     const ViewGrid grid = grid_of_quilt(input, quilt, request.grid);
-    GivenViews all{{}, grid, quilt.metadata};
+    GivenViews all;
+    all.grid = grid;
+    all.metadata = quilt.metadata;
     if (quilt.metadata && quilt.metadata->quilt->view && grid.count() > 1)
         throw RequestError(input + ": it is view " + std::to_string(*quilt.metadata->quilt->view) +
                            " of " + std::to_string(grid.count()) +
@@ -109,21 +116,65 @@ GivenViews read_files(const std::vector<std::string>& inputs, const ViewsRequest
     return all;
 }
 
+/// The shape that a quilt's name states of its views. Throws RequestError where it cannot be meant.
+std::optional<double> shape_in_name(const std::string& input, const Image& view)
+{
+    constexpr double longest_pixel = 4; // its length by its width; quilts of displays reach 1.8
+    const auto name = quilt_in_name(input);
+    if (!name)
+        return std::nullopt;
+    const double pixel = name->aspect * view.height / view.width;
+    if (std::max(pixel, 1 / pixel) > longest_pixel)
+        throw RequestError(input + ": its name states that a view's width by its height is " +
+                           with_digits(name->aspect, 6) + ", and the views have " +
+                           size_text(view.width, view.height) +
+                           " pixels; --aspect A states what is meant");
+    return name->aspect;
+}
+
+void set_shape(GivenViews& given, const std::vector<std::string>& inputs,
+               const ViewsRequest& request)
+{
+    const Image& view = given.views.at(0);
+    const bool is_quilt = inputs.size() == 1 && !is_list_of_views(inputs[0]);
+    std::optional<double> stated = request.aspect;
+    if (!stated && given.metadata && given.metadata->film.width > 0)
+        stated = shape_of(given.metadata->film);
+    if (!stated && is_quilt && request.of_eyes) // a parallel view's pixels are as large as lenses
+        stated = shape_in_name(inputs[0], view);
+    given.shape = stated.value_or(double(view.width) / view.height);
+    given.shape_is_assumed = is_quilt && !stated;
+}
+
 } // namespace
 
 GivenViews read_given_views(const std::vector<std::string>& inputs, const ViewsRequest& request)
 {
-    if (inputs.size() > 1)
-        return read_files(inputs, request);
-    return is_mpo(inputs[0]) ? read_pair(inputs[0], request) : read_quilt(inputs[0], request);
+    GivenViews given = inputs.size() > 1 ? read_files(inputs, request)
+                       : is_list_of_views(inputs[0]) ? read_list(inputs[0], request)
+                                                       : read_quilt(inputs[0], request);
+    set_shape(given, inputs, request);
+    return given;
 }
 
-std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, int width, int height,
-                                 int threads, const Progress& progress)
+void turn_right_to_left(std::vector<Image>& views, ViewGrid directions)
 {
-    View view;
-    view.width = width;
-    view.height = height;
+    for (int row = 0; row < directions.rows; ++row) {
+        const auto first = views.begin() + row * directions.columns;
+        std::reverse(first, first + directions.columns);
+    }
+}
+
+std::string fit_text(const GivenViews& given, const FittedPicture& picture,
+                     const std::string& target)
+{
+    return fit_text(picture, target) +
+           (given.shape_is_assumed ? "; --aspect A states another shape of the views" : "");
+}
+
+std::vector<Image> views_of_eyes(const Frame& frame, ViewGrid grid, const View& view, int threads,
+                                 const Progress& progress)
+{
     const Eye middle = centre_eye(*frame.metadata);
     auto pictures = replay_each(
         frame, view,

@@ -35,7 +35,7 @@ void for_each_block(int height, int threads, const std::function<void(int first,
 
 } // namespace
 
-ViewPictures::ViewPictures(const Image& quilt, ViewGrid views)
+ViewRaster::ViewRaster(const Image& quilt, ViewGrid views)
     : grid(views),
       width(views.columns > 0 ? quilt.width / views.columns : 0),
       height(views.rows > 0 ? quilt.height / views.rows : 0),
@@ -55,7 +55,7 @@ ViewPictures::ViewPictures(const Image& quilt, ViewGrid views)
         }
 }
 
-ViewPictures::ViewPictures(const std::vector<Image>& views, ViewGrid numbers) : grid(numbers)
+ViewRaster::ViewRaster(const std::vector<Image>& views, ViewGrid numbers) : grid(numbers)
 {
     if (grid.count() < 1 || int(views.size()) != grid.count())
         throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, not " +
@@ -73,7 +73,7 @@ ViewPictures::ViewPictures(const std::vector<Image>& views, ViewGrid numbers) : 
     }
 }
 
-Image panel_image(const ViewPictures& views, int width, int height)
+Image panel_image(const ViewRaster& views, int width, int height)
 {
     return blank_like(*views.form, width, height);
 }
@@ -85,7 +85,7 @@ template <class Sample> class KeptRows {
 public:
     /// `blended`: the two rows that a row of the panel shows are blended first, and rounded; else
     /// they are paired where `in_pairs`.
-    KeptRows(const ViewPictures& views, bool blended, bool in_pairs)
+    KeptRows(const ViewRaster& views, bool blended, bool in_pairs)
         : views_(views),
           blended_(blended),
           in_pairs_(in_pairs && !blended),
@@ -97,7 +97,7 @@ public:
     }
 
     /// Whether interlace_row can count the places in rows of so large views: 31 bits.
-    static bool can_hold(const ViewPictures& views)
+    static bool can_hold(const ViewRaster& views)
     {
         return (2.0 * views.width * channels + 128) * (views.grid.count() + 1) * rows_kept <
                    0x7fffff00 &&
@@ -142,7 +142,7 @@ private:
         return ((samples * sizeof(Sample) + 63) / 64 | 1) * 64 / sizeof(Sample);
     }
 
-    const ViewPictures& views_;
+    const ViewRaster& views_;
     const bool blended_, in_pairs_;
     const int places_; ///< row k is at place k % places_
     const std::size_t view_step_, row_step_;
@@ -181,7 +181,7 @@ private:
 /// Interlaces one panel image.
 template <class Sample> class Interlacer {
 public:
-    Interlacer(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend)
+    Interlacer(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend)
         : samples_(std::get<std::vector<Sample>>(panel.samples)),
           views_(views),
           mapping_(mapping),
@@ -189,7 +189,9 @@ public:
           blends_pixels_(blend.pixels == Neighbours::linear),
           is_plain_(mapping.is_plain()),
           views_up_(mapping.up.rows > 0 ? views.grid.rows : 1),
-          views_across_(views.grid.count() / views_up_)
+          views_across_(views.grid.count() / views_up_),
+          first_sample_(mapping.left * channels),
+          count_(std::max(0, mapping.width - mapping.left - mapping.right) * channels)
     {
         for (int view = 0; view < views.grid.count(); ++view)
             first_.push_back(views.first<Sample>(view));
@@ -210,9 +212,16 @@ public:
             kept = kept_.take([&] {
                 return std::make_unique<KeptRows<Sample>>(views_, is_plain_, blends_pixels_);
             });
+        const int whole_row = mapping_.width * channels;
         for (int y = first; y < end; ++y) {
+            Sample* const begin = samples_.data() + std::size_t(y) * whole_row;
+            if (y < mapping_.top || y >= mapping_.height - mapping_.bottom) {
+                std::fill_n(begin, whole_row, Sample(0));
+                continue;
+            }
+            Sample* const samples = std::fill_n(begin, first_sample_, Sample(0));
+            std::fill(samples + count_, begin + whole_row, Sample(0));
             const PanelRow row = row_of_panel(y);
-            Sample* const samples = samples_.data() + std::size_t(y) * row.count;
             if (!kept || !make_of_kept_rows(samples, row, y, *kept))
                 make_one_by_one(samples, row, y);
         }
@@ -224,14 +233,14 @@ private:
     PanelRow row_of_panel(int y) const
     {
         const auto axis = [&](const PhaseTable& table, int parts) {
-            return RowAxis{table.row(y), std::uint32_t(parts)};
+            return RowAxis{table.row(y).from(first_sample_), std::uint32_t(parts)};
         };
-        return {mapping_.width * channels,
+        return {count_,
                 axis(mapping_.across, views_across_),
                 axis(mapping_.x, views_.width),
                 axis(mapping_.y, views_.height),
-                x_places_.data(),
-                x_weights_.data(),
+                x_places_.data() + (is_plain_ ? first_sample_ : 0),
+                x_weights_.data() + (is_plain_ ? first_sample_ : 0),
                 mapping_.has_unseen,
                 is_plain_};
     }
@@ -269,9 +278,10 @@ private:
                 samples[i] = 0;
                 continue;
             }
-            const Step up = views_up_ == 1 ? 0
-                                           : step_among(std::uint32_t(views_up_),
-                                                        mapping_.up.row(y)[i], blends_views_);
+            const Step up = views_up_ == 1
+                                ? 0
+                                : step_among(std::uint32_t(views_up_),
+                                             mapping_.up.row(y)[first_sample_ + i], blends_views_);
             samples[i] = sample(step_among(row.across.parts, phase, blends_views_), up,
                                 step_among(row.x.parts, row.x.phases[i], blends_pixels_),
                                 step_among(row.y.parts, row.y.phases[i], blends_pixels_),
@@ -304,18 +314,19 @@ private:
     }
 
     std::vector<Sample>& samples_;
-    const ViewPictures& views_;
+    const ViewRaster& views_;
     const PanelMapping& mapping_;
     const bool blends_views_, blends_pixels_;
     const bool is_plain_; ///< the mapping
     const int views_up_, views_across_;
+    const int first_sample_, count_; ///< of a row of the panel: those that show the picture
     std::vector<const Sample*> first_;                ///< of each view
     std::vector<std::uint32_t> x_places_, x_weights_; ///< as in PanelRow; plain mappings
     Borrowed<KeptRows<Sample>> kept_;
 };
 
 template <class Sample>
-void interlace_as(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend,
+void interlace_as(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend,
                   int threads)
 {
     Interlacer<Sample> interlacer(panel, views, mapping, blend);
@@ -325,7 +336,7 @@ void interlace_as(Image& panel, const ViewPictures& views, const PanelMapping& m
 
 } // namespace
 
-void interlace(Image& panel, const ViewPictures& views, const PanelMapping& mapping, Blend blend,
+void interlace(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend,
                int threads)
 {
     if (panel.width != mapping.width || panel.height != mapping.height ||

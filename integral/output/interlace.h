@@ -25,12 +25,12 @@ struct Blend {
 
 /// The pictures of views where they lie in memory: three channels of 8 or 16 bits. Refers to images
 /// that must outlive it.
-class ViewPictures {
+class ViewRaster {
 public:
     /// The views in a quilt, or a list of pictures by view number. Throws std::invalid_argument
     /// where pictures differ in size or form, are of another form, or fewer than grid.count().
-    ViewPictures(const Image& quilt, ViewGrid grid);
-    ViewPictures(const std::vector<Image>& views, ViewGrid grid);
+    ViewRaster(const Image& quilt, ViewGrid grid);
+    ViewRaster(const std::vector<Image>& views, ViewGrid grid);
 
     ViewGrid grid;
     int width = 0, height = 0;   ///< of a view, pixels
@@ -49,13 +49,13 @@ private:
 };
 
 /// A black image for a panel, in the views' form. One serves all frames of a sequence.
-Image panel_image(const ViewPictures& views, int width, int height);
+Image panel_image(const ViewRaster& views, int width, int height);
 
 /// Fills the panel's image, which panel_image has made. Where the mapping has no phases up, the
 /// views stand side by side by number, whatever their grid. `threads` as in for_each_row. Throws
 /// std::invalid_argument where the image is of another size or form.
-void interlace(Image& panel, const ViewPictures& views, const PanelMapping& mapping,
-               Blend blend = {}, int threads = 0);
+void interlace(Image& panel, const ViewRaster& views, const PanelMapping& mapping, Blend blend = {},
+               int threads = 0);
 
 } // namespace integral
 

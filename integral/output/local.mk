@@ -81,5 +81,5 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/spool.h \
   integral/output/spool_document.cpp \
   integral/output/spool_document.h \
-  integral/output/view_pictures.cpp \
-  integral/output/view_pictures.h
+  integral/output/view_export.cpp \
+  integral/output/view_export.h

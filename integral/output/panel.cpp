@@ -53,15 +53,7 @@ LensSheet read_sheet(const JsonObject& object, double distance)
 {
     refuse_others(object, {"arrangement", "pitch_mm", "micro_image_pitch_mm", "thickness_mm", "ior",
                            "slant_degrees", "offset_mm"});
-    if (!object.has("micro_image_pitch_mm"))
-        return sheet_from(object);
-    if (object.has("pitch_mm"))
-        refuse(object.path_of("micro_image_pitch_mm"),
-               "cannot stand beside pitch_mm: one follows from the other");
-    LensSheet sheet = sheet_from(object, "micro_image_pitch_mm");
-    check_ranges(sheet, {1, 1, {1, 1}});
-    sheet.pitch /= 1 + sheet.thickness / (sheet.ior * distance);
-    return sheet;
+    return sheet_seen_from(object, distance);
 }
 
 /// A display's calibration in the form of any maker that is known.
@@ -121,8 +113,6 @@ Panel read_document(const JsonObject& document)
 }
 
 } // namespace
-
-double nominal_viewing_distance(Vec2 size) { return 2.5 * std::sqrt(dot(size, size)); }
 
 Panel panel_from(const LookingGlassCalibration& calibration, std::optional<double> viewing_distance,
                  double ior)

@@ -28,10 +28,6 @@ struct Panel {
     std::optional<LookingGlassCalibration> calibration;
 };
 
-/// Where viewers of a screen of that size stand unless something else is said: at two and a half
-/// times its diagonal, mm.
-double nominal_viewing_distance(Vec2 size);
-
 /// Polymethyl methacrylate, of which lens sheets are made.
 constexpr double nominal_ior = 1.49;
 

@@ -27,7 +27,7 @@ std::string path_of(const std::string& output, const std::vector<std::string>& g
 
 void check_name(const std::string& path)
 {
-    if (grid_in_name(path))
+    if (quilt_in_name(path))
         throw RequestError("-o " + path + ": such a name says that it is a quilt; " +
                            without_grid(path) + " would do");
     format_for(path);

@@ -106,13 +106,17 @@ std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame
 
 /// What to say of a frame that was rendered for the panel, but for eyes elsewhere; nothing where
 /// they are the panel's.
-std::optional<std::string> other_zone(const Aperture& frame, const Aperture& panel)
+std::optional<std::string> other_zone(const Aperture& frame, const Panel& of)
 {
-    if (alike(frame.distance, panel.distance) && alike(frame.width, panel.width))
+    const Aperture& panel = of.aperture;
+    const bool lie_across = lenses_lie_across(of.sheet);
+    const auto extent = [&](const Aperture& a) { return lie_across ? a.height : a.width; };
+    if (alike(frame.distance, panel.distance) && alike(extent(frame), extent(panel)))
         return std::nullopt;
     const auto mm = [](double length) { return with_decimals(length, 0) + " mm"; };
-    return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " + mm(frame.width) +
-           " wide; the panel's are " + mm(panel.distance) + " away in " + mm(panel.width) +
+    return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " +
+           mm(extent(frame)) + (lie_across ? " high" : " wide") + "; the panel's are " +
+           mm(panel.distance) + " away in " + mm(extent(panel)) +
            ", and near the ends see neighbouring views; viewing_distance " +
            with_decimals(panel.distance, 0) + " in the camera moves them there";
 }
@@ -133,6 +137,23 @@ bool has_round_lenses(const FrameMetadata& geometry)
     return geometry.sheet.arrangement != Arrangement::lenticular;
 }
 
+/// What the pictures of a frame's sheet lack that a panel's lenses show; nothing where they have
+/// all of it.
+std::optional<std::string> missing_views(const LensSheet& frame, const LensSheet& panel)
+{
+    const bool round = panel.arrangement != Arrangement::lenticular;
+    if (frame.arrangement != Arrangement::lenticular)
+        return std::nullopt;
+    const bool lie_across = lenses_lie_across(frame);
+    if (!round && lie_across == lenses_lie_across(panel))
+        return std::nullopt;
+    return std::string("its lenses are lenticular and show nothing new from ") +
+           (lie_across ? "the side" : "above") + ", as the panel's" +
+           (round        ? " round ones do"
+            : lie_across ? " upright ones do"
+                         : ", which lie across, do");
+}
+
 } // namespace
 
 PanelImages::PanelImages(const Panel& panel, PanelImageOptions options)
@@ -141,8 +162,6 @@ PanelImages::PanelImages(const Panel& panel, PanelImageOptions options)
     if (double(panel.film.width) * panel.film.height * 3 > most_samples)
         throw RequestError(options_.panel_name +
                            ": it has more pixels than this program makes at once");
-    if (panel_.calibration)
-        mapping_ = mapping_of(*panel_.calibration);
 }
 
 std::vector<std::vector<std::string>> PanelImages::groups(
@@ -152,12 +171,14 @@ std::vector<std::vector<std::string>> PanelImages::groups(
         return {inputs};
     // A file of one view says so, and so do quilts and frames: what says nothing is taken for a
     // view.
-    const Views first = read_views(inputs[0], false);
-    const bool one_view = first.metadata && first.metadata->quilt->view;
-    bool alone = first.metadata || grid_in_name(inputs[0]) || is_mpo(inputs[0]);
-    if (!first.metadata && !alone)
-        alone = read_frame(inputs[0]).metadata.has_value();
-    if (one_view || !alone)
+    bool alone = is_list_of_views(inputs[0]);
+    if (!alone) {
+        const auto views = ViewsReader(inputs[0], false).head().metadata;
+        if (views && views->quilt->view)
+            return {inputs};
+        alone = views || quilt_in_name(inputs[0]) || FrameReader(inputs[0]).frame().metadata;
+    }
+    if (!alone)
         return {inputs};
     std::vector<std::vector<std::string>> each;
     for (const std::string& input : inputs)
@@ -185,6 +206,26 @@ Frame PanelImages::finished(Image image, std::optional<Aperture> zone) const
     return frame;
 }
 
+FittedPicture PanelImages::fitted_to_panel(double shape) const
+{
+    return fitted(shape, shape_of(panel_.film), options_.fit);
+}
+
+/// Makes mapping_ that for a picture that lies so on the panel, and for eyes: nothing for the
+/// panel's own. A mapping that there is already is kept.
+void PanelImages::map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes)
+{
+    if (picture.size.x != mapped_picture_.size.x || picture.size.y != mapped_picture_.size.y) {
+        mapping_.reset();
+        mapped_eyes_.reset();
+    }
+    mapped_picture_ = picture;
+    if (!panel_.calibration)
+        map_through_lenses(eyes);
+    else if (!mapping_)
+        mapping_ = mapping_of(*panel_.calibration, picture);
+}
+
 /// Makes mapping_ that for eyes: nothing for the panel's own.
 void PanelImages::map_through_lenses(std::optional<EyeGrid> eyes)
 {
@@ -198,14 +239,15 @@ void PanelImages::map_through_lenses(std::optional<EyeGrid> eyes)
         wanted.zone.y == mapped_eyes_->zone.y && wanted.distance == mapped_eyes_->distance)
         return;
     mapped_eyes_.reset();
-    mapping_ = mapping_of(geometry_, wanted, options_.threads, options_.progress("panel"));
+    mapping_ = mapping_of(geometry_, wanted, options_.threads, options_.progress("panel"),
+                          mapped_picture_);
     if (!mapping_)
         throw Interrupted();
     mapped_eyes_ = wanted;
 }
 
 Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
-                              Blend blend)
+                              Blend blend, const FittedPicture& picture)
 {
     views_ = grid.count();
     const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
@@ -216,14 +258,12 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
         view = prepared(view, light);
         stop_if_interrupted();
     }
-    const ViewPictures pictures(views, grid);
+    const ViewRaster pictures(views, grid);
     Image image = panel_image(pictures, panel_.film.width, panel_.film.height);
-    if (!panel_.calibration) {
-        map_through_lenses(eyes);
-        if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
-            throw RequestError("round lenses show views across and up; " +
-                               size_text(grid.columns, grid.rows) + " are given");
-    }
+    map_picture(picture, eyes);
+    if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
+        throw RequestError("round lenses show views across and up; " +
+                           size_text(grid.columns, grid.rows) + " are given");
     interlace(image, pictures, *mapping_, blend, options_.threads);
     if (!panel_.calibration) // whose mapping is that of the image as it is sent
         image = as_sent(image);
@@ -234,7 +274,8 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
 std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& group) const
 {
     const std::string& name = group[0];
-    if (group.size() > 1 || grid_in_name(name) || is_mpo(name) || read_views(name, true).metadata)
+    if (group.size() > 1 || quilt_in_name(name) || is_list_of_views(name) ||
+        read_views(name, true).metadata)
         return std::nullopt;
     Frame frame = read_frame(name);
     if (frame.metadata)
@@ -250,22 +291,39 @@ Frame PanelImages::image_of_views(const std::vector<std::string>& group)
     ViewsRequest request;
     request.grid = options_.views;
     request.of_eyes = true;
+    request.aspect = options_.aspect;
     GivenViews views = read_given_views(group, request);
     if (views.metadata && !views.metadata->quilt->eyes)
         throw RequestError(group[0] +
                            ": it holds parallel views; a panel shows those of eyes (integral "
                            "views --eyes), or the frame (integral views --to-frame)");
     std::optional<EyeGrid> eyes;
-    if (views.metadata)
+    if (views.metadata) {
+        check_directions(group[0], *views.metadata, views.grid);
         eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
-    return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend));
+    }
+    if (options_.right_to_left)
+        turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));
+    const FittedPicture picture = fitted_to_panel(views.shape);
+    if (picture.differs())
+        options_.tell(group[0] + ": " + fit_text(views, picture, "the panel"));
+    return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend, picture));
+}
+
+/// Throws RequestError where several views of a frame's lenses do not differ as the panel's do.
+void PanelImages::check_directions(const std::string& name, const FrameMetadata& frame,
+                                   ViewGrid grid) const
+{
+    const auto what = missing_views(frame.sheet, geometry_.sheet);
+    if (what && grid.count() > 1)
+        throw RequestError(name + ": " + *what + "; --camera says what to render for the panel");
 }
 
 /// A frame that was rendered for the panel is passed through.
 Frame PanelImages::native_image(const std::string& name, const Frame& frame)
 {
     views_ = 0;
-    if (const auto what = other_zone(frame.metadata->aperture, panel_.aperture))
+    if (const auto what = other_zone(frame.metadata->aperture, panel_))
         options_.tell(name + ": " + *what);
     return finished(as_sent(prepared(frame.image, false)), frame.metadata->aperture);
 }
@@ -273,20 +331,22 @@ Frame PanelImages::native_image(const std::string& name, const Frame& frame)
 Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
 {
     const FrameMetadata& metadata = *frame.metadata;
+    if (options_.aspect || options_.right_to_left)
+        throw RequestError(name + ": it is a frame; --aspect and --right-to-left are for views");
     if (likeness(metadata, geometry_).all())
         return native_image(name, frame);
     const ViewGrid grid = directions_of(options_.views.value_or(natural_views(geometry_)),
                                         geometry_.sheet);
-    if (grid.rows > 1 && !has_round_lenses(metadata))
-        throw RequestError(name + ": its lenses are lenticular and show nothing new from above, "
-                                  "as the panel's round ones do; --camera says what to render for "
-                                  "the panel");
+    check_directions(name, metadata, grid);
     if (const auto what = near_miss(metadata, geometry_))
         options_.tell(name + ": it is nearly a frame of this panel's own, but " + *what +
                       ": the image is made of " + counted(grid.count(), "view") +
                       " of it; --camera says what to render for the panel");
+    const FittedPicture picture = fitted_to_panel(shape_of(metadata.film));
+    if (picture.differs())
+        options_.tell(name + ": " + fit_text(picture, "the panel"));
     View view;
-    set_view_size(view, geometry_.film, longer_side_of_a_view);
+    set_view_size(view, picture.differs() ? metadata.film : geometry_.film, longer_side_of_a_view);
     if (options_.width > 0) {
         view.width = options_.width;
         view.height = options_.height;
@@ -294,9 +354,9 @@ Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
     const double distance = metadata.aperture.distance;
     const auto eyes = eyes_before(panel_.film, metadata,
                                   {viewing_zone(metadata, distance), distance});
-    return finished(interlaced(views_of_eyes(frame, grid, view.width, view.height, options_.threads,
-                                             options_.progress("views")),
-                               grid, eyes, options_.blend));
+    return finished(
+        interlaced(views_of_eyes(frame, grid, view, options_.threads, options_.progress("views")),
+                   grid, eyes, options_.blend, picture));
 }
 
 Frame PanelImages::image_of(const std::vector<std::string>& group)
@@ -323,13 +383,11 @@ Frame PanelImages::image_of_card(PanelCard card)
     if (lit && (*lit < 0 || *lit >= count))
         throw RequestError("--view " + std::to_string(*lit) + ": a whole number from 0 to " +
                            std::to_string(count - 1) + " is expected");
-    const double aspect = panel_.film.width * panel_.film.pixel_pitch.x /
-                          (panel_.film.height * panel_.film.pixel_pitch.y);
-    auto views = card == PanelCard::views       ? view_number_card(count, aspect)
+    auto views = card == PanelCard::views       ? view_number_card(count, shape_of(panel_.film))
                  : card == PanelCard::crosstalk ? crosstalk_card(count, lit)
                                                 : colour_card(count, lit.value_or(count / 2));
     return finished(interlaced(std::move(views), grid, std::nullopt,
-                               {Neighbours::nearest, Neighbours::nearest}));
+                               {Neighbours::nearest, Neighbours::nearest}, {}));
 }
 
 Frame PanelImages::card(PanelCard card)

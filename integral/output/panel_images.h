@@ -22,6 +22,9 @@ struct PanelImageOptions {
     /// How many views a quilt has, a frame is seen from, or a card shows. Nothing: as the quilt
     /// says; as many as pixels are nearest to a lens's; 8, or 4 x 4 behind round lenses.
     std::optional<ViewGrid> views;
+    std::optional<double> aspect; ///< shape of given views, as in ViewsRequest
+    bool right_to_left = false;   ///< given views stand from right to left
+    Fit fit = Fit::contain;       ///< of frames and views of another shape than the panel's
     Blend blend;
     bool encoded = false;        ///< blend stored values, not linear light
     int width = 0, height = 0;   ///< of each view that is seen of a frame, pixels; 0: 1000 on the
@@ -59,13 +62,16 @@ public:
 
 private:
     std::optional<Frame> read_frame_of(const std::vector<std::string>& group) const;
+    void check_directions(const std::string& name, const FrameMetadata& frame, ViewGrid grid) const;
     Frame image_of_views(const std::vector<std::string>& group);
     Frame image_of_frame(const std::string& name, const Frame& frame);
     Frame native_image(const std::string& name, const Frame& frame);
     Frame image_of_card(PanelCard card);
     Image interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
-                     Blend blend);
+                     Blend blend, const FittedPicture& picture);
+    void map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes);
     void map_through_lenses(std::optional<EyeGrid> eyes);
+    FittedPicture fitted_to_panel(double shape) const;
     Image as_sent(const Image& upright) const;
     Frame finished(Image image, std::optional<Aperture> zone = std::nullopt) const;
 
@@ -74,6 +80,7 @@ private:
     const FrameMetadata geometry_;
     int views_ = 0;
     std::optional<PanelMapping> mapping_;
+    FittedPicture mapped_picture_;       ///< for which mapping_ is
     std::optional<EyeGrid> mapped_eyes_; ///< for which mapping_ is, where it is of the lenses
 };
 

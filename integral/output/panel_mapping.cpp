@@ -18,10 +18,24 @@ std::uint32_t phase_of(double part)
     return std::uint32_t(std::uint64_t(std::llround((part - std::floor(part)) * whole_range)));
 }
 
-/// The phase of the middle of a pixel in a picture that is `count` of them wide.
-std::uint32_t middle_phase(int pixel, int count, bool flip)
+/// Along one side of a panel: the phases of its pixels' middles in the picture, whose size is given
+/// in parts of the side, and how many at either end are beside it.
+struct PanelSide {
+    std::vector<std::uint32_t> phases;
+    int before = 0, after = 0;
+};
+
+PanelSide side_of(int count, bool flip, double size)
 {
-    return phase_of((flip ? count - pixel - 0.5 : pixel + 0.5) / count);
+    PanelSide side;
+    for (int pixel = 0; pixel < count; ++pixel) {
+        const double part = part_of_picture((flip ? count - pixel - 0.5 : pixel + 0.5) / count,
+                                            size);
+        side.phases.push_back(phase_of(part));
+        if (!(part >= 0 && part < 1))
+            ++(2 * pixel < count ? side.before : side.after);
+    }
+    return side;
 }
 
 /// A table of 16-bit phases, one for each subpixel of a film.
@@ -50,7 +64,7 @@ PhaseRow PhaseTable::row(int y) const
             shift.empty() ? 0 : shift[y], columns == 1};
 }
 
-PanelMapping mapping_of(const LookingGlassCalibration& calibration)
+PanelMapping mapping_of(const LookingGlassCalibration& calibration, const FittedPicture& picture)
 {
     // Each phase is worked out in double precision by view_of_subpixel: no error adds up along a
     // row. Patterns of subpixel cells repeat after four rows at most.
@@ -71,13 +85,17 @@ PanelMapping mapping_of(const LookingGlassCalibration& calibration)
                      view_of_subpixel(calibration, 0, row % kinds_of_rows, 0)));
     mapping.x.rows = 1;
     mapping.x.columns = columns;
+    const PanelSide across = side_of(calibration.width, calibration.flip_x, picture.size.x);
     for (int i = 0; i < columns; ++i)
-        mapping.x.whole.push_back(
-            middle_phase(i / channels, calibration.width, calibration.flip_x));
+        mapping.x.whole.push_back(across.phases[i / channels]);
+    mapping.left = across.before;
+    mapping.right = across.after;
+    PanelSide down = side_of(calibration.height, calibration.flip_y, picture.size.y);
     mapping.y.rows = calibration.height;
     mapping.y.columns = 1;
-    for (int row = 0; row < calibration.height; ++row)
-        mapping.y.whole.push_back(middle_phase(row, calibration.height, calibration.flip_y));
+    mapping.y.whole = std::move(down.phases);
+    mapping.top = down.before;
+    mapping.bottom = down.after;
     return mapping;
 }
 
@@ -97,11 +115,12 @@ static PanelMapping empty_mapping(const Film& film, bool round_lenses)
 }
 
 std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid eyes, int threads,
-                                       const Progress& progress)
+                                       const Progress& progress, const FittedPicture& picture)
 {
     const Film& film = geometry.film;
     const SheetOptics optics(geometry.sheet, geometry.aperture);
-    const bool round_lenses = geometry.sheet.arrangement != Arrangement::lenticular;
+    const bool round_lenses = geometry.sheet.arrangement != Arrangement::lenticular,
+               lie_across = lenses_lie_across(geometry.sheet);
     PanelMapping mapping = empty_mapping(film, round_lenses);
     const auto row = [&](int y) {
         const std::size_t begin = std::size_t(y) * film.width * channels,
@@ -112,13 +131,17 @@ std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid ey
             const auto seen = eye_place(
                 optics, eyes,
                 film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel)));
-            mapping.across.high[i] = seen ? high_phase(seen->eye.x)
-                                          : std::uint16_t(PanelMapping::unseen >> 16);
+            mapping.across.high[i] = std::uint16_t(PanelMapping::unseen >> 16);
             if (!seen)
                 continue;
-            const Vec2 at = pixel_from_film(film, seen->place);
-            mapping.x.high[i] = high_phase(at.x / film.width);
-            mapping.y.high[i] = high_phase(at.y / film.height);
+            const Vec2 pixel = pixel_from_film(film, seen->place),
+                       on_panel{pixel.x / film.width, pixel.y / film.height};
+            if (picture.is_in_bar(on_panel))
+                continue;
+            const Vec2 at = picture.picture_place(on_panel);
+            mapping.across.high[i] = high_phase(lie_across ? seen->eye.y : seen->eye.x);
+            mapping.x.high[i] = high_phase(at.x);
+            mapping.y.high[i] = high_phase(at.y);
             least = std::min(least, mapping.y.high[i]);
             greatest = std::max(greatest, mapping.y.high[i]);
             if (round_lenses)

@@ -6,6 +6,7 @@
 
 #include "integral/base/parallel.h"
 #include "integral/lightfield/frame_metadata.h"
+#include "integral/lightfield/picture_fit.h"
 #include "integral/lightfield/view_grid.h"
 #include "integral/output/looking_glass.h"
 
@@ -34,6 +35,13 @@ struct PhaseRow {
         const int i = is_one ? 0 : subpixel;
         return (whole ? whole[i] : phase_of_high(high[i])) + shift;
     }
+
+    /// The same row from a subpixel on.
+    PhaseRow from(int subpixel) const
+    {
+        const int i = is_one ? 0 : subpixel;
+        return {whole ? whole + i : nullptr, high ? high + i : nullptr, shift, is_one};
+    }
 };
 
 /// Phases of a panel's subpixels. A phase is a place in a range in units of 2^-32 of the range, so
@@ -52,13 +60,18 @@ struct PhaseTable {
 /// Subpixels are numbered along a row: red, green and blue of the leftmost pixel, and so on.
 struct PanelMapping {
     int width = 0, height = 0; ///< of the panel, pixels
-    PhaseTable across;         ///< from where in the viewing zone a subpixel is seen, from its left
-    PhaseTable up;             ///< likewise from below; without rows: views differ across alone
+    /// From where in the viewing zone a subpixel is seen, from its left; behind lenses that lie
+    /// across, from below.
+    PhaseTable across;
+    PhaseTable up;             ///< likewise from below; without rows: views differ one way alone
     PhaseTable x, y;           ///< which place of the picture it shows, from the left and the top
     /// The least and the greatest of y.high in each row of the panel, among what is seen; empty
     /// where the mapping is plain.
     std::vector<std::array<std::uint16_t, 2>> y_range;
-    bool has_unseen = false; ///< subpixels whose phase across is `unseen` are seen by no eye
+    bool has_unseen = false; ///< subpixels whose phase across is `unseen` are black: they are seen
+                             ///< by no eye, or lie beside the picture
+    /// How many columns and rows of the panel at each side lie beside the picture and are black.
+    int left = 0, right = 0, top = 0, bottom = 0;
 
     /// Whether a row of the panel shows one height of the picture, all rows show the same columns
     /// of it, and all is seen: as with published mappings. Interlacing is faster then:
@@ -71,14 +84,16 @@ struct PanelMapping {
     static constexpr std::uint32_t unseen = 0xffff8000u;
 };
 
-/// The mapping that a display's maker publishes.
-PanelMapping mapping_of(const LookingGlassCalibration& calibration);
+/// The mapping that a display's maker publishes, for pictures that lie so on the panel.
+PanelMapping mapping_of(const LookingGlassCalibration& calibration,
+                        const FittedPicture& picture = {});
 
 /// The mapping through the lenses of a panel that has the geometry of a frame. It takes 16 bits a
 /// subpixel for each of across, x and y, and up where lenses are round. `threads` and `progress` as
 /// in for_each_row; nothing where `progress` stopped the work.
 std::optional<PanelMapping> mapping_of(const FrameMetadata& geometry, EyeGrid eyes, int threads = 0,
-                                       const Progress& progress = {});
+                                       const Progress& progress = {},
+                                       const FittedPicture& picture = {});
 
 } // namespace integral
 

@@ -51,7 +51,7 @@ std::string render_settings(Panel panel, const std::optional<ViewGrid>& quilt)
         film = {film.width * finer, film.height * finer, (1.0 / finer) * film.pixel_pitch};
     }
     return "Width=" + std::to_string(film.width) + "\nHeight=" + std::to_string(film.height) +
-           "\nIntegral_Camera=\"" + camera_words(frame_geometry(panel)) + "\"\n" +
+           "\nIntegral_Camera=\"" + camera_words(frame_geometry(panel)) + " " + fit_words() + "\"\n" +
            (quilt ? "Integral_Quilt=" + size_text(quilt->columns, quilt->rows) + "\n" : "");
 }
 

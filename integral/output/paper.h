@@ -18,7 +18,7 @@ struct Paper {
 /// names.
 std::optional<Paper> paper_named(const std::string& name);
 
-/// All names, for messages: "3.5x5, 4x6 and A4".
+/// All names, for messages and completion: "3.5x5, 4x6 and A4".
 std::string paper_names();
 
 } // namespace integral

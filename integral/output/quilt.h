@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Quilts: the views of a grid in one picture. Their order is that of the Looking Glass quilt
 // standard (lookingglassfactory.com/tutorial/what-is-a-quilt): the bottom left tile is view 0, from
-// the far left, the top right one the last, from the far right.
+// the far left, the top right one the last, from the far right (of lenses that lie across: from
+// below, and from above).
 #ifndef INTEGRAL_OUTPUT_QUILT_H
 #define INTEGRAL_OUTPUT_QUILT_H
 

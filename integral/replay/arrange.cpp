@@ -33,26 +33,39 @@ std::vector<Eye> eye_grid(Eye middle, int columns, int rows, Vec2 zone)
     return eyes;
 }
 
-std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span,
-                          int steps)
+std::vector<Eye> contact_sheet_eyes(const FrameMetadata& metadata, Eye middle, int columns,
+                                    int rows)
 {
+    const Vec2 zone = viewing_zone(metadata, middle.distance);
+    if (rows > 1 || !lenses_lie_across(metadata.sheet))
+        return eye_grid(middle, columns, rows, zone);
+    std::vector<Eye> eyes = eye_grid(middle, 1, columns, zone);
+    std::reverse(eyes.begin(), eyes.end());
+    return eyes;
+}
+
+std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span,
+                          int steps, bool upwards)
+{
+    const double wide = upwards ? zone.y : zone.x, start = upwards ? middle.y : middle.x;
     std::vector<Eye> eyes;
     for (int k = 0; k < steps; ++k) {
         const double along = steps > 1 ? double(k) / (steps - 1) - 0.5 : 0; // -0.5 to 0.5
         Eye eye = middle;
+        double& place = upwards ? eye.y : eye.x;
         switch (path) {
         case EyePath::turntable: {
             const double all = span ? *span * pi / 180
-                                    : 2 * std::atan2(0.5 * zone.x, middle.distance);
-            const double radius = std::hypot(middle.x, middle.distance),
-                         turn = std::atan2(middle.x, middle.distance) + along * all;
-            eye.x = radius * std::sin(turn);
+                                    : 2 * std::atan2(0.5 * wide, middle.distance);
+            const double radius = std::hypot(start, middle.distance),
+                         turn = std::atan2(start, middle.distance) + along * all;
+            place = radius * std::sin(turn);
             eye.distance = radius * std::cos(turn);
             break;
         }
-        case EyePath::sweep: eye.x += along * span.value_or(zone.x); break;
+        case EyePath::sweep: place += along * span.value_or(wide); break;
         case EyePath::sway:
-            eye.x += 0.5 * span.value_or(0.8 * zone.x) * std::sin(2 * pi * k / steps);
+            place += 0.5 * span.value_or(0.8 * wide) * std::sin(2 * pi * k / steps);
             break;
         case EyePath::circle: {
             const double longer = std::max(zone.x, zone.y),

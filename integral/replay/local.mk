@@ -8,6 +8,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/depth_page.h \
   integral/replay/depth_picture.cpp \
   integral/replay/depth_picture.h \
+  integral/replay/fit_part.cpp \
+  integral/replay/fit_part.h \
+  integral/replay/draft_frame.cpp \
+  integral/replay/draft_frame.h \
   integral/replay/interpolate.h \
   integral/replay/parallel_views.cpp \
   integral/replay/parallel_views.h \

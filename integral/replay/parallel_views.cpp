@@ -90,9 +90,7 @@ public:
     /// each other in the view and are a lens apart on the film.
     template <class Move> void each(int y, Move move) const
     {
-        const bool lenticular = lenses_.arrangement == Arrangement::lenticular;
-        const int row = lenticular ? y : lenses_.down.lens(y),
-                  up = lenticular ? 0 : lenses_.down.place(y);
+        const int row = lenses_.down.lens(y), up = lenses_.down.place(y);
         const std::size_t view_row = std::size_t(row) * lenses_.window.columns,
                           film_row = std::size_t(y) * lenses_.film.width;
         for (int column = lenses_.grid.columns; column-- > 0;)
@@ -105,9 +103,8 @@ public:
     void gather_row(int view, int row, const PixelMover& move, const unsigned char* film,
                     unsigned char* to) const
     {
-        const bool lenticular = lenses_.arrangement == Arrangement::lenticular;
         const int up = view / lenses_.grid.columns;
-        const int y = lenticular ? row : lenses_.down.border + (row - 1) * lenses_.down.pixels + up;
+        const int y = lenses_.down.border + (row - 1) * lenses_.down.pixels + up;
         if (y < 0 || y >= lenses_.film.height)
             return;
         const Run& run = runs_[std::size_t(view % lenses_.grid.columns)];

@@ -18,7 +18,8 @@ namespace integral {
 
 /// Which lenses a view has pixels of: all behind which the film has a pixel, in the rows of the
 /// lattice, the top row first. A hexagonal lens has two pixels, side by side, so that odd rows are
-/// half a lens to the right. Behind a lenticular sheet each row of the film has a row of pixels.
+/// half a lens to the right. Behind upright lenticular lenses each row of the film has a row of
+/// pixels, behind ones that lie across each column has a column.
 struct LensWindow {
     LensIndex first;           ///< the lens of the top left pixel (hexagonal: of an even row)
     int columns = 0, rows = 0; ///< pixels
@@ -27,13 +28,13 @@ struct LensWindow {
 /// The number of film pixels to a lens, across and down, rounded to whole ones.
 ViewGrid natural_views(const FrameMetadata& metadata);
 
-/// The lenses of a frame's views. Throws std::invalid_argument for a lenticular sheet slanted by
-/// more than 45 degrees, which shows no views from left to right.
+/// The lenses of a frame's views. Throws std::invalid_argument where they are more than 1000000
+/// one way.
 LensWindow lens_window(const FrameMetadata& metadata);
 
 /// Whether the pixels of the views are just those of the film, so that nothing is lost either way:
-/// natural views of lenticular or square lenses that are not slanted and a whole number of pixels
-/// wide (to 1e-6 of one), on a film without subpixels.
+/// natural views of lenticular or square lenses that are upright or lie across, unslanted, and a
+/// whole number of pixels wide (to 1e-6 of one), on a film without subpixels.
 bool views_are_exact(const FrameMetadata& metadata, ViewGrid grid);
 
 /// Makes the parallel views of a frame row by row.

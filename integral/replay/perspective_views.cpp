@@ -11,8 +11,12 @@ namespace integral {
 
 struct FrameOfPerspectives::State {
     State(const std::vector<Image>& views, const FrameMetadata& metadata, ViewGrid grid,
-          EyeGrid eyes)
-        : film(metadata.film), grid(grid), eyes(eyes), optics(metadata.sheet, metadata.aperture)
+          EyeGrid eyes, const FittedPicture& picture)
+        : film(metadata.film),
+          grid(grid),
+          eyes(eyes),
+          picture(picture),
+          optics(metadata.sheet, metadata.aperture)
     {
         if (int(views.size()) != grid.count())
             throw std::invalid_argument("there are " + std::to_string(views.size()) +
@@ -20,10 +24,11 @@ struct FrameOfPerspectives::State {
         for (const Image& view : views)
             if (!same_form(view, views[0]))
                 throw std::invalid_argument("its views differ in size or form");
-        window = {views[0].width,
-                  views[0].height,
-                  {film.width * film.pixel_pitch.x / views[0].width,
-                   film.height * film.pixel_pitch.y / views[0].height}};
+        const Vec2 size = size_of(film);
+        window = {
+            views[0].width,
+            views[0].height,
+            {picture.size.x * size.x / views[0].width, picture.size.y * size.y / views[0].height}};
         for (const Image& view : views)
             light.emplace_back(view);
     }
@@ -34,6 +39,9 @@ struct FrameOfPerspectives::State {
         const auto seen = eye_place(optics, eyes, film_point);
         if (!seen)
             return Colour{0, 0, 0, 0};
+        const Vec2 pixel = pixel_from_film(film, seen->place);
+        if (picture.is_in_bar({pixel.x / film.width, pixel.y / film.height}))
+            return Colour{0, 0, 0, 1};
         const Vec2 at = pixel_from_film(window, seen->place);
         const double across = seen->eye.x * grid.columns - 0.5, up = seen->eye.y * grid.rows - 0.5;
         return between(across, up, grid.columns, grid.rows, [&](int i, int j) {
@@ -46,14 +54,16 @@ struct FrameOfPerspectives::State {
     Film film;
     ViewGrid grid;
     EyeGrid eyes;
+    FittedPicture picture;
     SheetOptics optics;
-    Film window; ///< the pixels of a view, over the whole sheet
+    Film window; ///< the pixels of a view, over the sheet
     std::vector<LinearReader> light;
 };
 
 FrameOfPerspectives::FrameOfPerspectives(const std::vector<Image>& views,
-                                         const FrameMetadata& metadata, ViewGrid grid, EyeGrid eyes)
-    : state_(std::make_unique<State>(views, metadata, grid, eyes))
+                                         const FrameMetadata& metadata, ViewGrid grid, EyeGrid eyes,
+                                         const FittedPicture& picture)
+    : state_(std::make_unique<State>(views, metadata, grid, eyes, picture))
 {
 }
 FrameOfPerspectives::~FrameOfPerspectives() = default;
@@ -74,9 +84,10 @@ bool FrameOfPerspectives::draw(int first, Image& band, int threads, const Progre
 std::optional<Image> frame_from_perspective_views(const std::vector<Image>& views,
                                                   const FrameMetadata& metadata, ViewGrid grid,
                                                   EyeGrid eyes, int threads,
-                                                  const Progress& progress)
+                                                  const Progress& progress,
+                                                  const FittedPicture& picture)
 {
-    const FrameOfPerspectives frame(views, metadata, grid, eyes);
+    const FrameOfPerspectives frame(views, metadata, grid, eyes, picture);
     Image image = blank_like(views[0], metadata.film.width, metadata.film.height);
     if (!frame.draw(0, image, threads, progress))
         return std::nullopt;

@@ -4,29 +4,31 @@
 #ifndef INTEGRAL_REPLAY_PERSPECTIVE_VIEWS_H
 #define INTEGRAL_REPLAY_PERSPECTIVE_VIEWS_H
 
+#include "integral/lightfield/picture_fit.h"
 #include "integral/replay/parallel_views.h"
 
 namespace integral {
 
 /// The frame with the given geometry that shows the views. Views are numbered as in ViewGrid and
-/// have the same size and form. Each is a picture of the whole sheet, taken from the eye at the
-/// centre of its part of the zone (EyeGrid). A film pixel, or each of its subpixels, gets the
-/// colour of its ray: interpolated between the eyes around the point where the ray meets the eyes'
-/// plane, and within their pictures at the point where the ray leaves the sheet. Pixels that image
-/// nothing are black (transparent). `threads` and `progress` as in replay; nothing if `progress`
-/// stopped the work. Throws std::invalid_argument if the views differ in size or form or are not
-/// grid.count().
+/// have the same size and form. Each is a picture of the whole sheet, or lies on it as `picture`
+/// has it, taken from the eye at the centre of its part of the zone (EyeGrid). A film pixel, or
+/// each of its subpixels, gets the colour of its ray: interpolated between the eyes around the
+/// point where the ray meets the eyes' plane, and within their pictures at the point where the ray
+/// leaves the sheet. Pixels that image nothing are black (transparent); bars beside the views are
+/// black. `threads` and `progress` as in replay; nothing if `progress` stopped the work. Throws
+/// std::invalid_argument if the views differ in size or form or are not grid.count().
 std::optional<Image> frame_from_perspective_views(const std::vector<Image>& views,
                                                   const FrameMetadata& metadata, ViewGrid grid,
                                                   EyeGrid eyes, int threads = 0,
-                                                  const Progress& progress = {});
+                                                  const Progress& progress = {},
+                                                  const FittedPicture& picture = {});
 
 /// Makes that frame some rows at a time.
 class FrameOfPerspectives {
 public:
     /// The views must outlive this. Throws as frame_from_perspective_views does.
     FrameOfPerspectives(const std::vector<Image>& views, const FrameMetadata& metadata,
-                        ViewGrid grid, EyeGrid eyes);
+                        ViewGrid grid, EyeGrid eyes, const FittedPicture& picture = {});
     ~FrameOfPerspectives();
 
     /// As FrameOfViews::draw.

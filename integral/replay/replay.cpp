@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay.h"
 
+#include "integral/lightfield/lens_profile.h"
 #include "integral/lightfield/sample_points.h"
 #include "integral/optics/lens_surface.h"
+#include "integral/replay/fit_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +13,40 @@ namespace integral {
 
 Eye centre_eye(const FrameMetadata& metadata)
 {
-    return {0, 0, metadata.projection ? metadata.projection->viewer : metadata.aperture.distance};
+    return {0, 0, viewer_distance(metadata)};
 }
 
 namespace {
 
-/// Of the sheet, or of its projected image.
-SheetPart part_seen(const View& view, const FrameMetadata& metadata)
+/// Diameter, mm, of a uniform spot as wide as the one on the film from which the curved lenses
+/// gather the light of one direction: the mean square over the lens on the axis.
+double aberration_spot(const LensSheet& sheet)
 {
-    if (view.part.width > 0)
-        return view.part;
-    const double scale = metadata.projection ? metadata.projection->magnification() : 1;
-    const Vec2 size = scale * size_of(metadata.film);
-    return {{0, 0}, size.x, size.y};
+    constexpr int points = 64, places = 8;
+    const double half = 0.5 * std::max(cell_extent(sheet).x, cell_extent(sheet).y);
+    double squares = 0;
+    int count = 0;
+    for (int k = 0; k < places; ++k)
+        if (const auto beam = full_beam_direction(sheet, half * (k + 0.5) / places, points)) {
+            squares += beam->spread * beam->spread;
+            ++count;
+        }
+    constexpr double degree = 3.14159265358979323846 / 180;
+    // A disc's points have a standard deviation of a quarter of its diameter along any direction.
+    return count ? 4 * std::sqrt(squares / count) * degree * sheet.thickness / sheet.ior : 0;
 }
 
 } // namespace
+
+void set_as_seen(View& view, const FrameMetadata& metadata)
+{
+    constexpr double indoor_pupil = 4, printed_dot = 0.04; // mm
+    if (view.pupil == 0)
+        view.pupil = indoor_pupil;
+    if (view.blur == 0)
+        view.blur = std::hypot(aberration_spot(metadata.sheet),
+                               metadata.film.subpixels == Subpixels::none ? printed_dot : 0);
+}
 
 void set_view_size(View& view, const Film& film, int longer)
 {

@@ -43,6 +43,11 @@ struct View {
 /// The eye at the aperture's centre, from which the frame shows the scene's perspective picture.
 Eye centre_eye(const FrameMetadata& metadata);
 
+/// What a person sees of a print rather than a point does: sets the pupil of an indoor eye, and as
+/// blur the spot on the film from the lenses' aberrations (LensModel::full) and, unless the film has
+/// subpixels, from the spread of printed dots. Values that are not 0 are kept.
+void set_as_seen(View& view, const FrameMetadata& metadata);
+
 /// Sets the view's width and height to the aspect of its part of the sheet, with `longer` pixels on
 /// the longer side.
 void set_view_size(View& view, const Film& film, int longer);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay_files.h"
 
-#include "integral/io/image_file.h"
-
 namespace integral {
 
-bool replay_files(const std::vector<std::string>& paths, const std::string& sheet, Frame first,
+bool replay_files(const std::vector<std::string>& paths, const ReadFrame& read, Frame first,
                   ReplayRequest request, const TakePicture& take, const Progress& progress)
 {
     if (paths.size() == 1)
@@ -14,8 +12,7 @@ bool replay_files(const std::vector<std::string>& paths, const std::string& shee
     request.movement.reset(); // it goes on from frame to frame
     const int count = int(paths.size());
     for (int k = 0; k < count; ++k) {
-        const Frame frame = k == 0 ? std::move(first)
-                                   : read_frame_with_metadata(paths[std::size_t(k)], sheet);
+        const Frame frame = k == 0 ? std::move(first) : read(paths[std::size_t(k)]);
         request.view.eye = eyes[eyes.size() > 1 ? std::size_t(k) : 0];
         check_view(request.view, *frame.metadata);
         if (!replay_pictures(frame, request, take, piece_of(progress, k, count)))

@@ -10,11 +10,14 @@
 
 namespace integral {
 
+/// Reads a frame with metadata, as it is to be replayed. Throws InputError.
+using ReadFrame = std::function<Frame(const std::string& path)>;
+
 /// Draws what replay_pictures draws of one frame, or a picture of each of several. Their movement
 /// goes on from frame to frame, so it has as many steps as there are frames. `first` is the frame
-/// of the first path. `sheet`: path of the geometry of frames that carry none, or instead of their
-/// own; may be empty. Returns and throws as replay_pictures and check_view do; throws InputError.
-bool replay_files(const std::vector<std::string>& paths, const std::string& sheet, Frame first,
+/// of the first path; `read` reads the others. Returns and throws as replay_pictures, check_view and
+/// `read` do.
+bool replay_files(const std::vector<std::string>& paths, const ReadFrame& read, Frame first,
                   ReplayRequest request, const TakePicture& take, const Progress& progress);
 
 } // namespace integral

@@ -72,6 +72,10 @@ function move_eye(x, y) {
   changed();
 }
 
+// Unit vectors across the lenses and along them: exact where the lenses lie across.
+const across = Math.abs(sheet.slant_degrees) === 90 ? [0, Math.sign(slant)] : [Math.cos(slant), Math.sin(slant)];
+const along = [-across[1], across[0]];
+
 // Drawing.
 const WHOLE = 0, PART = 1;
 const split = (v) => [Math.floor(v), v - Math.floor(v)];
@@ -81,7 +85,6 @@ let gl, uniform, textures, ready = false, drawn = "", pending = 0, settling = 0,
 // By columns or rows, as replay_page.glsl says. `axis` 0: columns.
 function steps(axis, count) {
   const row_spacing = sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1;
-  const across = [Math.cos(slant), Math.sin(slant)], along = [-across[1], across[0]];
   const texels = new Float32Array(8 * count);
   for (let i = 0; i < count; ++i) {
     const mm = state.part[axis] + (axis === 0 ? i / count - 0.5 : 0.5 - i / count) * state.part[2 + axis];
@@ -130,13 +133,12 @@ function set_geometry() {
   ["film", "light", "columns", "rows"].forEach((name, unit) => whole(name, unit));
   whole("arrangement", ["lenticular", "square", "hexagonal"].indexOf(sheet.arrangement));
   whole("subpixels", ["none", "rgb", "bgr"].indexOf(film.subpixels ?? "none"));
-  const across = [Math.cos(slant), Math.sin(slant)];
   gl.uniform2i(uniform("film_size"), film.width, film.height);
   gl.uniform2fv(uniform("pixel_pitch"), film.pixel_pitch_mm);
   gl.uniform1f(uniform("pitch"), sheet.pitch_mm);
   gl.uniform1f(uniform("row_spacing"), sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1);
   gl.uniform2fv(uniform("across"), across);
-  gl.uniform2f(uniform("along"), -across[1], across[0]);
+  gl.uniform2fv(uniform("along"), along);
   gl.uniform2f(uniform("centre_to_lens"), (across[0] * offset[0] + across[1] * offset[1]) / sheet.pitch_mm,
                (across[0] * offset[1] - across[1] * offset[0]) / sheet.pitch_mm);
   gl.uniform1f(uniform("thickness"), sheet.thickness_mm);

@@ -18,8 +18,7 @@ std::vector<Eye> eyes_for(const ViewArrangement& arrangement, Eye middle,
         return eye_pair(middle, *arrangement.separation);
     if (arrangement.columns == 0)
         return {middle};
-    return eye_grid(middle, arrangement.columns, arrangement.rows,
-                    viewing_zone(metadata, middle.distance));
+    return contact_sheet_eyes(metadata, middle, arrangement.columns, arrangement.rows);
 }
 
 /// The views of eyes_for as one picture.
@@ -69,7 +68,7 @@ std::vector<Eye> eyes_of(const ReplayRequest& request, const FrameMetadata& meta
         return {middle};
     const EyeMovement& movement = *request.movement;
     const auto eyes = eye_path(movement.path, middle, viewing_zone(metadata, middle.distance),
-                               movement.span, movement.steps);
+                               movement.span, movement.steps, lenses_lie_across(metadata.sheet));
     for (const Eye& eye : eyes)
         check_stop(eye, request.view);
     return eyes;

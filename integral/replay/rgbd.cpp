@@ -45,18 +45,16 @@ std::pair<double, double> range_of_depths(const std::vector<float>& values)
 
 } // namespace
 
-std::optional<RgbdPicture> rgbd_picture(const Frame& frame, const DepthFrame& depths, int width,
-                                        int height, int threads, const Progress& progress)
+std::optional<RgbdPicture> rgbd_picture(const Frame& frame, const DepthFrame& depths, View view,
+                                        int threads, const Progress& progress)
 {
     const Film &film = frame.metadata->film, &deep = depths.metadata.film;
     if (film.width != deep.width || film.height != deep.height)
         throw std::invalid_argument("it is of a frame of " + std::to_string(deep.width) + "x" +
                                     std::to_string(deep.height) + " pixels, and this has " +
                                     std::to_string(film.width) + "x" + std::to_string(film.height));
-    View view;
+    const int width = view.width, height = view.height;
     view.eye = centre_eye(*frame.metadata);
-    view.width = width;
-    view.height = height;
     const auto colours = replay(frame, view, threads, piece_of(progress, 0, 2));
     view.samples = 1; // means of depths are depths of nothing
     const auto seen = replay(as_frame(depths), view, threads, piece_of(progress, 1, 2));

@@ -9,17 +9,14 @@
 
 namespace integral {
 
-std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, int width, int height,
-                                 int threads, const Progress& progress)
+std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, const View& view, int threads,
+                                 const Progress& progress)
 {
-    View view;
-    view.width = width;
-    view.height = height;
     std::vector<Image> views;
     for (const auto& eye : far_eyes(*frame.metadata, grid)) {
         auto picture = eye ? replay_each(frame, view, {*eye}, threads,
                                          piece_of(progress, int(views.size()), grid.count()))
-                           : std::vector<Image>{blank_like(frame.image, width, height)};
+                           : std::vector<Image>{blank_like(frame.image, view.width, view.height)};
         if (!picture)
             throw Interrupted();
         views.push_back(std::move(picture->front()));

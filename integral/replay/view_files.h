@@ -10,11 +10,11 @@
 
 namespace integral {
 
-/// Parallel views as they look from far away: upright, of the film's shape if `width` and `height`
-/// (pixels) are. Black where the lenses reflect totally. Throws Interrupted if `progress` stops it,
+/// Parallel views as they look from far away: upright. `view`: their size and their part of the
+/// sheet. Black where the lenses reflect totally. Throws Interrupted if `progress` stops it,
 /// std::invalid_argument as lens_window does.
-std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, int width, int height,
-                                 int threads, const Progress& progress);
+std::vector<Image> upright_views(const Frame& frame, ViewGrid grid, const View& view, int threads,
+                                 const Progress& progress);
 
 /// Writes parallel views as a quilt, a band of rows at a time; view 0 is at the bottom left.
 /// `metadata` becomes the file's document. Throws OutputError, Interrupted.

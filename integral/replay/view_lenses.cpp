@@ -12,11 +12,23 @@ constexpr double whole = 1e-6; // pixels by which a whole number may be off
 
 bool is_whole(double value) { return std::fabs(value - std::round(value)) < whole; }
 
-/// Pixels to a lens along the film's rows and columns (lenticular: the second is 0).
+/// The same lenses with the least slant: square ones look the same after a quarter of a turn,
+/// hexagonal ones after a sixth.
+LensSheet least_slanted(LensSheet sheet)
+{
+    if (sheet.arrangement != Arrangement::lenticular)
+        sheet.slant = std::remainder(sheet.slant,
+                                     sheet.arrangement == Arrangement::square ? 90 : 60);
+    return sheet;
+}
+
+/// Pixels to a lens along the film's rows and columns (lenticular: along the lenses, 0).
 Vec2 pixels_a_lens(const FrameMetadata& m)
 {
     const Lattice lattice(m.sheet);
     const double p = m.sheet.pitch;
+    if (lenses_lie_across(m.sheet))
+        return {0, p / std::fabs(lattice.across().y) / m.film.pixel_pitch.y};
     if (m.sheet.arrangement == Arrangement::lenticular)
         return {p / std::fabs(lattice.across().x) / m.film.pixel_pitch.x, 0};
     return {p / m.film.pixel_pitch.x, lattice.row_spacing() / m.film.pixel_pitch.y};
@@ -34,27 +46,26 @@ Side side_of(double first, double pixel_pitch, double pitch)
 
 Lenses::Lenses(const FrameMetadata& m, ViewGrid grid)
     : film(m.film),
-      lattice(m.sheet),
+      lattice(least_slanted(m.sheet)),
       grid(grid),
       arrangement(m.sheet.arrangement),
+      lie_across(lenses_lie_across(m.sheet)),
+      upwards(lattice.across().y < 0 ? -1 : 1),
       pitch(m.sheet.pitch),
       exact(views_are_exact(m, grid))
 {
     const bool lenticular = arrangement == Arrangement::lenticular;
-    if (lenticular && !slit_is_horizontal(m.sheet))
-        throw std::invalid_argument("the lenses lie across (slant beyond 45 degrees): there are no "
-                                    "views from left to right");
     row = lattice.row_spacing();
-    breadth = lenticular ? pitch / lattice.across().x : pitch;
+    breadth = !lenticular  ? pitch
+              : lie_across ? pitch / std::fabs(lattice.across().y)
+                           : pitch / lattice.across().x;
     const LensIndex corner = lattice.nearest(point(0, 0));
     if (exact) {
         const Vec2 first = point(0, 0), pole = lattice.pole(corner);
-        across = side_of(first.x - pole.x, film.pixel_pitch.x, pitch);
-        window = {corner, across.lens(film.width - 1) + 1, film.height};
-        if (!lenticular) {
-            down = side_of(pole.y - first.y, film.pixel_pitch.y, pitch);
-            window.rows = down.lens(film.height - 1) + 1;
-        }
+        across = lie_across ? each_pixel : side_of(first.x - pole.x, film.pixel_pitch.x, pitch);
+        down = lenticular && !lie_across ? each_pixel
+                                         : side_of(pole.y - first.y, film.pixel_pitch.y, pitch);
+        window = {corner, across.lens(film.width - 1) + 1, down.lens(film.height - 1) + 1};
         return;
     }
     window = window_of_border(corner);
@@ -79,6 +90,8 @@ LensWindow Lenses::window_of_border(LensIndex corner) const
         throw std::invalid_argument("its film lies behind more than 1000000 lenses one way: they "
                                     "are much narrower than its pixels");
     const int lenses = int(most.i - least.i + 1);
+    if (lie_across)
+        return {{upwards > 0 ? most.i : least.i, 0}, film.width, lenses};
     return {{least.i, most.j},
             arrangement == Arrangement::hexagonal ? 2 * lenses + 1 : lenses,
             arrangement == Arrangement::lenticular ? film.height : int(most.j - least.j + 1)};
@@ -94,11 +107,13 @@ ViewGrid natural_views(const FrameMetadata& m)
 bool views_are_exact(const FrameMetadata& m, ViewGrid grid)
 {
     const Vec2 pixels = pixels_a_lens(m);
-    const bool lenticular = m.sheet.arrangement == Arrangement::lenticular; // pixels.y is 0
-    const bool some = pixels.x > 0.5 && (lenticular || pixels.y > 0.5);     // 0 is whole, too
-    return some && m.sheet.arrangement != Arrangement::hexagonal && m.sheet.slant == 0 &&
-           m.film.subpixels == Subpixels::none && is_whole(pixels.x) && is_whole(pixels.y) &&
-           grid.columns == natural_views(m).columns && grid.rows == natural_views(m).rows;
+    const bool lenticular = m.sheet.arrangement == Arrangement::lenticular; // one of them is 0
+    const bool some = lenticular ? std::max(pixels.x, pixels.y) > 0.5
+                                 : std::min(pixels.x, pixels.y) > 0.5; // 0 is whole, too
+    return some && m.sheet.arrangement != Arrangement::hexagonal &&
+           std::remainder(m.sheet.slant, 90) == 0 && m.film.subpixels == Subpixels::none &&
+           is_whole(pixels.x) && is_whole(pixels.y) && grid.columns == natural_views(m).columns &&
+           grid.rows == natural_views(m).rows;
 }
 
 LensWindow lens_window(const FrameMetadata& metadata)

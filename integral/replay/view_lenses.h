@@ -26,7 +26,12 @@ struct Side {
     }
 };
 
-/// The lenses of a frame and the parts of each that its views show.
+/// The side of a film along lenticular lenses: each pixel is a lens of its own.
+constexpr Side each_pixel{1, 1};
+
+/// The lenses of a frame and the parts of each that its views show. Of upright lenticular lenses a
+/// view has a column for each lens and the film's rows, of ones that lie across a row for each lens
+/// and the film's columns.
 class Lenses {
 public:
     /// Throws as lens_window does.
@@ -35,9 +40,11 @@ public:
     Vec2 point(int x, int y) const { return film_from_pixel(film, {x + 0.5, y + 0.5}); }
 
     /// The lens of a view's pixel. The inverses are column_of and row_of: the first pixel of a lens
-    /// that a film pixel of row `film_row` lies behind.
+    /// that a film pixel of column `film_column` and row `film_row` lies behind.
     LensIndex lens_at(int column, int view_row) const
     {
+        if (lie_across)
+            return {window.first.i - upwards * view_row, 0};
         if (arrangement == Arrangement::lenticular)
             return {window.first.i + column, 0};
         const std::int64_t j = window.first.j - view_row;
@@ -46,29 +53,37 @@ public:
         const int shifted = column - int(j & 1);
         return {window.first.i + (shifted < 0 ? -1 : shifted / 2), j};
     }
-    int column_of(LensIndex lens) const
+    int column_of(LensIndex lens, int film_column) const
     {
+        if (lie_across)
+            return film_column;
         const int i = int(lens.i - window.first.i);
         return arrangement == Arrangement::hexagonal ? 2 * i + int(lens.j & 1) : i;
     }
     int row_of(LensIndex lens, int film_row) const
     {
+        if (lie_across)
+            return upwards * int(window.first.i - lens.i);
         return arrangement == Arrangement::lenticular ? film_row : int(window.first.j - lens.j);
     }
 
-    /// The middle of a lens; of a lenticular one, where its axis crosses that row of the film.
-    Vec2 middle(LensIndex lens, int film_row) const
+    /// The middle of a lens; of a lenticular one, where its axis crosses that row of the film, or
+    /// if it lies across, that column.
+    Vec2 middle(LensIndex lens, int film_column, int film_row) const
     {
         const Vec2 pole = lattice.pole(lens);
         if (arrangement != Arrangement::lenticular)
             return pole;
-        const Vec2 along = lattice.along();
-        const double y = point(0, film_row).y;
-        return {pole.x + (y - pole.y) / along.y * along.x, y};
+        const Vec2 along = lattice.along(), at = point(film_column, film_row);
+        if (lie_across)
+            return {at.x, pole.y + (at.x - pole.x) / along.x * along.y};
+        return {pole.x + (at.y - pole.y) / along.y * along.x, at.y};
     }
     /// A place in a lens, in parts of its width and height from its middle; and back.
     Vec2 film_point(Vec2 middle, Vec2 part) const
     {
+        if (lie_across)
+            return {middle.x, middle.y + part.y * breadth};
         if (arrangement == Arrangement::lenticular)
             return {middle.x + part.x * breadth, middle.y};
         return middle + (part.x * breadth) * lattice.across() + (part.y * row) * lattice.along();
@@ -82,6 +97,8 @@ public:
     Vec2 part_of(Vec2 middle, Vec2 film_point) const
     {
         const Vec2 off = film_point - middle;
+        if (lie_across)
+            return {0, off.y / breadth};
         if (arrangement == Arrangement::lenticular)
             return {off.x / breadth, 0};
         return {dot(off, lattice.across()) / breadth, dot(off, lattice.along()) / row};
@@ -91,7 +108,9 @@ public:
     Lattice lattice;
     ViewGrid grid;
     Arrangement arrangement;
-    double pitch, row, breadth;
+    bool lie_across;            ///< lenses_lie_across
+    int upwards;                ///< of such lenses: 1 if their numbers grow upwards, else -1
+    double pitch, row, breadth; ///< breadth: of a lens along the film's rows, or its columns
     bool exact;
     Side across{}, down{};
     LensWindow window;
@@ -108,7 +127,7 @@ inline std::optional<Colour> view_pixel(const Lenses& lenses, const LinearReader
                                         int column, int row)
 {
     const Film& film = lenses.film;
-    const Vec2 middle = lenses.middle(lenses.lens_at(column, row), row);
+    const Vec2 middle = lenses.middle(lenses.lens_at(column, row), column, row);
     const Vec2 at = pixel_from_film(film, lenses.film_point(middle, lenses.part_of_view(view)));
     if (!(at.x >= 0 && at.y >= 0 && at.x < film.width && at.y < film.height))
         return std::nullopt;
@@ -128,10 +147,10 @@ inline ViewPlace view_place(const Lenses& lenses, int x, int y, int channel)
     const Film& film = lenses.film;
     const Vec2 point = film_from_pixel(film, subpixel_centre(film.subpixels, x, y, channel));
     const LensIndex lens = lenses.lattice.nearest(point);
-    const Vec2 part = lenses.part_of(lenses.middle(lens, y), point);
-    return {std::clamp(lenses.column_of(lens), 0, lenses.window.columns - 1),
-            lenses.row_of(lens, y), (0.5 - part.x) * lenses.grid.columns - 0.5,
-            (0.5 - part.y) * lenses.grid.rows - 0.5};
+    const Vec2 part = lenses.part_of(lenses.middle(lens, x, y), point);
+    return {std::clamp(lenses.column_of(lens, x), 0, lenses.window.columns - 1),
+            std::clamp(lenses.row_of(lens, y), 0, lenses.window.rows - 1),
+            (0.5 - part.x) * lenses.grid.columns - 0.5, (0.5 - part.y) * lenses.grid.rows - 0.5};
 }
 
 /// The light of a film pixel, interpolated between the directions of views that are not exact.

@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -34,7 +35,7 @@ public:
     {
         take_node(*scene_.mRootNode, aiMatrix4x4());
         if (mesh_.points.empty() && mesh_.lines.empty() && mesh_.triangles.empty())
-            throw std::runtime_error("it has no points, lines or faces");
+            throw std::runtime_error("it has no vertices");
         keep_each_edge_once(mesh_);
         return std::move(mesh_);
     }
@@ -63,6 +64,17 @@ private:
         const Colour material = colour_of_material(from);
         for (unsigned k = 0; k < from.mNumFaces; ++k)
             take_face(from, from.mFaces[k], std::uint32_t(first), material);
+        if (from.mNumFaces == 0) // a cloud of points
+            for (unsigned k = 0; k < from.mNumVertices; ++k)
+                mesh_.points.push_back(
+                    {std::uint32_t(first) + k, colour_of(from, k).value_or(material)});
+    }
+
+    /// The colour of a vertex, if the file gives it one.
+    std::optional<Colour> colour_of(const aiMesh& from, unsigned vertex) const
+    {
+        const aiColor4D* colours = how_.ignore_colours ? nullptr : from.mColors[0];
+        return colours ? std::optional(light_of(colours[vertex])) : std::nullopt;
     }
 
     Colour colour_of_material(const aiMesh& from) const
@@ -95,8 +107,7 @@ private:
     {
         const unsigned n = face.mNumIndices;
         const auto colour = [&](unsigned corner) {
-            const aiColor4D* colours = how_.ignore_colours ? nullptr : from.mColors[0];
-            return colours ? light_of(colours[face.mIndices[corner]]) : material;
+            return colour_of(from, face.mIndices[corner]).value_or(material);
         };
         const auto vertex = [&](unsigned corner) {
             if (face.mIndices[corner] >= from.mNumVertices)
@@ -271,6 +282,7 @@ Mesh read_by_assimp(const std::string& path, const MeshReading& how)
                               ? "took more than 120 seconds for it"
                               : "crashed on it") +
                          "; the program that made it may write an .obj instead");
+    mesh.is_cloud = mesh.lines.empty() && mesh.triangles.empty();
     return mesh;
 }
 

@@ -25,6 +25,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/wireframe/mesh_file.h \
   integral/wireframe/obj_file.cpp \
   integral/wireframe/obj_file.h \
+  integral/wireframe/point_squares.cpp \
+  integral/wireframe/point_squares.h \
   integral/wireframe/vertex_film.cpp \
   integral/wireframe/vertex_film.h \
   integral/wireframe/wireframe.cpp \

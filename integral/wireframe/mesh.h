@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace integral {
@@ -32,12 +34,15 @@ struct Mesh {
     std::vector<MeshLine> lines;
     std::vector<MeshLine> face_edges;    ///< each once, however many faces share it
     std::vector<MeshTriangle> triangles; ///< of the faces
+    bool is_cloud = false; ///< the file has vertices alone; its points are all of them
 };
 
 /// What files of meshes are asked for.
 struct MeshReading {
     Colour plain{1, 1, 1, 1};    ///< linear light; of what has no colour of its own
     bool ignore_colours = false; ///< everything is plain, and no material file is read
+    /// Called with each thing that is missing, where the mesh can be drawn without it.
+    std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
 /// Sorts face_edges and leaves out what stands there twice; each edge's first vertex must be the

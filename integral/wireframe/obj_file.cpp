@@ -9,7 +9,9 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <unistd.h>
 
 namespace integral {
 namespace {
@@ -28,6 +30,7 @@ public:
     explicit Statements(const std::string& path) : path_(path), text_(read_file(path)), rest_(text_)
     {
     }
+    Statements(const Statements&) = delete; // rest_ is a part of text_
 
     /// The next statement that is not empty; false at the end. A line that ends in a backslash
     /// continues on the next.
@@ -43,11 +46,14 @@ public:
         return !words.empty();
     }
 
-    [[noreturn]] void fail(const std::string& what) const
+    /// A message about the statement: the file's name, the line, what is wrong.
+    std::string located(const std::string& what) const
     {
-        throw InputError(display_name(path_, "standard input") + ": line " + std::to_string(line_) +
-                         ": " + what);
+        return display_name(path_, "standard input") + ": line " + std::to_string(line_) + ": " +
+               what;
     }
+
+    [[noreturn]] void fail(const std::string& what) const { throw InputError(located(what)); }
 
     double number(Word word) const
     {
@@ -88,18 +94,25 @@ private:
     int line_ = 0, next_line_ = 1;
 };
 
-using Materials = std::map<std::string, Colour, std::less<>>;
-
-/// The diffuse colours (Kd) of an MTL file.
-void read_materials(const std::string& path, Materials& materials)
+/// The name that a statement gives: all of its words after the first, as names may have spaces.
+std::string name_in(const std::vector<Word>& words)
 {
-    Statements file(path);
+    std::string name(words.size() > 1 ? words[1] : Word());
+    for (std::size_t k = 2; k < words.size(); ++k)
+        name += " " + std::string(words[k]);
+    return name;
+}
+
+using Materials = std::map<std::string, Colour>;
+
+/// Adds the diffuse colours (Kd) of an MTL file.
+void read_materials(Statements& file, Materials& materials)
+{
     std::vector<Word> words;
     Colour* current = nullptr;
     while (file.next(words)) {
         if (words[0] == "newmtl" && words.size() > 1)
-            current = &materials.insert_or_assign(std::string(words[1]), Colour{1, 1, 1, 1})
-                           .first->second;
+            current = &materials.insert_or_assign(name_in(words), Colour{1, 1, 1, 1}).first->second;
         if (words[0] != "Kd")
             continue;
         if (words.size() != 4 || !current)
@@ -119,9 +132,13 @@ public:
         std::vector<Word> words;
         while (file_.next(words))
             read_statement(words);
-        if (mesh_.points.empty() && mesh_.lines.empty() && mesh_.triangles.empty())
+        if (mesh_.vertices.empty())
             throw InputError(display_name(path_, "standard input") +
-                             ": it has no points, lines or faces (statements p, l and f)");
+                             ": it has no vertices (statements v)");
+        mesh_.is_cloud = mesh_.points.empty() && mesh_.lines.empty() && mesh_.triangles.empty();
+        if (mesh_.is_cloud)
+            for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v)
+                mesh_.points.push_back({v, colour_at(v)});
         keep_each_edge_once(mesh_);
         return std::move(mesh_);
     }
@@ -146,15 +163,8 @@ private:
         }
         if (what == "usemtl")
             return use_material(words);
-        if (what == "mtllib") {
-            for (std::size_t k = 1; k < words.size() && !how_.ignore_colours; ++k) {
-                const std::string library = beside(std::string(words[k]));
-                if (is_special(library)) // a pipe or a device may never end
-                    file_.fail(excerpt(std::string(words[k])) + " is not a regular file");
-                read_materials(library, materials_);
-            }
-            return;
-        }
+        if (what == "mtllib")
+            return read_library(words);
         const Word skipped[] = {"vt", "vn", "o", "g", "s"};
         if (std::find(std::begin(skipped), std::end(skipped), what) == std::end(skipped))
             file_.fail(excerpt(std::string(what)) +
@@ -238,16 +248,50 @@ private:
         }
     }
 
+    /// What the file says of its colours is of less importance than its shape: a library that is
+    /// not there is a warning.
+    void read_library(const std::vector<Word>& words)
+    {
+        if (how_.ignore_colours)
+            return;
+        at_least(words, 1, "mtllib needs the name of a file");
+        // One name with spaces, or several names.
+        const std::string all = name_in(words);
+        if (words.size() == 2 || access(beside(all).c_str(), F_OK) == 0)
+            return read_library(all);
+        for (std::size_t k = 1; k < words.size(); ++k)
+            read_library(std::string(words[k]));
+    }
+
+    void read_library(const std::string& name)
+    {
+        const std::string path = beside(name);
+        if (is_special(path)) // a pipe or a device may never end
+            file_.fail(excerpt(name) + " is not a regular file");
+        std::optional<Statements> library;
+        try {
+            library.emplace(path);
+        } catch (const InputError& error) {
+            lacks_library_ = true;
+            return how_.warn(file_.located("material library " + std::string(error.what()) +
+                                           "; its materials take the default colour"));
+        }
+        read_materials(*library, materials_);
+    }
+
     void use_material(const std::vector<Word>& words)
     {
         if (how_.ignore_colours)
             return;
         at_least(words, 1, "usemtl needs a name");
-        const auto found = materials_.find(words[1]);
-        if (found == materials_.end())
-            file_.fail("material " + excerpt(std::string(words[1])) +
-                       " is in no file that mtllib names; --plain ignores all colours");
-        material_ = found->second;
+        const std::string name = name_in(words);
+        const auto match = materials_.find(name);
+        material_ = match == materials_.end() ? std::nullopt : std::optional(match->second);
+        // A missing library's materials are in its own warning.
+        if (!material_ && !lacks_library_ && unknown_.insert(name).second)
+            how_.warn(file_.located("material " + excerpt(name) +
+                                    " is in no file that mtllib names; what has it takes the "
+                                    "default colour"));
     }
 
     /// A path that the file gives relative to its own folder.
@@ -265,6 +309,8 @@ private:
     std::vector<std::optional<Colour>> colours_; ///< of the first vertices
     Materials materials_;
     std::optional<Colour> material_;
+    bool lacks_library_ = false;
+    std::set<std::string> unknown_; ///< materials of which a warning was given
     std::vector<std::uint32_t> corners_;
 };
 

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -33,6 +34,7 @@ struct State
     std::optional<integral::FrameMetadata> metadata;
     Clock::time_point begun;
     std::optional<Clock::time_point> ended;
+    std::string problem;
 };
 
 State& The_State()
@@ -49,6 +51,7 @@ integral::FrameMetadata Metadata_Of(const integral::IntegralCamera& camera)
     metadata.aperture = camera.optics.aperture();
     metadata.placement = camera.placement;
     metadata.projection = camera.projection;
+    metadata.parallax = camera.parallax;
     return metadata;
 }
 
@@ -110,7 +113,8 @@ std::optional<integral::PixelSize> IntegralFrame::Expected_Size()
     return state.size;
 }
 
-void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
+void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft,
+                          const std::string& fit)
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
@@ -119,6 +123,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
     state.metadata->render->program = "povray-integral 3.7.0.10";
     state.metadata->render->scene = state.scene;
     state.metadata->render->draft = draft;
+    state.metadata->render->fit = fit;
     state.metadata->render->model = camera.optics.model();
     state.metadata->render->mapping = camera.mapping;
     state.metadata->render->pixel_samples = camera.pixel_samples;
@@ -129,6 +134,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft)
         state.metadata->quilt = integral::QuiltSampler(camera, *state.quilt, camera.film.width,
                                                        camera.film.height)
                                     .record();
+    state.problem.clear();
     state.begun = Clock::now();
     state.ended.reset();
 }
@@ -142,6 +148,20 @@ void IntegralFrame::End(const std::optional<integral::ErrorEstimate>& error)
     state.metadata->render->error = error;
     const std::chrono::duration<double> of_the_error(error ? error->seconds : 0);
     state.ended = Clock::now() - std::chrono::duration_cast<Clock::duration>(of_the_error);
+}
+
+void IntegralFrame::Add_Problem(const std::string& keyword, const std::string& problem)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.problem += keyword + ": " + problem + ". The picture itself is complete. ";
+}
+
+std::string IntegralFrame::Take_Problem()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return std::exchange(state.problem, std::string());
 }
 
 void IntegralFrame::Forget()
@@ -172,10 +192,12 @@ std::string IntegralFrame::Named(const std::string& file)
                                     (film.height * film.pixel_pitch.y));
 }
 
-integral::Vec2 IntegralFrame::Pixel_Pitch()
+std::optional<integral::Vec2> IntegralFrame::Pixel_Pitch()
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
+    if (state.quilt)
+        return std::nullopt;
     return state.metadata->film.pixel_pitch;
 }
 

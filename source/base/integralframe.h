@@ -30,11 +30,18 @@ public:
 
     /// From now on pictures are frames of this camera. Starts the measurement of time. `draft`: the
     /// number of Integral_Draft=.
-    static void Begin(const integral::IntegralCamera& camera, int draft);
+    /// `fit`: the words that the fit chose; empty: no fit.
+    static void Begin(const integral::IntegralCamera& camera, int draft, const std::string& fit);
 
     /// Call it when the picture is rendered, with its error if known. Ends the measurement of time,
     /// which excludes the error estimate.
     static void End(const std::optional<integral::ErrorEstimate>& error);
+
+    /// Records why the file that `keyword` requests beside the picture is not there.
+    static void Add_Problem(const std::string& keyword, const std::string& problem);
+
+    /// The recorded problems as a message, which are then forgotten; empty if there are none.
+    static std::string Take_Problem();
 
     /// From now on pictures are not integral frames.
     static void Forget();
@@ -45,8 +52,9 @@ public:
     /// The name of the picture's file: `file`, with the end that tells a quilt's views.
     static std::string Named(const std::string& file);
 
-    /// Film pixel pitch, mm. Call it only if Current().
-    static integral::Vec2 Pixel_Pitch();
+    /// Film pixel pitch, mm; none for a quilt, whose pixels lie on no film. Call it only if
+    /// Current().
+    static std::optional<integral::Vec2> Pixel_Pitch();
 
     /// The JSON document for a file whose samples have the given encoding. Call it only if
     /// Current().

@@ -15,9 +15,10 @@ enum
     kIntegralAttrib_Sharing = 'IgSh', ///< option Integral_Sharing=: auto, on, off or a number of
                                       ///< patches
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
-    kIntegralAttrib_Sheet = 'IgSf', ///< option Integral_Sheet=: file with a lens sheet
+    kIntegralAttrib_Sheet = 'IgSf',       ///< option Integral_Sheet=: file with a lens sheet
     kIntegralAttrib_TargetError = 'IgTE', ///< option Integral_Target_Error= of an INI file
     kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel in pixels
+    kIntegralAttrib_Fit = 'IgFi',   ///< option Integral_Fit=: depth budgets either side of the sheet
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
     kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
     kIntegralAttrib_Quilt = 'IgQu',      ///< option Integral_Quilt=: views across and up
@@ -36,7 +37,12 @@ enum
     kIntegralAttrib_PrintWidth = 'IgPw',        ///< mm across the picture
     kIntegralAttrib_PrintHeight = 'IgPh',       ///< mm down the picture
     kIntegralAttrib_ViewingDistance = 'IgVd',   ///< mm from the eye to the sheet
-    kIntegralAttrib_SceneDistance = 'IgVs',     ///< the same, as the scene has it; only if another
+    kIntegralAttrib_Parallax = 'IgPx', ///< mm that the scene's eye moves for 1 mm of the viewer's;
+                                       ///< absent: both are one
+    kIntegralAttrib_SceneDistance = 'IgVs', ///< mm from the scene's eye to the sheet; only if
+                                            ///< another
+    kIntegralAttrib_FitWords = 'IgFt', ///< the words that the fit chose; absent: no fit
+    kIntegralAttrib_OneColour = 'IgOc',         ///< whether all pixels have the same colour
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
     kIntegralAttrib_Error = 'IgEr',    ///< estimated RMS error in the output encoding; absent: not
                                        ///< estimated
@@ -55,6 +61,7 @@ enum
     {"Integral_Camera", kIntegralAttrib_Camera, kPOVMSType_UCS2String},                            \
         {"Integral_Sheet", kIntegralAttrib_Sheet, kPOVMSType_UCS2String},                          \
         {"Integral_Draft", kIntegralAttrib_Draft, kPOVMSType_UCS2String},                          \
+        {"Integral_Fit", kIntegralAttrib_Fit, kPOVMSType_UCS2String},                              \
         {"Integral_Target_Error", kIntegralAttrib_TargetError, kPOVMSType_UCS2String},             \
         {"Integral_Audit", kIntegralAttrib_Audit, kPOVMSType_UCS2String},                          \
         {"Integral_Seed", kIntegralAttrib_Seed, kPOVMSType_Int},                                   \

@@ -3,6 +3,7 @@
 // configbase.h must be the first POV-Ray file included within base
 #include "configbase.h"
 #include "base/integraloptions.h"
+#include "base/integralclipping.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
 #include "base/integralpicture.h"
@@ -99,6 +100,22 @@ int Draft_In(const std::string& text)
     return int(number);
 }
 
+/// The number of depth budgets of Integral_Fit=, 0 for off; nothing for an empty text.
+std::optional<double> Fit_In(const std::string& text)
+{
+    constexpr double budgets = 2; // of `on`: soft at the ends of the depth
+    if (text.empty())
+        return std::nullopt;
+    if (const auto on = Yes_Or_No(text))
+        return *on ? budgets : 0;
+    const double number = Number_In(text, "");
+    if (!(number >= 0.1 && number <= 100))
+        throw std::invalid_argument("Integral_Fit=" + text +
+                                    " is not on, off or how many depth budgets the scene may reach "
+                                    "either side of the sheet, from 0.1 to 100");
+    return number;
+}
+
 /// Whether the option selects anti-aliasing in the light field.
 bool Read_Antialiasing(const std::string& text)
 {
@@ -129,6 +146,13 @@ double Samples_At_Edges(POVMS_Object& options)
     return integral::samples_at_edges(rule);
 }
 
+void Check_Writable(const std::string& keyword, const std::string& file)
+{
+    const std::string error = Find_Write_Error(file);
+    if (!error.empty())
+        throw std::invalid_argument(keyword + "=" + file + " cannot be written there: " + error);
+}
+
 void Check_Depth_Picture(const std::string& file)
 {
     const std::string ending = ".exr";
@@ -140,8 +164,7 @@ void Check_Depth_Picture(const std::string& file)
         file.compare(file.size() - ending.size(), ending.size(), ending) != 0)
         throw std::invalid_argument("Integral_Depth_Image=" + file +
                                     " is not an OpenEXR file: its name has to end in .exr");
-    if (!May_Write_Integral_Picture(file))
-        throw std::invalid_argument("Integral_Depth_Image=" + file + " cannot be written there");
+    Check_Writable("Integral_Depth_Image", file);
 }
 
 void Check_Error_Picture(const std::string& file, bool audit)
@@ -153,8 +176,7 @@ void Check_Error_Picture(const std::string& file, bool audit)
     if (ending != "png" && ending != "exr")
         throw std::invalid_argument("Integral_Error_Image=" + file +
                                     ": its name has to end in .png or .exr");
-    if (!May_Write_Integral_Picture(file))
-        throw std::invalid_argument("Integral_Error_Image=" + file + " cannot be written there");
+    Check_Writable("Integral_Error_Image", file);
 }
 
 /// `height`: height of the frame, pixels; 0 if unknown.
@@ -230,6 +252,21 @@ void Read_Audit(const std::string& text, IntegralRenderOptions& result)
 
 }
 
+/// Whether the output file holds light outside 0...1.
+static bool Is_High_Dynamic_Range(POVMS_Object& options)
+{
+    const int file = options.TryGetInt(kPOVAttrib_OutputFileType, kPOVList_FileType_PNG);
+    return file == kPOVList_FileType_OpenEXR || file == kPOVList_FileType_RadianceHDR;
+}
+
+IntegralClipping Read_Integral_Clipping(POVMS_Object& options)
+{
+    if (Is_High_Dynamic_Range(options))
+        return IntegralClipping::none;
+    return options.TryGetBool(kPOVAttrib_GrayscaleOutput, false) ? IntegralClipping::brightness
+                                                                 : IntegralClipping::colours;
+}
+
 IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
 {
     IntegralRenderOptions result;
@@ -264,8 +301,7 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     result.output.working = Encoding_Of(
         options.TryGetInt(kPOVAttrib_WorkingGammaType, DEFAULT_WORKING_GAMMA_TYPE),
         options.TryGetFloat(kPOVAttrib_WorkingGamma, DEFAULT_WORKING_GAMMA));
-    const int file = options.TryGetInt(kPOVAttrib_OutputFileType, kPOVList_FileType_PNG);
-    if (file == kPOVList_FileType_OpenEXR || file == kPOVList_FileType_RadianceHDR)
+    if (Is_High_Dynamic_Range(options))
         result.output.file.kind = integral::Encoding::Kind::linear;
     else
         result.output.file = Encoding_Of(
@@ -290,6 +326,7 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
                                         " stands in an INI file; give it on the command line, from "
                                         "which it looks for the settings before the render");
         result.draft = Draft_In(text(kIntegralAttrib_Draft));
+        result.fit = Fit_In(Lower_Case(text(kIntegralAttrib_Fit)));
         const bool size_is_known = result.draft == 1 && !result.free_height;
         IntegralFrame::Set_Quilt(
             Read_Integral_Options(options,

@@ -41,6 +41,7 @@ struct IntegralSceneOptions
     std::string camera;       ///< the words of Integral_Camera=; empty: none
     std::string sheet;        ///< Integral_Sheet=: a file; empty: none
     int draft = 1;            ///< Integral_Draft=: pixels of the final across one of the draft
+    std::optional<double> fit; ///< Integral_Fit=: depth budgets either side; 0: off
     bool free_width = false;  ///< the width is a default, which print_size may replace
     bool free_height = false; ///< and the height
     std::string problem;      ///< what is wrong with the options, for the user; empty: nothing

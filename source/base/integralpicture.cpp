@@ -7,19 +7,24 @@
 #include "base/image/encoding.h"
 #include "base/image/image.h"
 #include "base/image/integralmetadata.h"
+#include "base/integralstream.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
 #include "integral/base/file_bytes.h"
 #include "integral/base/unfinished_file.h"
 
+#include <cerrno>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
+#include <cstring>
 #include <memory>
+#include <utility>
 
 #ifndef OPENEXR_MISSING
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfOutputFile.h>
 #endif
 
@@ -29,18 +34,52 @@
 namespace pov_base
 {
 
-bool May_Write_Integral_Picture(const std::string& file)
+namespace
 {
-    const integral::UnfinishedFile unfinished(file);
-    std::FILE *stream = std::fopen(unfinished.name().c_str(), "wb");
-    if (stream == NULL)
-        return false;
-    std::fclose(stream);
-    return true;
+
+std::string Reason(int number) { return std::strerror(number); }
+
+std::string Failed(const std::string& file, const std::string& reason)
+{
+    return file + ": cannot be written: " + reason;
 }
 
-bool Write_Integral_Picture(const std::string& file, int width, int height,
-                            const std::vector<double>& values)
+#ifndef OPENEXR_MISSING
+/// Lets OpenEXR write to a file that appears only when it is complete. OpenEXR's own destructors
+/// hide errors, which the file keeps for its finish().
+class WholeEXR : public Imf::OStream
+{
+public:
+    explicit WholeEXR(const std::string& name) : Imf::OStream(name.c_str()), file(name) {}
+    void write(const char bytes[], int number) override
+    {
+        file.write(at, bytes, std::size_t(number));
+        at += std::uint64_t(number);
+    }
+    auto tellp() -> decltype(std::declval<Imf::OStream&>().tellp()) override { return at; }
+    void seekp(decltype(std::declval<Imf::OStream&>().tellp()) place) override { at = place; }
+    void Finish() { file.finish(); }
+
+private:
+    integral::OutputFile file;
+    std::uint64_t at = 0;
+};
+#endif
+
+}
+
+std::string Find_Write_Error(const std::string& file)
+{
+    if (!POV_ALLOW_FILE_WRITE(ASCIItoUCS2String(file.c_str()).c_str(), POV_File_Image_PNG))
+        return "IO restrictions prohibit it";
+    if (integral::is_special(file))
+        return "it is a device or a pipe, and has to be a file";
+    const integral::UnfinishedFile unfinished(file);
+    return unfinished.name().empty() ? Reason(errno) : std::string();
+}
+
+std::string Write_Integral_Picture(const std::string& file, int width, int height,
+                                   const std::vector<double>& values)
 {
     const bool exr = integral::extension_of(file) == "exr";
     const std::unique_ptr<Image> image(Image::Create(width, height, Image::RGB_Int16, false));
@@ -55,29 +94,29 @@ bool Write_Integral_Picture(const std::string& file, int width, int height,
     options.workingGamma = NeutralGammaCurve::Get();
     options.dither = GetNoOpDitherHandler();
     integral::UnfinishedFile unfinished(file);
+    if (unfinished.name().empty())
+        return Failed(file, Reason(errno));
+    errno = 0;
     try
     {
-        std::unique_ptr<OStream> stream(
-            NewOStream(ASCIItoUCS2String(unfinished.name().c_str()).c_str(),
-                       exr ? POV_File_Image_EXR : POV_File_Image_PNG, false));
-        if (!stream)
-            return false;
-        Image::Write(exr ? Image::EXR : Image::PNG, stream.get(), image.get(), options);
-        if (!*stream)
-            return false;
+        IntegralStream stream(exr ? POV_File_Image_EXR : POV_File_Image_PNG, unfinished.name());
+        Image::Write(exr ? Image::EXR : Image::PNG, &stream, image.get(), options);
+        if (!stream.Finish(true))
+            return Failed(file, Reason(errno != 0 ? errno : EIO));
     }
-    catch (pov_base::Exception&)
+    catch (const pov_base::Exception& problem)
     {
-        return false;
+        return Failed(file, errno != 0 ? Reason(errno) : problem.what());
     }
-    return unfinished.finish() == 0;
+    const int error = unfinished.finish();
+    return error != 0 ? Failed(file, Reason(error)) : std::string();
 }
 
-bool Write_Integral_Depth(const std::string& file, int width, int height,
-                          const std::vector<float>& depths)
+std::string Write_Integral_Depth(const std::string& file, int width, int height,
+                                 const std::vector<float>& depths)
 {
 #ifdef OPENEXR_MISSING
-    return false;
+    return Failed(file, "this program was built without OpenEXR");
 #else
     std::vector<float> z(depths), alpha(depths.size());
     for (std::size_t index = 0; index < depths.size(); index++)
@@ -86,7 +125,6 @@ bool Write_Integral_Depth(const std::string& file, int width, int height,
         if (std::isnan(depths[index]))
             z[index] = 0;
     }
-    integral::UnfinishedFile unfinished(file);
     try
     {
         Imf::Header header(width, height);
@@ -99,15 +137,19 @@ bool Write_Integral_Depth(const std::string& file, int width, int height,
             "Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(z.data()), step, step * width));
         buffer.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(alpha.data()), step,
                                       step * width));
-        Imf::OutputFile output(unfinished.name().c_str(), header);
-        output.setFrameBuffer(buffer);
-        output.writePixels(height);
+        WholeEXR whole(file);
+        {
+            Imf::OutputFile output(whole, header);
+            output.setFrameBuffer(buffer);
+            output.writePixels(height);
+        }
+        whole.Finish();
     }
-    catch (const std::exception&)
+    catch (const std::exception& problem)
     {
-        return false;
+        return problem.what();
     }
-    return unfinished.finish() == 0;
+    return "";
 #endif
 }
 

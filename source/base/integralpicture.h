@@ -9,21 +9,21 @@
 namespace pov_base
 {
 
-/// Whether FILE can probably be written: creates a temporary file in its folder and deletes it.
-bool May_Write_Integral_Picture(const std::string& file);
+/// Why FILE cannot be written, for the user: its folder, IO restrictions, or because it is no
+/// regular file. Empty if it probably can: creates a temporary file in its folder and deletes it.
+std::string Find_Write_Error(const std::string& file);
 
 /// Writes width x height values, row by row, clamped to 0..1: as linear light to FILE.exr, or as a
-/// 16-bit sRGB PNG to any other name. The file appears only when it is complete. Returns false if
-/// it could not be written.
-bool Write_Integral_Picture(const std::string& file, int width, int height,
-                            const std::vector<double>& values);
+/// 16-bit sRGB PNG to any other name. The file appears only when it is complete. Returns an empty
+/// text, or "FILE: cannot be written: " and why.
+std::string Write_Integral_Picture(const std::string& file, int width, int height,
+                                   const std::vector<double>& values);
 
 /// Writes width x height depths (mm), row by row, as channel Z of an OpenEXR file with the frame's
 /// geometry; channel A is 0 where the depth is NaN and 1 elsewhere. The file appears only when it
-/// is complete. Returns false if it could not be written.
-bool Write_Integral_Depth(const std::string& file, int width, int height,
-                          const std::vector<float>& depths);
-
+/// is complete. Returns an empty text, or "FILE: cannot be written: " and why.
+std::string Write_Integral_Depth(const std::string& file, int width, int height,
+                                 const std::vector<float>& depths);
 }
 
 #endif

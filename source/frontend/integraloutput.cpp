@@ -5,13 +5,19 @@
 #include "frontend/integraloutput.h"
 #include "base/fileinputoutput.h"
 #include "base/integralframe.h"
+#include "base/integralmsgid.h"
 #include "base/image/integralmetadata.h"
+#include "base/integralstream.h"
+#include "base/povmscpp.h"
 #include "integral/base/unfinished_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <optional>
+#include <fcntl.h>
+#include <memory>
+#include <sys/stat.h>
 #include <unistd.h>
 
 // this must be the last file included
@@ -25,19 +31,6 @@ using namespace pov_base;
 namespace
 {
 
-class PictureStream : public OStream
-{
-public:
-    explicit PictureStream(unsigned int file_type) : OStream(file_type) {}
-
-    /// Flushes the file; returns whether everything was written. `on_disk`: also sync it to disk.
-    bool Finish(bool on_disk)
-    {
-        return !fail && std::fflush(f) == 0 && !std::ferror(f) &&
-               (!on_disk || fsync(fileno(f)) == 0);
-    }
-};
-
 /// Whether a name is standard output, a device, a pipe or a socket.
 bool Is_Special(const std::string& name)
 {
@@ -49,16 +42,11 @@ std::string Reason(int number)
     return number != 0 ? std::string(": ") + std::strerror(number) : std::string();
 }
 
-/// Writes the picture to `name` itself. Throws an exception on failure; errno may tell the reason.
-void Write_Straight(const std::string& name, unsigned int file_type, Image::ImageFileType format,
-                    const Image& image, const Image::WriteOptions& options, bool on_disk)
+/// Writes the picture to an open stream. Throws an exception on failure; errno may have the reason.
+void Write_To(IntegralStream& stream, Image::ImageFileType format, const Image& image,
+              const Image::WriteOptions& options, bool on_disk)
 {
-    const UCS2String path = ASCIItoUCS2String(name.c_str());
-    if (!POV_ALLOW_FILE_WRITE(path.c_str(), file_type))
-        throw POV_EXCEPTION(kCannotOpenFileErr,
-                            "IO Restrictions prohibit write access to '" + name + "'");
-    PictureStream stream(file_type);
-    if (!stream.open(path))
+    if (!stream)
         throw POV_EXCEPTION_CODE(kCannotOpenFileErr);
     Image::Write(format, &stream, &image, options);
     if (!stream.Finish(on_disk))
@@ -77,17 +65,30 @@ void Write_Whole_Picture(UCS2String& file, unsigned int file_type, Image::ImageF
         name = IntegralFrame::Named(name);
         file = ASCIItoUCS2String(name.c_str());
     }
-    std::optional<integral::UnfinishedFile> unfinished;
-    if (!special)
-        unfinished.emplace(name);
     errno = 0;
     try
     {
-        Write_Straight(special ? name : unfinished->name(), file_type, format, image, options,
-                       !special);
+        if (!POV_ALLOW_FILE_WRITE(file.c_str(), file_type))
+            throw POV_EXCEPTION(kCannotOpenFileErr,
+                                "IO Restrictions prohibit write access to '" + name + "'");
+        if (special)
+        {
+            IntegralStream stream(file_type);
+            stream.open(file);
+            Write_To(stream, format, image, options, false);
+            return Write_Integral_Companion(file, format, options);
+        }
+        integral::UnfinishedFile unfinished(name);
+        {
+            IntegralStream stream(file_type, unfinished.name());
+            Write_To(stream, format, image, options, true);
+        }
         Write_Integral_Companion(file, format, options);
-        if (unfinished && unfinished->finish() != 0)
-            throw POV_EXCEPTION_CODE(kCannotOpenFileErr);
+        if (const int error = unfinished.finish())
+        {
+            errno = error;
+            throw POV_EXCEPTION_CODE(kFileDataErr);
+        }
     }
     catch (const pov_base::Exception& problem)
     {
@@ -97,12 +98,70 @@ void Write_Whole_Picture(UCS2String& file, unsigned int file_type, Image::ImageF
     }
 }
 
+void Number_Integral_Files(POVMS_Object& options, int frame, int digits)
+{
+    for (const POVMSType key : {kIntegralAttrib_DepthPicture, kIntegralAttrib_ErrorPicture})
+    {
+        const std::string name = UCS2toASCIIString(options.TryGetUCS2String(key, ""));
+        const auto dot = name.rfind('.');
+        if (dot == std::string::npos)
+            continue; // no name of such a file: reported when the options are read
+        std::string number = std::to_string(frame);
+        number.insert(0, std::max(0, digits - int(number.size())), '0');
+        const std::string numbered = name.substr(0, dot) + number + name.substr(dot);
+        options.SetUCS2String(key, ASCIItoUCS2String(numbered.c_str()).c_str());
+    }
+}
+
 UCS2String Render_State_Name(const UCS2String& file)
 {
     const UCS2String name = GetFileName(Path(file)), extension = GetFileExtension(Path(file));
     const bool usual = extension == ASCIItoUCS2String(".png") ||
                        extension == ASCIItoUCS2String(".pov");
     return (usual ? name : file) + ASCIItoUCS2String(".pov-state");
+}
+
+/// Whether a file is a render state, or the begin of one, which may be empty.
+static bool Is_Render_State(const std::string& name, const std::string& signature)
+{
+    const int file = open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    struct stat status;
+    std::string begin(signature.size(), '\0');
+    const bool is_file = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+    const ssize_t number = is_file ? read(file, &begin[0], begin.size()) : -1;
+    close(file);
+    return number >= 0 && begin.compare(0, number, signature, 0, number) == 0;
+}
+
+OStream *New_Render_State(const UCS2String& file, unsigned int file_type,
+                          const std::string& signature)
+{
+    const std::string name = UCS2toASCIIString(file);
+    struct stat status;
+    if (lstat(name.c_str(), &status) == 0)
+    {
+        if (!Is_Render_State(name, signature))
+            throw POV_EXCEPTION(kCannotOpenFileErr, "Cannot create the render state " + name +
+                                                        ": the file of that name is none, or a "
+                                                        "link; move it away");
+        unlink(name.c_str());
+    }
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int reason = errno;
+    std::unique_ptr<IntegralStream> stream(new IntegralStream(file_type, descriptor));
+    if (!*stream)
+        throw POV_EXCEPTION(kCannotOpenFileErr,
+                            "Cannot create the render state " + name + Reason(reason));
+    return stream.release();
+}
+
+void Check_Companions()
+{
+    const std::string problem = IntegralFrame::Take_Problem();
+    if (!problem.empty())
+        throw POV_EXCEPTION(kFileDataErr, problem);
 }
 
 std::string Lost_Pixels_Message(bool state_failed, const std::string& state_file, int reason)

@@ -7,10 +7,13 @@
 #include <cerrno>
 #include <string>
 
+#include "base/fileinputoutput.h"
 #include "base/types.h"
 #include "base/image/image.h"
 #include "base/pov_err.h"
 #include "base/stringutilities.h"
+
+class POVMS_Object;
 
 namespace pov_frontend
 {
@@ -23,10 +26,24 @@ void Write_Whole_Picture(pov_base::UCS2String& file, unsigned int file_type,
                          pov_base::Image::ImageFileType format, const pov_base::Image& image,
                          const pov_base::Image::WriteOptions& options);
 
+/// Gives the files of Integral_Depth_Image and Integral_Error_Image the number of an animation's
+/// frame, before the end of their names, as the frame's picture has it.
+void Number_Integral_Files(POVMS_Object& options, int frame, int digits);
+
 /// The name of the render state of the output `file`: NAME.pov-state for NAME.png and, where no
 /// picture is written, for the scene NAME.pov; else NAME.EXTENSION.pov-state, so that pictures in
 /// several formats can be rendered in one folder.
 pov_base::UCS2String Render_State_Name(const pov_base::UCS2String& file);
+
+/// Creates a render state file, in place of an older one (which begins with `signature`). Throws
+/// pov_base::Exception if something else has that name, such as a symbolic link, or if the file
+/// cannot be created.
+pov_base::OStream *New_Render_State(const pov_base::UCS2String& file, unsigned int file_type,
+                                    const std::string& signature);
+
+/// Call it when the picture is written. Throws pov_base::Exception with the reason if
+/// Integral_Error_Image or Integral_Depth_Image could not be written.
+void Check_Companions();
 
 /// The error message if pixels could not be stored in the render state file (`state_failed`) or in
 /// the temporary file that holds the picture during rendering. `reason`: errno, or 0.

@@ -48,9 +48,6 @@ static void Print_Error(POVMS_Object& statistics, TextStreamBuffer *out)
             "  of the pixels that this run rendered (+C); that of the others is not known\n");
     if (statistics.TryGetLong(kPOVAttrib_RadGatherCount, 0) > 0)
         out->printf("  with the noise of radiosity's points, but for those of the pretrace\n");
-    if (statistics.Exist(kIntegralAttrib_ErrorPicture))
-        out->printf("Warning: the error picture could not be written to %s.\n",
-                    statistics.GetString(kIntegralAttrib_ErrorPicture).c_str());
 }
 
 /// Prints the picture's size and the viewing distance.
@@ -62,10 +59,41 @@ static void Print_Geometry(POVMS_Object& statistics, TextStreamBuffer *out)
     if (const int draft = statistics.TryGetInt(kIntegralAttrib_Draft, 1); draft > 1)
         out->printf("%-19s %15d   times fewer pixels across and down\n",
                     "  a draft, with:", draft);
-    out->printf("%-19s %15.1f   mm", "Viewing distance:", number(kIntegralAttrib_ViewingDistance));
-    if (statistics.Exist(kIntegralAttrib_SceneDistance))
-        out->printf(" (the scene's own camera: %.1f mm)", number(kIntegralAttrib_SceneDistance));
-    out->printf("\n");
+    out->printf("%-19s %15.1f   mm\n", "Viewing distance:",
+                number(kIntegralAttrib_ViewingDistance));
+    if (statistics.Exist(kIntegralAttrib_FitWords))
+        out->printf("%-19s %s\n", "Fit chose:",
+                    statistics.GetString(kIntegralAttrib_FitWords).c_str());
+    if (statistics.Exist(kIntegralAttrib_Parallax))
+        out->printf("%-19s %15.5g   mm a mm of the viewer's; its distance is %.1f mm\n",
+                    "  scene's eye moves:", number(kIntegralAttrib_Parallax),
+                    number(kIntegralAttrib_SceneDistance));
+}
+
+/// Says that +C has not continued radiosity's points.
+static void Print_Continued(POVMS_Object& statistics, TextStreamBuffer *out)
+{
+    if (statistics.TryGetBool(kIntegralAttrib_Continued, false) &&
+        statistics.TryGetLong(kPOVAttrib_RadGatherCount, 0) > 0)
+        out->printf("Continued (+C) with radiosity: its points are gathered anew, so that the "
+                    "pixels of\nthis run may differ slightly from those of a render without a "
+                    "break.\n");
+}
+
+/// Warns of a picture that shows nothing.
+static void Print_One_Colour(POVMS_Object& statistics, TextStreamBuffer *out)
+{
+    if (!statistics.TryGetBool(kIntegralAttrib_OneColour, false))
+        return;
+    out->printf("Warning: all pixels have the same colour. ");
+    if (statistics.Exist(kIntegralAttrib_SceneDistance) &&
+        !statistics.Exist(kIntegralAttrib_Parallax))
+        out->printf("move_eye may have moved the eye into fog, or out of a\n"
+                    "room; viewing_distance %.4g leaves it where the scene has it.\n",
+                    double(statistics.GetFloat(kIntegralAttrib_SceneDistance)));
+    else
+        out->printf("If the scene's own camera shows more, `integral sheet\n"
+                    "--report` says how far from the sheet its surfaces are.\n");
 }
 
 void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
@@ -107,9 +135,8 @@ void Print_Integral_Statistics(POVMS_Object& statistics, TextStreamBuffer *out)
         line("  worked out:", count(kIntegralAttrib_PatchShadings), shared);
     }
     Print_Error(statistics, out);
-    if (statistics.Exist(kIntegralAttrib_DepthPicture))
-        out->printf("Warning: the depth frame could not be written to %s.\n",
-                    statistics.GetString(kIntegralAttrib_DepthPicture).c_str());
+    Print_Continued(statistics, out);
+    Print_One_Colour(statistics, out);
 }
 
 void Mark_Render_State(unsigned char *reserved, std::size_t size)

@@ -4,6 +4,8 @@
 // its centroid by up to 3% of the parallax.
 #version 3.7;
 global_settings { assumed_gamma 1 }
+#ifndef (Eye_Distance) #declare Eye_Distance = 400; #end
+#ifndef (Scale) #declare Scale = 1; #end
 #declare Width = image_width * 25.4 / 300;
 camera {
   integral
@@ -14,9 +16,9 @@ camera {
     #case (4) lens_sheet { lenticular pitch 1.27 thickness 3.08 ior 1.6 slant 12 } #break
   #end
   film { dpi 300 }
-  location -400*z
-  direction 400*z
+  location -Eye_Distance*z
+  direction Eye_Distance*z
   right Width*x
   up Width*image_height/image_width*y
 }
-disc { Z*z, z, 22 pigment { spherical cubic_wave scale 22 translate Z*z color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } }
+disc { Z*z, z, 22*Scale pigment { spherical cubic_wave scale 22*Scale translate Z*z color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } }

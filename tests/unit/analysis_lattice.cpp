@@ -5,7 +5,10 @@
 #include "integral/analysis/border_fit.h"
 #include "integral/analysis/lattice_search.h"
 #include "integral/analysis/lens_borders.h"
+#include "integral/analysis/rectify_report.h"
+#include "integral/analysis/lattice_phases.h"
 #include "integral/analysis/spectrum.h"
+#include "integral/base/file_bytes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -38,9 +41,10 @@ LatticeSearch search_for(const LensSheet& sheet, const ScanMap& about)
 }
 
 /// A scan in which each lens has one random grey, so that it shows the lenses' borders only. Drawn
-/// with 3 x 3 samples a pixel.
-Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, int height,
-                   double noise)
+/// with 3 x 3 samples a pixel. map_at(x, y): the map at a pixel.
+template <class MapAt>
+Image chance_greys_by(const LatticeSearch& search, MapAt map_at, int width, int height,
+                      double noise)
 {
     const SheetOptics optics(search.sheet, search.aperture);
     Image scan = make_image<std::uint8_t>(width, height, 3, Encoding{});
@@ -48,6 +52,7 @@ Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, i
     std::normal_distribution<double> normal(0, noise);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
+            const ScanMap map = map_at(x, y);
             double sum = 0;
             for (int k = 0; k < 9; ++k) {
                 const Vec2 pixel{x + (k % 3 + 0.5) / 3, y + (k / 3 + 0.5) / 3};
@@ -63,6 +68,24 @@ Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, i
             store_pixel(scan, x, y, {grey, grey, grey, 1});
         }
     return scan;
+}
+
+Image chance_greys(const LatticeSearch& search, const ScanMap& map, int width, int height,
+                   double noise)
+{
+    return chance_greys_by(
+        search, [&](int, int) { return map; }, width, height, noise);
+}
+
+/// The message of find_sure_lattice's InputError; "" if it finds a lattice.
+std::string refusal(const Image& scan, const LatticeSearch& search)
+{
+    try {
+        find_sure_lattice("scan.png", scan, search, 1, {});
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
 }
 
 } // namespace
@@ -182,6 +205,75 @@ BOOST_AUTO_TEST_CASE(a_lattice_is_found)
             BOOST_CHECK_LT(found->scale_error.x, 2e-4);
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_picture_of_two_lattices_is_refused)
+{
+    // The greys change at the lenses' borders, and by as much half a lens beside them.
+    const LensSheet sheet = sheet_of(Arrangement::lenticular);
+    const ScanMap truth{{201.5, 150.5}, {12, 12}, 0.01};
+    const LatticeSearch search = search_for(sheet, {{200, 150}, {12, 12}, 0});
+    const Image one = chance_greys(search, truth, 400, 300, 0.01);
+    ScanMap beside = truth;
+    beside.middle.x += 0.5 * sheet.pitch * truth.scale.x;
+    const Image other = chance_greys(search, beside, 400, 300, 0.01);
+    Image both = one;
+    for (int y = 0; y < both.height; ++y)
+        for (int x = 0; x < both.width; ++x) {
+            const float v = 0.5f * (stored_pixel(one, x, y).r + stored_pixel(other, x, y).r);
+            store_pixel(both, x, y, {v, v, v, 1});
+        }
+    BOOST_CHECK_EQUAL(refusal(one, search), "");
+    const std::string said = refusal(both, search);
+    BOOST_TEST_CONTEXT("said: " << said)
+    BOOST_CHECK(said.find("scan.png: two lattices fit it equally well") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_scan_whose_parts_disagree_is_refused)
+{
+    // Four quarters, each with the same lattice at another place.
+    const LensSheet sheet = sheet_of(Arrangement::square);
+    const LatticeSearch search = search_for(sheet, {{240, 180}, {12, 12}, 0});
+    const Image scan = chance_greys_by(
+        search,
+        [&](int x, int y) {
+            const double lenses = x < 240 ? (y < 180 ? 0 : 0.3) : (y < 180 ? 0.55 : 0.8);
+            const double by = lenses * sheet.pitch * 12;
+            return ScanMap{{240 + by, 180 + 0.6 * by}, {12, 12}, 0};
+        },
+        480, 360, 0.02);
+    const std::string said = refusal(scan, search);
+    BOOST_TEST_CONTEXT("said: " << said)
+    BOOST_CHECK(said.find("disagree") != said.npos || said.find("equally well") != said.npos);
+}
+
+BOOST_AUTO_TEST_CASE(distances_of_lattices_leave_whole_lenses_out)
+{
+    const LensSheet sheet = sheet_of(Arrangement::hexagonal);
+    const ScanMap map{{300, 200}, {20, 20}, 0};
+    ScanMap moved = map;
+    moved.middle.x += 3.5 * sheet.pitch * 20;
+    moved.middle.y -= std::sqrt(0.75) * sheet.pitch * 20; // a row up, half a lens aside
+    BOOST_CHECK_SMALL(lenses_apart(sheet, map, moved, 600, 400), 1e-9);
+    moved.middle.x += 0.25 * sheet.pitch * 20;
+    BOOST_CHECK_CLOSE(lenses_apart(sheet, map, moved, 600, 400), 0.25, 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(unknown_errors_are_reported_as_unknown)
+{
+    FoundLattice found;
+    found.map = {{200, 150}, {12, 12}, 0};
+    const LatticeSearch search = search_for(sheet_of(Arrangement::square), found.map);
+    const Film film{300, 200, {0.0847, 0.0847}, Subpixels::none};
+    const std::string unknown = rectify_text(found, search, film, {});
+    BOOST_CHECK(unknown.find("+- unknown\n") != unknown.npos);
+    BOOST_CHECK(unknown.find("+- 0") == unknown.npos);
+    BOOST_CHECK(rectify_json(found, search, film, {})["standard_error"].is_null());
+    found.errors_known = true;
+    found.scale_error = {0.0004, 0.0002};
+    const std::string known = rectify_text(found, search, film, {});
+    BOOST_CHECK(known.find("+- 0.0400, 0.0200%\n") != known.npos);
+    BOOST_CHECK(known.find("unknown") == known.npos);
 }
 
 BOOST_AUTO_TEST_CASE(noise_has_no_lattice)

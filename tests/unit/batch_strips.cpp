@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
     for (int round = 0; round < 60; ++round) {
         CameraParameters p = parameters_of(arrangements[round % 3]);
         p.sheet.pitch = 0.5 + (random() % 100) / 50.0;
-        p.sheet.slant = int(random() % 178) - 89;
+        p.sheet.slant = int(random() % 181) - 90;
         p.film.pixel_pitch = {25.4 / 300, 25.4 / (150 + random() % 300)};
         p.mapping = LensMapping::closest;
         p.capture_aperture = Vec2{1e4, 1e4};

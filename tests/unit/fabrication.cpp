@@ -57,6 +57,26 @@ BOOST_AUTO_TEST_CASE(greys_are_the_lens_and_repeat_with_the_pitch)
                2.0 / 65535);
 }
 
+BOOST_AUTO_TEST_CASE(a_mask_of_one_lens_is_the_size_of_its_cell)
+{
+    for (const Arrangement arrangement :
+         {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal}) {
+        MaskRequest request = request_of(arrangement);
+        request.sheet.offset = {0.3, 0.2};
+        request.sheet.slant = 12;
+        request.film.width = 64;
+        request.film.height = 48;
+        show_one_lens(request);
+        // A hexagon is as wide as the pitch from side to side, and longer from corner to corner.
+        const double height = arrangement == Arrangement::hexagonal ? 1.27 * 2 / std::sqrt(3.0)
+                                                                    : 1.27;
+        BOOST_TEST(std::fabs(64 * request.film.pixel_pitch.x - 1.27) < 1e-12);
+        BOOST_TEST(std::fabs(48 * request.film.pixel_pitch.y - height) < 1e-12);
+        BOOST_TEST((request.sheet.offset.x == 0 && request.sheet.offset.y == 0));
+        BOOST_TEST(request.sheet.slant == 0);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(the_process_sculpts_the_lens_from_its_mask)
 {
     auto request = request_of(Arrangement::hexagonal);

@@ -75,30 +75,47 @@ BOOST_AUTO_TEST_CASE(advice_by_hand)
     BOOST_TEST(advice.now.sharp == 0.20);
     BOOST_TEST(advice.now.soft == 0.20, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(advice.now.beyond == 0.60, boost::test_tools::tolerance(1e-12));
-    BOOST_TEST(advice.sheet_distance == 100);
-    // The depth budget grows with the sheet's distance D from the eye, so that what is 0.9 D to
-    // 1.1 D from the eye is sharp. The surfaces are 100.5 to 150 units from the eye. A range of 0.9
-    // D to 1.1 D holds most of them where it ends at the farthest: it then begins at 150 x 0.9/1.1
-    // = 122.7 units, which is 45.5 mm, and holds the 55 surfaces of 46 to 100 mm. The nearest range
-    // that holds as many is that of 43 to 97 mm, which is 121.5 to 148.5 units: D = 135.
-    BOOST_REQUIRE(advice.sheet.has_value());
-    BOOST_TEST(advice.sheet->sharp == 0.55);
-    BOOST_TEST(advice.sheet->value == 135, boost::test_tools::tolerance(0.001));
-    // To bring 95 of them within 20 mm, depths would have to be compressed to 20/95 = 0.21. The
-    // most that is advised is 0.25, which brings 80 within 20 mm.
-    BOOST_REQUIRE(advice.compress.has_value());
-    BOOST_TEST(advice.compress->value == 0.25);
-    BOOST_TEST(advice.compress->sharp == 0.80);
+    // The surfaces are 100.5 to 150 units from the eye, the twentieths 103 and 147.5; a budget is a
+    // tenth of the viewing distance. With R = 147.5/103, 1/K - 1 = (0.9 R - 1.1)/(0.1 (1.1 + 0.9
+    // R)) = 0.7905, and D = 103 (K + 0.1 (1 - K))/(0.9 K).
+    BOOST_REQUIRE(advice.fits.size() == 2);
+    BOOST_TEST(advice.fits[0].fit.parallax == 0.55851, boost::test_tools::tolerance(1e-4));
+    BOOST_TEST(advice.fits[0].fit.sheet_distance == 123.491, boost::test_tools::tolerance(1e-4));
+    BOOST_TEST(advice.fits[0].shares.sharp == 0.90);
+    // The scene is shallower than two budgets: the sheet is in its middle, and 0.9 to 1.1 times
+    // 125.25 units hold the 50 surfaces of 26 to 75 mm.
+    BOOST_TEST(advice.fits[1].fit.parallax == 1);
+    BOOST_TEST(advice.fits[1].fit.sheet_distance == 125.25);
+    BOOST_TEST(advice.fits[1].shares.sharp == 0.5);
+    BOOST_TEST(advice.fits[1].shares.soft == 0.5);
     // The budget is 20 mm at 300 dpi, 80 mm at 1200 dpi and 96 mm at 1440 dpi.
     BOOST_REQUIRE(advice.dpi.has_value());
     BOOST_TEST(advice.dpi->value == 1440);
     BOOST_TEST(advice.dpi->sharp == 0.96);
-    // With a fixed scale the budget does not grow: 20 mm to either side of a surface hold 41.
-    frame.metadata.placement->scale_is_given = true;
-    BOOST_TEST(depth_advice(frame, 20).sheet->sharp == 0.41);
     // The resolution of a panel cannot be changed.
     frame.metadata.film.subpixels = Subpixels::rgb;
     BOOST_TEST(!depth_advice(frame, 20).dpi.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(the_fit_of_a_frame_with_parallax_is_the_fit_of_its_scene)
+{
+    // The same scene, seen with parallax 0.3 about a sheet at 100 units of 0.5 mm: z' = 0.3 z
+    // 200/(200 + 0.7 z).
+    std::vector<float> depths, seen;
+    for (int k = 1; k <= 100; ++k) {
+        depths.push_back(float(k));
+        seen.push_back(float(0.3 * k * 200 / (200 + 0.7 * k)));
+    }
+    DepthFrame frame = frame_of(seen);
+    frame.metadata.parallax = Parallax{0.3, 200};
+    const DepthAdvice with = depth_advice(frame, 20), without = depth_advice(frame_of(depths), 20);
+    for (int k = 0; k < 2; ++k) {
+        BOOST_TEST(with.fits[k].fit.parallax == without.fits[k].fit.parallax,
+                   boost::test_tools::tolerance(1e-5));
+        BOOST_TEST(with.fits[k].fit.sheet_distance == without.fits[k].fit.sheet_distance,
+                   boost::test_tools::tolerance(1e-5));
+    }
+    BOOST_TEST(with.now.sharp > without.now.sharp);
 }
 
 BOOST_AUTO_TEST_CASE(no_advice_of_numbers_that_nobody_can_use)
@@ -108,8 +125,6 @@ BOOST_AUTO_TEST_CASE(no_advice_of_numbers_that_nobody_can_use)
     depths.resize(2000, 1e6f);
     const DepthAdvice advice = depth_advice(frame_of(depths), 20);
     BOOST_TEST(advice.now.beyond == 0.5);
-    BOOST_TEST(!advice.sheet.has_value()); // either half, not both
-    BOOST_TEST(!advice.compress.has_value());
     BOOST_TEST(!advice.dpi.has_value());
 }
 

@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
         m.sheet.pitch = std::pow(10, between(-4, 3));
         m.sheet.thickness = std::pow(10, between(-6, 6));
         m.sheet.ior = between(1, 4);
-        m.sheet.slant = between(-89, 89);
+        m.sheet.slant = between(-90, 90);
         m.sheet.offset = {between(-1e6, 1e6), between(-1, 1)};
         m.film = {1 + i,
                   1000000 - i,
@@ -306,7 +306,7 @@ BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)
         {"3.25", "1e300", "sheet.thickness_mm"},
         {"1.6,", "0.9,", "ior"},
         {"1.6,", "5,", "ior"},
-        {"-12.5", "90", "slant"},
+        {"-12.5", "90.01", "slant"},
         {"-12.5", "-91", "slant"},
         {"[0.25, -0.5]", "[0.25]", "sheet.offset_mm must be a list of 2 numbers"},
         {"[0.25, -0.5]", "[0.25, null]", "sheet.offset_mm[1]"},

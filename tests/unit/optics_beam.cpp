@@ -383,8 +383,8 @@ BOOST_AUTO_TEST_CASE(named_worst_cases)
     check_all(borders, {Arrangement::lenticular, 1.27, 3.08, 1.6, -18.4349488, {0.3, -0.4}});
     for (double ior : {1.0, 1 + 1e-12})
         check_all("n = 1 and 1 + 1e-12", {Arrangement::lenticular, 1.27, 3.08, ior, 10, {0, 0}});
-    for (double slant : {-89.99, 89.99, 45.0, 45.0000001})
-        check_all("slants of 45 and 89.99 degrees",
+    for (double slant : {-89.99, 89.99, -90.0, 90.0, 45.0, 45.0000001})
+        check_all("slants of 45, 89.99 and 90 degrees",
                   {Arrangement::lenticular, 1.27, 3.08, 1.6, slant, {0, 0}});
     for (double ratio : {0.02, 1e4})
         check_all("t/p of 0.02 and 10 000",
@@ -398,7 +398,7 @@ BOOST_AUTO_TEST_CASE(surface_that_just_reaches_the_edge)
     random_sheets::Generator random(3434);
     for (int arrangement = 0; arrangement < 3; ++arrangement)
         for (double ior : {1.01, 1.3, 1.5, 1.9, 4.0})
-            for (double slant : {0.0, 30.0, -89.99}) {
+            for (double slant : {0.0, 30.0, -89.99, 90.0}) {
                 LensSheet sheet{Arrangement(arrangement), 1.27, 1, ior, slant, {0, 0}};
                 sheet.thickness = cell_circumradius(sheet) / (ior - 1) * ior;
                 while (!has_surface(sheet))

@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(default_apertures_turn_with_the_cell)
     // The extents contain the cell's corners and touch two of them. A quarter turn exchanges width
     // and height.
     for (const auto arrangement : {Arrangement::square, Arrangement::hexagonal})
-        for (double slant = -89; slant < 90; slant += 1) {
+        for (double slant = -90; slant <= 90; slant += 1) {
             const Vec2 extent = cell_extent({arrangement, 1, 3, 1.5, slant, {0, 0}});
             const int corners = arrangement == Arrangement::hexagonal ? 6 : 4;
             const double radius = arrangement == Arrangement::hexagonal ? 1 / std::sqrt(3.0)

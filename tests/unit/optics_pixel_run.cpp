@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_run_is_its_pixels)
     constexpr double pitch = mm_per_inch / 300;
     for (const auto arrangement :
          {Arrangement::lenticular, Arrangement::square, Arrangement::hexagonal})
-        for (const double slant : {0.0, 9.46, -30.0, 45.0, 60.0, -89.0})
+        for (const double slant : {0.0, 9.46, -30.0, 45.0, 60.0, -89.0, 90.0})
             for (const bool limited : {false, true}) {
                 CameraParameters parameters;
                 const bool lenticular = arrangement == Arrangement::lenticular;

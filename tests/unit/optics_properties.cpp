@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(hostile_values_are_answered)
     for (int arrangement = 0; arrangement < 3; ++arrangement)
         for (double thickness : {0.02, 2.4, 1e4})
             for (double ior : {1.0, 1 + 1e-12, 1.001, 1.6, 4.0})
-                for (double slant : {0.0, 18.4349, -89.99})
+                for (double slant : {0.0, 18.4349, -89.99, 90.0})
                     for (double distance : {1e-2, 300.0, 1e9})
                         for (double extent : {0.0, 1e-3, 1.0, 1e12, infinity}) {
                             System s{{Arrangement(arrangement), 1, thickness, ior, slant, {0.5, 0}},

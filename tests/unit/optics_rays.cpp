@@ -161,7 +161,8 @@ BOOST_AUTO_TEST_CASE(slit_where_it_is_worst_conditioned)
 {
     // far above the axis and close to the eye (Y + tau cancels), at n near 1, and at 45 degrees
     for (double ior : {1.0, 1 + 1e-12, 1 + 1e-6, 1.01, 1.6, 4.0})
-        for (double slant : {0.0, 1e-9, 18.4349, 45.0, 45.0000001, -45.0, 75.0, -89.99, 89.99})
+        for (double slant :
+             {0.0, 1e-9, 18.4349, 45.0, 45.0000001, -45.0, 75.0, -89.99, 89.99, -90.0, 90.0})
             for (double distance : {1e-2, 1.0, 300.0, 1e9})
                 for (double height : {0.0, 1e-9, 1.0, 100.0, 1e5})
                     for (double h : {0.0, 1e-12, 0.3, 0.635})

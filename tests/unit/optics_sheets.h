@@ -37,7 +37,7 @@ public:
     }
     bool one_in(int n) { return std::uniform_int_distribution<int>(1, n)(engine_) == 1; }
 
-    /// p 1e-4..1e3, t/p 0.02..1e4, n 1 (exactly)..4, slant -89.99..89.99.
+    /// p 1e-4..1e3, t/p 0.02..1e4, n 1 (exactly)..4, slant -90..90.
     integral::LensSheet sheet()
     {
         integral::LensSheet sheet;
@@ -47,8 +47,8 @@ public:
         sheet.thickness = sheet.pitch * log_between(0.02, 1e4);
         sheet.ior = one_in(6) ? 1 : one_in(6) ? 1 + log_between(1e-12, 1e-1) : between(1, 4);
         sheet.slant = one_in(3)   ? 0
-                      : one_in(8) ? (one_in(2) ? 89.99 : -89.99)
-                                  : between(-89.99, 89.99);
+                      : one_in(8) ? (one_in(2) ? 1 : -1) * (one_in(2) ? 90 : 89.99)
+                                  : between(-90, 90);
         sheet.offset = {one_in(2) ? 0 : between(-3, 3) * sheet.pitch,
                         one_in(2) ? 0 : between(-3, 3) * sheet.pitch};
         return sheet;

@@ -113,6 +113,47 @@ BOOST_AUTO_TEST_CASE(all_lengths_scale_together)
     BOOST_TEST(imaged > systems * 3);
 }
 
+BOOST_AUTO_TEST_CASE(lenses_that_lie_across_are_upright_ones_turned)
+{
+    // bit for bit: nothing but signs and the order of coordinates differs
+    Generator random(83);
+    long imaged = 0;
+    for (int k = 0; k < random_sheets::count(2000, 200000); ++k) {
+        System s = plain_system(random);
+        s.sheet.arrangement = Arrangement::lenticular;
+        s.sheet.slant = 0;
+        const SheetOptics upright = s.optics();
+        for (const double sign : {1.0, -1.0}) {
+            const auto turned = [&](Vec2 v) { return Vec2{-sign * v.y, sign * v.x}; };
+            System lying = s;
+            lying.sheet.slant = sign * 90;
+            lying.sheet.offset = turned(s.sheet.offset);
+            std::swap(lying.aperture.width, lying.aperture.height);
+            const SheetOptics optics = lying.optics();
+            BOOST_TEST((cell_extent(lying.sheet).y == cell_extent(s.sheet).x));
+            for (int i = 0; i < 5; ++i) {
+                const Vec2 point = plain_film_point(random, s, 40);
+                for (const LensMapping mapping : mappings) {
+                    MappedPoint here = upright.map(point, mapping);
+                    const MappedPoint there = optics.map(turned(point), mapping);
+                    imaged += here.ray.has_value();
+                    if (here.ray) {
+                        LensRay& ray = *here.ray;
+                        ray.pole = turned(ray.pole);
+                        const Vec2 way = turned({ray.direction.x, ray.direction.y});
+                        ray.direction = {way.x, way.y, ray.direction.z};
+                        ray.aperture_point = turned(ray.aperture_point);
+                    }
+                    BOOST_TEST_CONTEXT(lying << " film point <" << point.x << ", " << point.y
+                                             << ">")
+                    BOOST_TEST(equal(here, there));
+                }
+            }
+        }
+    }
+    BOOST_TEST(imaged > 10000);
+}
+
 BOOST_AUTO_TEST_CASE(scene_and_units_scale_together)
 {
     Generator random(82);

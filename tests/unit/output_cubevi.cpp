@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_the_published_tile)
         for (std::uint8_t& sample : std::get<std::vector<std::uint8_t>>(pictures.back().samples))
             sample = std::uint8_t(6 * view);
     }
-    const ViewPictures quilt(pictures, {8, 5});
+    const ViewRaster quilt(pictures, {8, 5});
     for (const CubeViCalibration& display : displays) {
         Image image = panel_image(quilt, display.width, display.height);
         interlace(image, quilt, mapping_of(looking_glass_from(display)),

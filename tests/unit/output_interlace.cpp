@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(every_subpixel_shows_its_view)
                     grid.columns * width + (grid.columns > 1 ? 2 : 0),
                     grid.rows * height + (grid.rows > 1 ? 1 : 0), 3);
                 const auto& samples = std::get<std::vector<std::uint8_t>>(quilt.samples);
-                const ViewPictures views(quilt, grid);
+                const ViewRaster views(quilt, grid);
                 BOOST_TEST(views.width == width);
                 Image panel = panel_image(views, c.width, c.height);
                 interlace(panel, views, mapping_of(c), blend, 2);
@@ -195,7 +195,7 @@ std::uint64_t between(std::uint64_t a, std::uint64_t b, Step step)
 
 /// The image of views in one row, 8 bits a sample, computed with integers. The interlacer must give
 /// exactly this, whichever of its loops it uses.
-std::vector<std::uint8_t> image_in_whole_numbers(const ViewPictures& views,
+std::vector<std::uint8_t> image_in_whole_numbers(const ViewRaster& views,
                                                  const PanelMapping& mapping, Blend blend)
 {
     const bool of_views = blend.views == Neighbours::linear,
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(all_loops_give_the_same_bits)
         for (const Blend& blend : blends)
             for (const int count : {1, 2, 45}) {
                 const Image quilt = noise<std::uint8_t>(count * 37, 23, unsigned(count));
-                const ViewPictures views(quilt, {count, 1});
+                const ViewRaster views(quilt, {count, 1});
                 const PanelMapping mapping = mapping_of(c);
                 Image panel = panel_image(views, c.width, c.height);
                 interlace(panel, views, mapping, blend, 2);
@@ -287,7 +287,7 @@ std::vector<FrameMetadata> lens_panels()
 {
     std::vector<FrameMetadata> all;
     for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square})
-        for (const double slant : {0.0, 9.46, -38.4, 80.0})
+        for (const double slant : {0.0, 9.46, -38.4, 90.0})
             for (const int width : {1, 8, 91})
                 for (const bool wide : {false, true}) {
                     FrameMetadata m;
@@ -330,7 +330,7 @@ BOOST_AUTO_TEST_CASE(all_loops_of_the_optics_give_the_same_bits)
             for (const int count : {1, 2, 45}) {
                 const int height = heights[case_number++ % heights.size()];
                 const Image quilt = noise<std::uint8_t>(count * 37, height, unsigned(count));
-                const ViewPictures views(quilt, {count, 1});
+                const ViewRaster views(quilt, {count, 1});
                 Image panel = panel_image(views, m.film.width, m.film.height);
                 interlace(panel, views, *mapping, blend, 2);
                 if (!round && samples_of<std::uint8_t>(panel) !=
@@ -376,7 +376,7 @@ BOOST_AUTO_TEST_CASE(sixteen_bits)
         samples.push_back(std::uint16_t(257 * sample));
     wide.samples = samples;
     for (const Blend& blend : blends) {
-        const ViewPictures of_wide(wide, {6, 1}), of_narrow(narrow, {6, 1});
+        const ViewRaster of_wide(wide, {6, 1}), of_narrow(narrow, {6, 1});
         Image a = panel_image(of_wide, c.width, c.height),
               b = panel_image(of_narrow, c.width, c.height);
         interlace(a, of_wide, mapping_of(c), blend);
@@ -397,14 +397,14 @@ BOOST_AUTO_TEST_CASE(a_quilt_and_its_views_are_the_same)
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
             views.push_back(part_of(quilt, column * 20, 60 - (row + 1) * 20, 20, 20));
-    Image a = panel_image(ViewPictures(quilt, {4, 3}), 50, 40), b = a;
-    interlace(a, ViewPictures(quilt, {4, 3}), mapping_of(c));
-    interlace(b, ViewPictures(views, {4, 3}), mapping_of(c));
+    Image a = panel_image(ViewRaster(quilt, {4, 3}), 50, 40), b = a;
+    interlace(a, ViewRaster(quilt, {4, 3}), mapping_of(c));
+    interlace(b, ViewRaster(views, {4, 3}), mapping_of(c));
     BOOST_TEST((a.samples == b.samples));
-    BOOST_CHECK_THROW(ViewPictures(quilt, {81, 1}), std::invalid_argument);
-    BOOST_CHECK_THROW(ViewPictures(views, {5, 3}), std::invalid_argument);
-    BOOST_CHECK_THROW(ViewPictures(make_image<float>(8, 8, 3, {}), {1, 1}), std::invalid_argument);
-    BOOST_CHECK_THROW(interlace(a, ViewPictures(quilt, {4, 3}), mapping_of(calibration(51, 40))),
+    BOOST_CHECK_THROW(ViewRaster(quilt, {81, 1}), std::invalid_argument);
+    BOOST_CHECK_THROW(ViewRaster(views, {5, 3}), std::invalid_argument);
+    BOOST_CHECK_THROW(ViewRaster(make_image<float>(8, 8, 3, {}), {1, 1}), std::invalid_argument);
+    BOOST_CHECK_THROW(interlace(a, ViewRaster(quilt, {4, 3}), mapping_of(calibration(51, 40))),
                       std::invalid_argument);
 }
 
@@ -440,7 +440,7 @@ BOOST_AUTO_TEST_CASE(through_the_optics_as_in_floating_point)
                 const auto mapping = mapping_of(m, eyes, 2);
                 BOOST_REQUIRE(want);
                 BOOST_REQUIRE(mapping);
-                const ViewPictures pictures(views, grid);
+                const ViewRaster pictures(views, grid);
                 Image got = panel_image(pictures, 91, 67);
                 interlace(got, pictures, *mapping, {}, 2);
                 double worst = 0;
@@ -462,8 +462,8 @@ BOOST_AUTO_TEST_CASE(what_no_eye_sees_is_black)
     const auto mapping = mapping_of(m, {{20, 0}, 400});
     Image white = make_image<std::uint8_t>(4, 4, 3, {});
     std::get<0>(white.samples).assign(48, 255);
-    Image got = panel_image(ViewPictures(white, {1, 1}), 120, 3);
-    interlace(got, ViewPictures(white, {1, 1}), *mapping);
+    Image got = panel_image(ViewRaster(white, {1, 1}), 120, 3);
+    interlace(got, ViewRaster(white, {1, 1}), *mapping);
     const SheetOptics optics(m.sheet, m.aperture);
     int lit = 0;
     for (int x = 0; x < 120; ++x) {

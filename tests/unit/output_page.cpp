@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_strip_has_letters_on_the_narrowest_paper)
 
 BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
 {
-    for (const double slant : {0.0, 12.0, -35.0})
+    for (const double slant : {0.0, 12.0, -35.0, 90.0})
         for (const Arrangement arrangement : {Arrangement::lenticular, Arrangement::square}) {
             const LensSheet sheet{arrangement, 1.27, 3.08, 1.6, slant, {0.2, 0.1}};
             const FrameMetadata m = geometry(sheet, 900, 600);
@@ -145,10 +145,11 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
             request.axis_marks = true;
             const auto page = lay_out(m, m.film.pixel_pitch, request)[0];
             const double pixel = 25.4 / 300, a = slant * 3.14159265358979323846 / 180;
-            int upright = 0, across = 0;
+            int upright = 0, across = 0, long_ones = 0;
             for (const PageLine& line : page.lines) {
                 // Back to the sheet: mm from the picture's middle, y upwards; then along the lens
                 // rows and columns, in pitches.
+                bool is_of_middle_lens = false;
                 for (const Vec2 p : {line.from, line.to}) {
                     const double x = p.x - (page.x + 450) * pixel - 0.2,
                                  y = (page.y + 300) * pixel - p.y - 0.1;
@@ -159,6 +160,8 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
                     // Every fifth axis, counted from the one nearest to the sheet's middle: lens 0.
                     BOOST_TEST(std::min(off_u, arrangement == Arrangement::square ? off_v : 1.0) <
                                1e-6);
+                    is_of_middle_lens = std::fabs(u) < 1e-6 ||
+                                        (arrangement == Arrangement::square && std::fabs(v) < 1e-6);
                 }
                 const double top = page.y * pixel, bottom = (page.y + 600) * pixel;
                 ++(line.from.y < top || line.from.y > bottom ? upright : across);
@@ -166,12 +169,19 @@ BOOST_AUTO_TEST_CASE(axis_marks_stand_where_axes_run)
                                      line.from.x > (page.x + 900) * pixel || line.from.y < top ||
                                      line.from.y > bottom;
                 BOOST_TEST(outside);
+                const double long_way = std::max(std::fabs(line.to.x - line.from.x),
+                                                 std::fabs(line.to.y - line.from.y));
+                BOOST_TEST((long_way > 3) == is_of_middle_lens); // 3.5 mm; the others 2
+                long_ones += is_of_middle_lens;
             }
-            // 76.2 mm hold 12 steps of 6.35 mm cos(slant), above and below
-            BOOST_TEST(std::abs(upright - 2 * 76.2 * std::cos(a) / 6.35) <= 3);
-            BOOST_TEST((arrangement == Arrangement::square
-                            ? std::abs(across - 2 * 50.8 * std::cos(a) / 6.35) <= 3
-                            : across == 0));
+            // Above and below; a row's axis at 35 degrees leaves the picture there, too.
+            BOOST_TEST(long_ones == (arrangement == Arrangement::square && slant >= 0 ? 4 : 2));
+            // 76.2 mm hold 12 steps of 6.35 mm cos(slant), above and below; 50.8 mm 8, at the sides
+            const bool square = arrangement == Arrangement::square, lying = slant > 45;
+            const double step = 6.35 / std::max(std::cos(a), std::sin(a));
+            BOOST_TEST(std::abs(upright - (square || !lying ? 2 * 76.2 / step : 0)) <= 3);
+            BOOST_TEST(std::abs(across - (square || lying ? 2 * 50.8 / step : 0)) <= 3);
+            BOOST_TEST((square || (lying ? upright : across) == 0));
         }
 }
 
@@ -252,8 +262,7 @@ BOOST_AUTO_TEST_CASE(quilts_name_their_views)
 {
     BOOST_TEST(quilt_name("a/b.png", {5, 9}, 0.75) == "a/b_qs5x9a0.75.png");
     BOOST_TEST(quilt_name("b_qs5x9a0.75.png", {8, 6}, 1) == "b_qs5x9a0.75.png");
-    BOOST_TEST(grid_in_name("b_qs11x6a1.77778.png")->columns == 11);
-    BOOST_TEST(!grid_in_name("b_qs11x6.png"));
+    BOOST_TEST(quilt_in_name("b_qs11x6a1.77778.png")->grid.columns == 11);
 }
 
 BOOST_AUTO_TEST_CASE(lengths_that_no_page_has_are_refused)

@@ -4,6 +4,7 @@
 #include "integral/output/panel.h"
 
 #include "integral/lightfield/camera_words.h"
+#include "integral/lightfield/geometry_json.h"
 #include "integral/optics/lens_mapping.h"
 #include "tests/unit/looking_glass_devices.h"
 

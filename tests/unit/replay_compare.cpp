@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Checks the figures of comparisons against values worked out by hand.
 #include "integral/compare/compare.h"
+#include "integral/compare/compare_limits.h"
 #include "integral/compare/similarity.h"
 
 #include <boost/test/unit_test.hpp>
@@ -105,14 +106,57 @@ BOOST_AUTO_TEST_CASE(sizes_must_agree)
                       std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_not_a_number_is_the_worst)
+BOOST_AUTO_TEST_CASE(equal_nan_and_infinity_are_equal)
 {
     Frame a = flat(4, 4, 3, 0.5f);
     store_pixel(a.image, 1, 1, {std::nanf(""), 0.5f, 0.5f, 1});
-    const Comparison c = compare(a, flat(4, 4, 3, 0.5f));
+    store_pixel(a.image, 2, 3, {HUGE_VALF, -HUGE_VALF, 0.5f, 1});
+    const Comparison c = compare(a, a);
+    BOOST_TEST(c.rmse == 0);
+    BOOST_TEST(std::isinf(c.psnr));
+    BOOST_TEST(c.ssim == 1);
+    BOOST_TEST(c.largest_difference == 0);
+    BOOST_TEST(c.within_two == 1);
+    BOOST_TEST(c.not_finite.equal == 2);
+    BOOST_TEST(c.not_finite.unequal == 0);
+}
+
+BOOST_AUTO_TEST_CASE(unequal_nan_and_infinity_are_counted_and_left_out)
+{
+    Frame a = flat(4, 4, 3, 0.5f), b = flat(4, 4, 3, 0.25f);
+    store_pixel(a.image, 2, 1, {std::nanf(""), 0.5f, 0.5f, 1}); // on one side
+    store_pixel(a.image, 1, 2, {HUGE_VALF, 0.5f, 0.5f, 1});     // of the other sign
+    store_pixel(b.image, 1, 2, {-HUGE_VALF, 0.25f, 0.25f, 1});
+    store_pixel(a.image, 3, 3, {std::nanf(""), 0.5f, 0.5f, 1}); // not of the same kind
+    store_pixel(b.image, 3, 3, {HUGE_VALF, 0.25f, 0.25f, 1});
+    const Comparison c = compare(a, b);
+    BOOST_TEST(c.rmse == 0.25, exactly); // of the other 45 channels
+    BOOST_TEST(c.largest_difference == 0.25, exactly);
+    BOOST_TEST(std::isfinite(c.ssim));
+    BOOST_TEST(c.not_finite.equal == 0);
+    BOOST_TEST(c.not_finite.unequal == 3);
+    BOOST_TEST(c.not_finite.x == 2);
+    BOOST_TEST(c.not_finite.y == 1);
+    const auto difference = difference_picture(a.image, b.image);
+    BOOST_TEST(stored_pixel(difference, 2, 1).r == 1);
+    BOOST_TEST(stored_pixel(difference, 2, 1).g == 0.25f, boost::test_tools::tolerance(1e-4f));
+}
+
+BOOST_AUTO_TEST_CASE(without_a_finite_value_there_are_no_figures)
+{
+    const Comparison c = compare(flat(4, 4, 3, std::nanf("")), flat(4, 4, 3, 0.5f));
     BOOST_TEST(std::isnan(c.rmse));
-    BOOST_TEST(std::isnan(c.largest_difference));
-    BOOST_TEST(c.within_two == 15.0 / 16, exactly);
+    BOOST_TEST(std::isnan(c.ssim));
+    BOOST_TEST(c.within_two == 0);
+    BOOST_TEST(c.not_finite.unequal == 16);
+    BOOST_CHECK(!figure_of(c, 0));
+    Limits limits;
+    BOOST_TEST(missed_limits(limits, c).empty());
+    limits[0] = 1;
+    BOOST_TEST(missed_limits(limits, c) ==
+                   std::vector<std::string>{
+                       "16 pixels differ by NaN or infinite values, the first at 0,0"},
+               boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(ssim_against_its_definition)

@@ -21,9 +21,9 @@ struct Case {
 };
 const Case cases[] = {
     {Arrangement::lenticular, 0, {0, 0}},     {Arrangement::lenticular, 9.46, {0.2, -0.1}},
-    {Arrangement::lenticular, -60, {0, 0.3}}, {Arrangement::square, 0, {0, 0}},
-    {Arrangement::square, 20, {-0.4, 0.3}},   {Arrangement::hexagonal, 0, {0, 0}},
-    {Arrangement::hexagonal, -33, {0.1, 0.5}}};
+    {Arrangement::lenticular, -60, {0, 0.3}}, {Arrangement::lenticular, 90, {0.1, 0.3}},
+    {Arrangement::square, 0, {0, 0}},         {Arrangement::square, 20, {-0.4, 0.3}},
+    {Arrangement::hexagonal, 0, {0, 0}},      {Arrangement::hexagonal, -33, {0.1, 0.5}}};
 
 inline FrameMetadata geometry(const Case& c, int width, int height, double pixel)
 {

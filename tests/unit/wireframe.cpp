@@ -358,6 +358,29 @@ BOOST_AUTO_TEST_CASE(faces_are_what_pixels_rays_meet)
     }
 }
 
+BOOST_AUTO_TEST_CASE(flat_faces_are_lit_from_the_side_that_the_eye_sees)
+{
+    // In both orders of the corners: the light from the viewer's side lights the face, that from
+    // behind it leaves the ambient fifth.
+    for (const bool turned : {false, true})
+        for (const double light : {-1.0, 1.0}) {
+            auto request = request_of(sheet_of(Arrangement::lenticular),
+                                      LensModel::extended_pinhole);
+            request.faces = FaceStyle::flat;
+            request.light = {0, 0, light};
+            request.mesh.vertices = {{-9, -9, 20}, {9, -9, 20}, {0, 9, 20}};
+            request.mesh.triangles = {{{0, 1, 2}, {1, 1, 1, 1}}};
+            if (turned)
+                std::swap(request.mesh.triangles[0].vertex[1],
+                          request.mesh.triangles[0].vertex[2]);
+            const Image image = drawn(request);
+            const Pixels pixels = lit(image);
+            BOOST_REQUIRE(pixels.size() > 1000u);
+            for (const auto& [x, y] : pixels)
+                BOOST_TEST(std::fabs(stored_pixel(image, x, y).r - (light < 0 ? 1 : 0.2)) < 1e-6);
+        }
+}
+
 BOOST_AUTO_TEST_CASE(pseudoscopic_mirrors_what_is_behind)
 {
     for (const auto& s : sheets) {

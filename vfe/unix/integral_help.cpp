@@ -18,6 +18,7 @@ void PrintIntegralHelp()
         "                                     lens_sheet { ... } film { ... } and others\n"
         "    Integral_Sheet=FILE.json         the lens sheet, as measured (integral print --even)\n"
         "    Integral_Draft=N                 the same print with N times fewer pixels across and down\n"
+        "    Integral_Fit=on|off|F            fit the scene's depth to F depth budgets (on: 2)\n"
         "    Integral_Target_Error=E          find the settings for an error (0.02), render with them;\n"
         "                                     on the command line only\n"
         "    Integral_Quilt=CxR               views of C x R eyes in place of the frame\n"

@@ -42,13 +42,16 @@ void FindIntegralSettings(char **argv)
     const std::string share = IntegralShareDirectory();
     for (; *argv != NULL; ++argv)
     {
-        const std::string name = *argv;
-        if (name.size() < 4 || name.compare(name.size() - 4, 4, ".ini") != 0 || Readable(name))
+        std::string name = *argv; // "NAME.ini[SECTION]", perhaps in quotation marks
+        if (name.size() > 2 && (name[0] == '"' || name[0] == '\'') && name.back() == name[0])
+            name = name.substr(1, name.size() - 2);
+        const std::string file = name.substr(0, name.find('['));
+        if (file.size() < 4 || file.compare(file.size() - 4, 4, ".ini") != 0 || Readable(file))
             continue;
         for (const char *folder : {"/include/", "/include/integral/"})
-            if (Readable(share + folder + name))
+            if (Readable(share + folder + file))
             {
-                found.push_back(share + folder + name);
+                found.push_back('"' + share + folder + name + '"');
                 *argv = &found.back()[0];
                 break;
             }

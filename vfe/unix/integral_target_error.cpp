@@ -36,7 +36,8 @@ bool Is_Scene(const std::string& argument, std::string& scene)
         return true;
     scene = argument;
     return argument[0] != '+' && argument[0] != '-' && argument.find('=') == std::string::npos &&
-           (Ends_With(argument, ".pov") || Ends_With(argument, ".ini"));
+           (Ends_With(argument, ".pov") ||
+            Ends_With(argument.substr(0, argument.find('[')), ".ini"));
 }
 
 /// The program `integral` beside this one, or its bare name, to be looked for on PATH.

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The part of IntegralGrammar that follows a complete camera statement: it places the sheet,
-// reports errors and prints warnings.
+// The part of IntegralGrammar that follows a complete camera statement: it places the sheet, and
+// checks the camera that is rendered in the end, which a later statement may replace.
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/parser/integralgrammar.h"
 #include "backend/parser/parse.h"
+#include "backend/render/integralprobes.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/scene.h"
 #include "base/integralframe.h"
 #include "base/integraloptions.h"
+#include "integral/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,31 +55,49 @@ void IntegralGrammar::Settle(Camera& camera)
     DBL direction;
     VLength(direction, camera.Direction);
     if (!(direction > 0) || std::isinf(direction))
-        parser.Error("An integral camera needs a direction that is finite and not zero; it follows "
-                     "from location, look_at "
-                     "and direction.");
+        return; // Check_Camera reports it
     const double distance = statement.parameters.sheet_distance
                                 ? *statement.parameters.sheet_distance
                             : statement.look_at_distance > 0 ? statement.look_at_distance
                                                              : direction;
     statement.sheet_distance_ratio = distance / direction;
+    statement.direction = direction;
 }
 
-/// Takes a perspective or an orthographic camera. From here on both are perspective ones.
-void IntegralGrammar::Check_Type(Camera& camera, IntegralStatement& statement)
+void IntegralGrammar::End(Camera& camera)
 {
+    if (!camera.Integral || !camera.Integral->integral)
+        return;
+    IntegralStatement& statement = Edit(camera);
     if (camera.Type == ORTHOGRAPHIC_CAMERA)
     {
-        if (!statement.parameters.viewing_distance)
-            parser.Error("An orthographic camera has no eye, and an integral one needs it: add "
-                         "viewing_distance and how far from the picture the eye is, in mm, for "
-                         "example viewing_distance 400.");
-        statement.orthographic = true;
+        statement.orthographic = statement.parameters.move_eye = true;
         camera.Type = PERSPECTIVE_CAMERA;
     }
+    if (parser.Token.FileHandle != NULL)
+        statement.end = {parser.Token.FileHandle->name(), parser.Token.Token_File_Pos.lineno,
+                         parser.Token.Token_Col_No, parser.Token.FileHandle->tellg().offset};
+}
+
+/// Reports an error at the end of the camera's statement.
+void IntegralGrammar::Refuse(const IntegralStatement& statement, const std::string& message)
+{
+    const IntegralStatement::Position& end = statement.end;
+    if (end.file.empty())
+        parser.Error("%s", message.c_str());
+    parser.messageFactory.ErrorAt(POV_EXCEPTION(kParseErr, message), end.file.c_str(), end.line,
+                                  end.column, end.offset, "%s", message.c_str());
+}
+
+void IntegralGrammar::Check_Type(const Camera& camera, const IntegralStatement& statement)
+{
+    if (statement.orthographic && !statement.parameters.viewing_distance)
+        Refuse(statement, "An orthographic camera has no eye, and an integral one needs it: add "
+                          "viewing_distance and how far from the picture the eye is, in mm, for "
+                          "example viewing_distance 400.");
     if (camera.Type != PERSPECTIVE_CAMERA)
-        parser.Error("An integral camera starts from a perspective or an orthographic camera; no "
-                     "other type goes with it.");
+        Refuse(statement, "An integral camera starts from a perspective or an orthographic camera; "
+                          "no other type goes with it.");
 }
 
 /// An error if a picture of this size in pixels has not the size of print_size.
@@ -89,12 +109,16 @@ void IntegralGrammar::Check_Print_Size(const IntegralStatement& statement, integ
     if (std::abs(wanted.width - size.width) <= 1 && std::abs(wanted.height - size.height) <= 1)
         return;
     const integral::Vec2 mm = *statement.parameters.print_size;
-    parser.Error("print_size <%g, %g> needs +W%d +H%d with this film, not +W%d +H%d. Give that "
-                 "size%s.",
-                 mm.x, mm.y, wanted.width, wanted.height, size.width, size.height,
-                 option && option->given.count("print_size") && option->given.count("film")
-                     ? ", or none"
-                     : " (print_size and film in Integral_Camera= set it by themselves)");
+    const bool sets_size = option && option->given.count("print_size") &&
+                           option->given.count("film");
+    const std::string help = sets_size ? ", or none"
+                                       : " (print_size and film in Integral_Camera= set it by "
+                                         "themselves)";
+    Refuse(statement, "print_size <" + integral::with_digits(mm.x, 6) + ", " +
+                          integral::with_digits(mm.y, 6) + "> needs +W" +
+                          std::to_string(wanted.width) + " +H" + std::to_string(wanted.height) +
+                          " with this film, not +W" + std::to_string(size.width) + " +H" +
+                          std::to_string(size.height) + ". Give that size" + help + ".");
 }
 
 /// Computes the statement's optics, those of a draft with Integral_Draft=, if the picture's size is
@@ -102,7 +126,7 @@ void IntegralGrammar::Check_Print_Size(const IntegralStatement& statement, integ
 void IntegralGrammar::Make_Optics(Camera& camera, IntegralStatement& statement)
 {
     integral::PixelSize size;
-    if (!Frame_Size(size))
+    if (!Frame_Size(statement, size))
         return;
     Check_Print_Size(statement, size);
     const integral::Film film = {size.width, size.height, statement.parameters.film.pixel_pitch};
@@ -116,21 +140,23 @@ void IntegralGrammar::Make_Optics(Camera& camera, IntegralStatement& statement)
     }
     catch (const std::invalid_argument& problem)
     {
-        parser.Error("Integral camera: %s.", problem.what());
+        Refuse(statement, std::string("Integral camera: ") + problem.what() + ".");
     }
 }
 
-void IntegralGrammar::Check(Camera& camera)
+/// Checks the camera that is rendered, and makes its optics.
+void IntegralGrammar::Check_Camera(Camera& camera)
 {
-    if (!camera.Integral || !camera.Integral->integral)
-        return;
     if (camera.Integral->sheet_distance_ratio == 0)
         Settle(camera);
     IntegralStatement& statement = Edit(camera);
+    if (statement.sheet_distance_ratio == 0)
+        Refuse(statement, "An integral camera needs a direction that is finite and not zero; it "
+                          "follows from location, look_at and direction.");
     Check_Type(camera, statement);
     if (camera.Tnormal != NULL)
-        parser.Error("A camera normal does not go with an integral camera: it would bend the light "
-                     "of all lenses alike.");
+        Refuse(statement, "A camera normal does not go with an integral camera: it would bend the "
+                          "light of all lenses alike.");
     if (option && camera.Aperture != 0 && camera.Blur_Samples > 0)
     {
         parser.Warning(0, "Integral_Camera: the scene's focal blur (aperture, blur_samples) is "
@@ -139,12 +165,12 @@ void IntegralGrammar::Check(Camera& camera)
         camera.Blur_Samples = 0;
     }
     if (camera.Aperture != 0 && camera.Blur_Samples > 0)
-        parser.Error("Focal blur (aperture, blur_samples) does not go with an integral camera: its "
-                     "depth is focused by "
-                     "the eye that looks at the print.");
+        Refuse(statement,
+               "Focal blur (aperture, blur_samples) does not go with an integral camera: "
+               "its depth is focused by the eye that looks at the print.");
     for (const char *word : {"lens_sheet", "film"})
         if (!statement.given.count(word))
-            parser.Error("An integral camera needs %s { ... }.", word);
+            Refuse(statement, std::string("An integral camera needs ") + word + " { ... }.");
     Make_Optics(camera, statement);
 }
 
@@ -156,9 +182,18 @@ void IntegralGrammar::Finish(Camera& camera)
             parser.Error("Integral_Camera applies to a perspective or an orthographic camera, and "
                          "this scene's is of another type.");
         Settle(camera);
-        Check(camera);
+        End(camera);
     }
+    if (camera.Integral && camera.Integral->integral)
+        Check_Camera(camera);
     const bool integral = camera.Integral && camera.Integral->integral && camera.Integral->optics;
+    std::vector<double> distances;
+    if (integral)
+    {
+        distances = Probe_Integral_Depths(*camera.Integral->optics, *parser.sceneData,
+                                          parser.GetParserDataPtr());
+        Fit_Depth(camera, distances);
+    }
     pov_base::IntegralFrame::Set_Scene(UCS2toASCIIString(parser.sceneData->inputFile));
     pov_base::IntegralFrame::Expect(integral ? camera.Integral->optics.get() : NULL);
     if (!integral)
@@ -166,7 +201,7 @@ void IntegralGrammar::Finish(Camera& camera)
     const std::string& problem = parser.sceneData->integral->problem;
     if (!problem.empty())
         parser.Error("%s.", problem.c_str());
-    Warn(camera);
+    Warn(camera, distances);
 }
 
 }

@@ -44,12 +44,12 @@ public:
     /// vectors are final, before its transforms are applied.
     void Settle(Camera& camera);
 
-    /// Reports errors for settings that cannot work together. Call it at the end of a camera
-    /// statement.
-    void Check(Camera& camera);
+    /// Records where the statement ends, for errors. Call it at the end of a camera statement.
+    void End(Camera& camera);
 
-    /// Applies Integral_Camera= to a scene without a camera statement, and prints warnings. Call it
-    /// after the scene is parsed, with the camera that will be rendered.
+    /// Applies Integral_Camera= to a scene without a camera statement, reports errors for settings
+    /// that cannot work together, and prints warnings. Call it after the scene is parsed, with the
+    /// camera that will be rendered.
     void Finish(Camera& camera);
 
 private:
@@ -81,17 +81,23 @@ private:
     void Parse_Text(const std::string& text);
     void Use_Print_Size();
     integral::LensSheet Read_Sheet(const UCS2String& file);
-    bool Frame_Size(integral::PixelSize& size);
-    void Check_Type(Camera& camera, IntegralStatement& statement);
+    bool Frame_Size(const IntegralStatement& statement, integral::PixelSize& size);
+    void Refuse(const IntegralStatement& statement, const std::string& message);
+    void Check_Camera(Camera& camera);
+    void Check_Type(const Camera& camera, const IntegralStatement& statement);
     void Check_Print_Size(const IntegralStatement& statement, integral::PixelSize size);
     void Make_Optics(Camera& camera, IntegralStatement& statement);
-    void Warn(const Camera& camera);
+    void Fit_Depth(Camera& camera, const std::vector<double>& distances);
+    void Warn_Of_Depth(const IntegralStatement& statement, const std::vector<double>& distances,
+                       double budget);
+    void Warn(const Camera& camera, const std::vector<double>& distances);
     void Warn_Of_Shape(const Camera& camera);
     void Warn_Of_Scale(const integral::IntegralCamera& optics);
     void Warn_Of_Eye(const IntegralStatement& statement);
     void Warn_Of_Film(const integral::IntegralCamera& optics);
     void Warn_Of_Draft(const IntegralStatement& statement);
     void Warn_Of_Starts(const integral::IntegralCamera& optics);
+    void Warn_Of_Place(const Camera& camera, std::vector<double> distances);
 
     Parser& parser;
     std::shared_ptr<IntegralStatement> option; ///< the words of Integral_Camera=, or null

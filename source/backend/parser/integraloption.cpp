@@ -10,9 +10,12 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/support/fileutil.h"
 #include "integral/base/json.h"
+#include "integral/base/number_text.h"
+#include "integral/base/unfinished_file.h"
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 // this must be the last file included
@@ -23,6 +26,12 @@ namespace pov
 
 void IntegralGrammar::Parse_Option()
 {
+    const std::string scene = UCS2toASCIIString(parser.sceneData->inputFile);
+    if (integral::is_special(scene))
+        parser.Error(
+            "The scene %s is a pipe or a device, and POV-Ray has to go back in it: save it "
+            "as a file first.",
+            scene.c_str());
     const pov_base::IntegralSceneOptions& options = *parser.sceneData->integral;
     if (options.camera.empty() && options.sheet.empty())
         return;
@@ -91,18 +100,30 @@ void IntegralGrammar::Use_Print_Size()
 }
 
 /// Gets width and height of the final picture from the identifiers that the front end declares in
-/// the scene; false if they are not declared.
-bool IntegralGrammar::Frame_Size(integral::PixelSize& size)
+/// the scene; false if they are not declared. An error if no picture has that size.
+bool IntegralGrammar::Frame_Size(const IntegralStatement& statement, integral::PixelSize& size)
 {
-    const auto number = [&](const char *name, int& value)
+    const auto number = [&](const char *name) -> std::optional<double>
     {
         const auto found = parser.sceneData->declaredVariables.find(name);
-        value = found == parser.sceneData->declaredVariables.end()
-                    ? 0
-                    : int(std::atof(found->second.c_str()));
-        return value > 0;
+        if (found == parser.sceneData->declaredVariables.end())
+            return std::nullopt;
+        return std::atof(found->second.c_str());
     };
-    return number("image_width", size.width) & number("image_height", size.height);
+    const auto width = number("image_width"), height = number("image_height");
+    if (!width || !height)
+        return false;
+    const auto check = [&](const char *option, double pixels)
+    {
+        if (!(pixels >= 1 && pixels <= integral::largest_side))
+            Refuse(statement, std::string("Integral camera: the picture cannot have ") + option +
+                                  integral::with_decimals(pixels, 0) + " pixels: 1 to " +
+                                  std::to_string(integral::largest_side) + " expected.");
+    };
+    check("+W", *width);
+    check("+H", *height);
+    size = {int(*width), int(*height)};
+    return true;
 }
 
 /// The lens sheet of a JSON document, which is found and allowed as any file that a scene reads.

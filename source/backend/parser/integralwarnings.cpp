@@ -34,7 +34,7 @@ static std::string By_About(double factor)
     return text.str();
 }
 
-void IntegralGrammar::Warn(const Camera& camera)
+void IntegralGrammar::Warn(const Camera& camera, const std::vector<double>& distances)
 {
     Warn_Of_Shape(camera);
     Warn_Of_Scale(*camera.Integral->optics);
@@ -42,6 +42,7 @@ void IntegralGrammar::Warn(const Camera& camera)
     Warn_Of_Film(*camera.Integral->optics);
     Warn_Of_Draft(*camera.Integral);
     Warn_Of_Starts(*camera.Integral->optics);
+    Warn_Of_Place(camera, distances);
 }
 
 void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
@@ -99,8 +100,8 @@ void IntegralGrammar::Warn_Of_Eye(const IntegralStatement& statement)
         parser.Warning(0,
                        "Integral camera: the eye is %.4g mm from a picture of %.4g x %.4g mm: "
                        "nearer than its diagonal.\n"
-                       "viewing_distance %.0f, for example, moves the eye and leaves the sheet "
-                       "where it is.",
+                       "viewing_distance %.0f, for example, keeps this picture and shows it to an "
+                       "eye there.",
                        distance, size.x, size.y,
                        10 * std::ceil(std::max(300.0, 2 * diagonal) / 10));
 }
@@ -160,14 +161,14 @@ void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
     if (starts.parted < 0.01)
         return;
     const integral::Aperture& aperture = optics.optics.aperture();
-    const double k = optics.placement.units_per_mm, smaller = starts.clear;
+    const double factor = optics.parallax ? optics.parallax->factor : 1,
+                 k = factor * optics.placement.units_per_mm, smaller = starts.clear;
     std::ostringstream help;
     help << std::setprecision(3);
     if (smaller > 0.1)
         help << "capture_aperture <" << smaller * aperture.width << ", "
-             << smaller * aperture.height << "> keeps them out, and so does a sheet_distance "
-             << "or viewing_distance of " << smaller
-             << " times as much; or move location away from them";
+             << smaller * aperture.height << "> keeps them out, and so does parallax "
+             << smaller * factor << "; or move location away from them";
     else
         help << "Move location away from them";
     parser.Warning(0,
@@ -177,6 +178,48 @@ void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
                    "reaches into them.\n%s.",
                    100 * starts.parted, k * aperture.width, k * aperture.height,
                    help.str().c_str());
+}
+
+/// Warns of an eye that was moved behind surfaces, and of a sheet whose place follows from the
+/// length of direction and is far from all that is seen. `distances`: Probe_Integral_Depths.
+void IntegralGrammar::Warn_Of_Place(const Camera& camera, std::vector<double> distances)
+{
+    const IntegralStatement& statement = *camera.Integral;
+    const integral::CameraParameters& given = statement.parameters;
+    const integral::IntegralCamera& optics = *statement.optics;
+    const double k = optics.placement.units_per_mm, eye = viewer_distance(optics),
+                 own = Integral_Scene_Distance(camera);
+    const bool moved_back = given.move_eye && eye > 1.01 * own,
+               placed = statement.look_at_distance > 0 || given.sheet_distance || given.fit;
+    if (optics.projection || optics.pseudoscopic || (!moved_back && placed))
+        return;
+    std::sort(distances.begin(), distances.end());
+    const auto number_below = [&](double distance)
+    {
+        return double(std::lower_bound(distances.begin(), distances.end(), distance) -
+                      distances.begin());
+    };
+    const double hidden = number_below(k * (eye - own)), seen = number_below(HUGE_VAL);
+    if (moved_back && hidden > 0.5 * distances.size())
+        parser.Warning(0,
+                       "Integral camera: %.0f%% of the rays meet a surface between the eye and the "
+                       "scene's own camera:\nmove_eye has moved the eye from %.4g to %.4g "
+                       "scene units before the sheet, perhaps out of a room.\n"
+                       "viewing_distance %s keeps it in; without move_eye the scene's own picture "
+                       "is seen.",
+                       100 * hidden / distances.size(), k * own, k * eye,
+                       integral::with_digits(own, 4).c_str());
+    const auto near = [&](double distance) { return std::fabs(distance - k * own) < 0.5 * k * own; };
+    if (!placed && seen > 0 && std::none_of(distances.begin(), distances.end(), near))
+    {
+        const double middle = distances[std::size_t(seen / 2)];
+        parser.Warning(0,
+                       "Integral camera: no surface is near the sheet, which is %.4g scene units "
+                       "from the camera,\nas far as direction is long: most of them are near %.4g, "
+                       "and none will be sharp. look_at, or\n"
+                       "sheet_distance %s, places the sheet there; Integral_Fit=on finds the place.",
+                       k * own, middle, integral::with_digits(middle, 3).c_str());
+    }
 }
 
 }

@@ -8,6 +8,7 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/view.h"
+#include "base/integralframe.h"
 #include "base/integralpicture.h"
 
 #include <algorithm>
@@ -260,18 +261,31 @@ std::optional<integral::ErrorEstimate> IntegralAudit::Result()
     auto error = integral::estimate(sums, integral::ErrorMethod::audit,
                                     radiosity ? unsure_with_radiosity : integral::bias_at_edges);
     if (!error)
+    {
+        Report_Picture(picture + ": there is no error to draw, as this run has rendered fewer than "
+                                 "two lit pixels");
         return error;
+    }
     error->lit_pixels = (long long)(lit_pixels);
     error->samples = samples;
-    picture_failed = !picture.empty() && !Write_Picture();
+    if (!picture.empty())
+        Report_Picture(Write_Picture());
     error->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun)
                          .count();
     return error;
 }
 
+/// Reports why the requested error picture is not there; no effect if `error` is empty.
+void IntegralAudit::Report_Picture(const std::string& error) const
+{
+    if (!picture.empty() && !error.empty())
+        pov_base::IntegralFrame::Add_Problem("Integral_Error_Image", error);
+}
+
 /// Writes a picture of the local error: the frame is divided into squares of about 8 audited
-/// pixels, and each is filled with the grey value of its RMS error.
-bool IntegralAudit::Write_Picture() const
+/// pixels, and each is filled with the grey value of its RMS error. Returns why it could not be
+/// written; empty: it is.
+std::string IntegralAudit::Write_Picture() const
 {
     const integral::Film& film = optics->film;
     const double area = double(film.width) * film.height;
@@ -301,9 +315,16 @@ bool IntegralAudit::Write_Picture() const
     return pov_base::Write_Integral_Picture(picture, film.width, film.height, errors);
 }
 
-/// The audit that a view's finished blocks are told to; null if there is none.
-static IntegralAudit *Audit_Of(const Camera& camera)
+/// Records the colours of a view's finished pixels. Returns the audit that is to record them, too;
+/// null if there is none.
+static IntegralAudit *Note_Colours(const Camera& camera, const std::vector<Colour>& colours)
 {
+    if (camera.Integral_View)
+    {
+        IntegralCounts& counts = *camera.Integral_View->counts;
+        std::lock_guard<std::mutex> lock(counts.mutex);
+        counts.colours.Add(colours);
+    }
     return camera.Integral_View && !camera.Integral_View->sampling
                ? camera.Integral_View->audit.get()
                : NULL;
@@ -312,14 +333,14 @@ static IntegralAudit *Audit_Of(const Camera& camera)
 void Note_Integral_Pixels(const Camera& camera, const POVRect& rect,
                           const std::vector<Colour>& pixels)
 {
-    if (IntegralAudit *audit = Audit_Of(camera))
+    if (IntegralAudit *audit = Note_Colours(camera, pixels))
         audit->Note(rect, pixels);
 }
 
 void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions,
                           const std::vector<Colour>& colours)
 {
-    if (IntegralAudit *audit = Audit_Of(camera))
+    if (IntegralAudit *audit = Note_Colours(camera, colours))
         audit->Note(positions, colours);
 }
 

@@ -72,11 +72,9 @@ public:
     const integral::OutputCurve& Output() const { return output; }
 
     /// The frame's error, after all pixels have been audited; nothing if there were fewer than 2.
-    /// Writes the error picture if one was requested.
+    /// Writes the error picture if one was requested; if that fails, IntegralFrame::Add_Problem has
+    /// the reason.
     std::optional<integral::ErrorEstimate> Result();
-
-    /// Whether the error picture was requested but could not be written.
-    bool Picture_Failed() const { return picture_failed; }
 
 private:
     /// A lit pixel.
@@ -95,7 +93,8 @@ private:
     std::vector<Candidate> Take_Candidates();
     void Take_Any(std::vector<Candidate> candidates, std::size_t number);
     void Take_By_Errors(std::vector<Candidate> candidates, std::size_t number);
-    bool Write_Picture() const;
+    std::string Write_Picture() const;
+    void Report_Picture(const std::string& error) const;
 
     std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const IntegralCounts> counts;
@@ -117,7 +116,6 @@ private:
     int samples = 0;
     std::vector<Pixel> pixels; ///< to audit
     std::size_t taken = 0;
-    bool picture_failed = false;
     std::chrono::steady_clock::time_point begun;
 };
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// POV-Ray's colours as anti-aliasing compares and averages them.
+// POV-Ray's colours as they are clipped, compared and averaged.
 #ifndef POVRAY_BACKEND_INTEGRALCOLOURS_H
 #define POVRAY_BACKEND_INTEGRALCOLOURS_H
 
+#include <algorithm>
+
 #include "backend/frame.h"
 #include "base/image/colourspace.h"
+#include "base/integralclipping.h"
 #include "integral/lightfield/first_samples.h"
 #include "integral/lightfield/linear_colour.h"
 
@@ -36,6 +39,25 @@ public:
 private:
     integral::TabulatedCurve curve, inverse;
 };
+
+/// Clips light to what the picture file can hold. The result is written as the light itself would
+/// be: POV-Ray's encoding makes light more opaque that is brighter than its opacity.
+inline void Clip(pov_base::IntegralClipping clipping, Colour& light)
+{
+    if (clipping == pov_base::IntegralClipping::none)
+        return;
+    const bool by_brightness = clipping == pov_base::IntegralClipping::brightness;
+    const auto is_held = [](float value) { return !(value < 0 || value > 1); }; // NaN, too
+    const float brightness = light.greyscale();
+    if (by_brightness ? is_held(brightness)
+                      : is_held(light.red()) && is_held(light.green()) && is_held(light.blue()))
+        return;
+    light.transm() = std::min(light.transm(), std::max(0.0f, 1 - brightness));
+    const float scale = brightness > 1 ? 1 / brightness : 0;
+    for (int channel = 0; channel < 3; channel++)
+        light[channel] = by_brightness ? scale * light[channel]
+                                       : std::clamp(light[channel], 0.0f, 1.0f);
+}
 
 inline integral::LinearColour Linear(const Colour& colour)
 {

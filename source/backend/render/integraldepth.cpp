@@ -8,6 +8,7 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/view.h"
+#include "base/integralframe.h"
 #include "base/integralpicture.h"
 
 #include <cmath>
@@ -53,15 +54,17 @@ void IntegralDepth::Find_Row(int row, Trace& trace)
         float& depth = depths[std::size_t(row) * optics->film.width + x];
         depth = std::numeric_limits<float>::infinity();
         if (trace.FindIntersection(met, ray, seen, any))
-            depth = float(integral::sheet_from_scene(optics->placement,
-                                                     line.origin + met.Depth * line.direction)
-                              .z);
+            depth = float(
+                seen_from_scene(*optics, line.origin + met.Depth * line.direction).z);
     }
 }
 
-bool IntegralDepth::Write() const
+void IntegralDepth::Write() const
 {
-    return pov_base::Write_Integral_Depth(file, optics->film.width, optics->film.height, depths);
+    const std::string error = pov_base::Write_Integral_Depth(file, optics->film.width,
+                                                             optics->film.height, depths);
+    if (!error.empty())
+        pov_base::IntegralFrame::Add_Problem("Integral_Depth_Image", error);
 }
 
 IntegralDepthTask::IntegralDepthTask(ViewData *view)

@@ -32,10 +32,8 @@ public:
     /// Computes the depths of a row with `trace`.
     void Find_Row(int row, Trace& trace);
 
-    /// Writes the file; returns whether that succeeded.
-    bool Write() const;
-
-    const std::string& File() const { return file; }
+    /// Writes the file. If that fails, IntegralFrame::Add_Problem has the reason.
+    void Write() const;
 
 private:
     std::shared_ptr<const integral::IntegralCamera> optics;

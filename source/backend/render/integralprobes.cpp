@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <vector>
 
 // this must be the last file included
@@ -27,19 +28,31 @@ namespace
 using integral::Vec2;
 using integral::Vec3;
 
-/// The seen objects near the aperture, but for containers of media.
+/// Whether the camera sees an object as a surface: not one without an image, nor a container of
+/// media.
+bool Is_Seen(ObjectPtr object)
+{
+    const bool is_container = Test_Flag(object, HOLLOW_FLAG) && object->interior != NULL &&
+                              !object->interior->media.empty();
+    return !is_container && !Test_Flag(object, NO_IMAGE_FLAG);
+}
+
+/// The seen objects near the aperture.
 std::vector<ObjectPtr> Objects_Near(const integral::StartRegion& region, const SceneData& scene)
 {
     std::vector<ObjectPtr> near;
     for (const ObjectPtr object : scene.objects)
-    {
-        const bool is_container = Test_Flag(object, HOLLOW_FLAG) && object->interior != NULL &&
-                                  !object->interior->media.empty();
-        if (!is_container && !Test_Flag(object, NO_IMAGE_FLAG) &&
-            Region_Meets(region, object->BBox))
+        if (Is_Seen(object) && Region_Meets(region, object->BBox))
             near.push_back(object);
-    }
     return near;
+}
+
+Ray Ray_Along(Vec3 origin, Vec3 direction)
+{
+    Ray ray;
+    Make_Vector(ray.Origin, origin.x, origin.y, origin.z);
+    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
+    return ray;
 }
 
 /// Whether a surface of one of the objects is between two points.
@@ -48,10 +61,7 @@ bool Are_Parted(Vec3 from, Vec3 to, const std::vector<ObjectPtr>& objects, Trace
     const double distance = length(to - from);
     if (!(distance > 0))
         return false;
-    const Vec3 direction = (1 / distance) * (to - from);
-    Ray ray;
-    Make_Vector(ray.Origin, from.x, from.y, from.z);
-    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
+    const Ray ray = Ray_Along(from, (1 / distance) * (to - from));
     return std::any_of(objects.begin(), objects.end(),
                        [&](const ObjectPtr object)
                        {
@@ -73,8 +83,7 @@ struct Look
     bool Time_Left() const { return std::clock() < end; }
     Vec3 Scene_Point(Vec2 point) const
     {
-        return scene_from_sheet(camera.placement,
-                                {point.x, point.y, -camera.optics.aperture().distance});
+        return *scene_from_seen(camera, {point.x, point.y, -camera.optics.aperture().distance});
     }
     bool Is_Parted(Vec2 point) const
     {
@@ -82,21 +91,29 @@ struct Look
     }
 };
 
-/// The share of the rays of at most 128 film points that start at a parted point.
-double Parted_Rays(const Look& look)
+/// Calls `visit` with the rays of at most 128 film points while there is time left.
+template <class Visit> void Visit_Rays(const Look& look, Visit visit)
 {
     const integral::Film& film = look.camera.film;
     const int most = int(std::min(128.0, double(film.width) * film.height));
-    int rays = 0, parted = 0;
     for (int k = 0; k < most && look.Time_Left(); k++)
     {
         const Vec2 point = film_from_pixel(film, spread_pixel(film, k, most));
         if (const auto ray = look.camera.optics.map(point, look.camera.mapping).ray)
-        {
-            rays++;
-            parted += look.Is_Parted(ray->aperture_point);
-        }
+            visit(*ray);
     }
+}
+
+/// The share of the rays that start at a parted point.
+double Parted_Rays(const Look& look)
+{
+    int rays = 0, parted = 0;
+    Visit_Rays(look,
+               [&](const auto& ray)
+               {
+                   rays++;
+                   parted += look.Is_Parted(ray.aperture_point);
+               });
     return rays > 0 ? double(parted) / rays : 0;
 }
 
@@ -129,9 +146,10 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
         (camera.depth_range && camera.depth_range->x < aperture.distance))
         return starts;
     Look look{camera, thread, {}};
-    look.near = Objects_Near(
-        {look.Scene_Point({0, 0}), half.x * camera.placement.x, half.y * camera.placement.y},
-        scene);
+    const Vec3 middle = look.Scene_Point({0, 0});
+    look.near = Objects_Near({middle, look.Scene_Point({half.x, 0}) - middle,
+                              look.Scene_Point({0, half.y}) - middle},
+                             scene);
     if (look.near.empty())
         return starts;
     starts.parted = Parted_Rays(look);
@@ -140,4 +158,74 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
     return starts;
 }
 
+namespace
+{
+
+/// Whether a ray from an origin may meet a box, in a direction none of whose components is a NaN.
+bool May_Meet(const Vec3& origin, const Vec3& direction, const BBOX& box)
+{
+    const double from[3] = {origin.x, origin.y, origin.z},
+                 way[3] = {direction.x, direction.y, direction.z};
+    double near = 0, far = HUGE_VAL;
+    for (int axis = X; axis <= Z; axis++)
+    {
+        const double low = box.Lower_Left[axis], length = box.Lengths[axis],
+                     slack = 1e-5 * (std::fabs(low) + length + std::fabs(from[axis])); // BBOX is in
+                                                                                        // floats
+        const double ends[2] = {low - slack - from[axis], low + length + slack - from[axis]};
+        if (way[axis] == 0)
+        {
+            if (ends[0] > 0 || ends[1] < 0)
+                return false;
+            continue;
+        }
+        const double a = ends[0] / way[axis], b = ends[1] / way[axis];
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    }
+    return near <= far;
+}
+
+/// How far along the ray the first seen surface is; HUGE_VAL: there is none.
+double First_Surface(const Ray& ray, const Vec3& origin, const Vec3& direction, const SceneData& scene,
+                     TraceThreadData *thread)
+{
+    double nearest = HUGE_VAL;
+    for (const ObjectPtr object : scene.objects)
+    {
+        if (!Is_Seen(object) || !May_Meet(origin, direction, object->BBox))
+            continue;
+        Intersection found;
+        if (Find_Intersection(&found, object, ray, thread) && found.Depth < nearest)
+            nearest = found.Depth;
+    }
+    return nearest;
+}
+
+}
+
+std::vector<double> Probe_Integral_Depths(const integral::IntegralCamera& camera,
+                                          const SceneData& scene, TraceThreadData *thread)
+{
+    constexpr double least = 200, most = 2000, tests = 5e7;
+    const double pixels = double(camera.film.width) * camera.film.height;
+    const double affordable = std::min(tests / (1.0 + scene.objects.size()), pixels / 50);
+    const int count = int(std::min(pixels, std::min(most, std::max(least, affordable))));
+    const double eye = camera.parallax ? camera.parallax->scene_distance : viewer_distance(camera),
+                 magnified = camera.projection ? -camera.projection->magnification() : 1;
+    const Vec3 origin = scene_from_sheet(camera.placement, {0, 0, -eye});
+    std::vector<double> distances;
+    for (int k = 0; k < count; k++)
+    {
+        const Vec2 point = magnified *
+                           film_from_pixel(camera.film, spread_pixel(camera.film, k, count));
+        const Vec3 to_sheet = scene_from_sheet(camera.placement, {point.x, point.y, 0}) - origin,
+                   direction = (1 / length(to_sheet)) * to_sheet;
+        const double depth = First_Surface(Ray_Along(origin, direction), origin, direction, scene,
+                                           thread);
+        // The eye plane is parallel to the sheet: the same part of every ray lies before the sheet.
+        distances.push_back(depth * eye * length(camera.placement.z) / length(to_sheet));
+    }
+    return distances;
+}
 }

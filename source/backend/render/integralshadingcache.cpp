@@ -56,18 +56,27 @@ std::size_t IntegralShadingCache::Slot(std::uint64_t row, std::size_t column) co
     return std::size_t(row % locks.size()) * row_length + column;
 }
 
+constexpr double farthest = 1e12; // mm
+
 /// At the sheet a pixel's beam is as wide as its lens, and it spreads by the pixel's angle. Along a
 /// cylindrical lens it is one pixel high at the sheet and spreads as seen from the aperture.
 int IntegralShadingCache::Level(const VECTOR point) const
 {
     const integral::Placement& at = camera.placement;
-    const double z = std::fabs(dot(From_POV(point) - at.origin, at.z)) / (scale * scale);
+    const double behind = dot(From_POV(point) - at.origin, at.z) / (scale * scale);
+    const integral::Vec3 seen = camera.parallax
+                                    ? image_of(camera.relief, integral::Vec3{0, 0, behind})
+                                          .value_or(integral::Vec3{0, 0, farthest})
+                                    : integral::Vec3{0, 0, behind};
+    // A beam is narrower in the scene than it is seen, or wider.
+    const double z = std::min(std::fabs(seen.z), farthest),
+                 narrower = std::max(1e-9, std::fabs(1 + camera.relief.bend * behind));
     const double pitch = camera.optics.sheet().pitch;
     double area = pitch * pitch + z * spread * z * spread;
     if (camera.optics.sheet().arrangement == integral::Arrangement::lenticular)
         area = std::sqrt(area) * camera.film.pixel_pitch.y *
                (1 + z / camera.optics.aperture().distance);
-    return Exponent(scale * scale * (area / cells));
+    return Exponent(narrower * scale * narrower * scale * (area / cells));
 }
 
 double IntegralShadingCache::Size(int level)

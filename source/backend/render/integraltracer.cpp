@@ -31,6 +31,7 @@ void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadDa
         return;
     containers.Choose(*view->optics, scene, thread);
     counts_error = view->error.by_halves;
+    clipping = view->clipping;
     quilt = view->quilt != nullptr;
     one_ray = quilt || view->sampler->gives_one_ray();
     run_y = first_y = last_y = -1;
@@ -254,9 +255,14 @@ std::array<float, 2> IntegralTracer::Tilt(const integral::SightSlope& line) cons
     const integral::Placement& placement = view->optics->placement;
     const integral::Lattice& lattice = view->optics->optics.lattice();
     const integral::Vec3 of_scene{normal[X], normal[Y], normal[Z]};
-    const integral::Vec2 lateral{dot(of_scene, placement.x), dot(of_scene, placement.y)};
+    integral::Vec3 facing{dot(of_scene, placement.x), dot(of_scene, placement.y),
+                          dot(of_scene, placement.z)};
+    if (view->optics->parallax)
+        facing = image_of_normal(view->optics->relief,
+                                 sheet_from_scene(placement, last_point), facing);
+    const integral::Vec2 lateral{facing.x, facing.y};
     const double across = dot(lateral, lattice.across()), along = dot(lateral, lattice.along()),
-                 area = across * line.slope[0] + along * line.slope[1] + dot(of_scene, placement.z);
+                 area = across * line.slope[0] + along * line.slope[1] + facing.z;
     return area < 0 || area > 0 ? std::array<float, 2>{float(across / area), float(along / area)}
                                 : std::array<float, 2>{};
 }
@@ -264,11 +270,10 @@ std::array<float, 2> IntegralTracer::Tilt(const integral::SightSlope& line) cons
 void IntegralTracer::Keep_Depth(const Ray& ray, DBL distance)
 {
     last_depth = HUGE_VAL;
-    if (distance < HUGE_VAL)
-        last_depth = integral::sheet_from_scene(view->optics->placement,
-                                                From_POV(ray.Origin) +
-                                                    distance * From_POV(ray.Direction))
-                         .z;
+    if (!(distance < HUGE_VAL))
+        return;
+    last_point = From_POV(ray.Origin) + distance * From_POV(ray.Direction);
+    last_depth = seen_from_scene(*view->optics, last_point).z;
 }
 
 void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)

@@ -11,6 +11,7 @@
 
 #include "backend/frame.h"
 #include "backend/render/integralarealights.h"
+#include "backend/render/integralcolours.h"
 #include "backend/render/integralcontainers.h"
 #include "backend/render/integralshading.h"
 #include "backend/lighting/integralsharedambient.h"
@@ -93,8 +94,8 @@ public:
     bool Imaged() const { return imaged; }
     integral::LensIndex Lens() const { return lens; }
 
-    /// The depth of the surface that the last ray of the last pixel met, mm from the sheet away
-    /// from the viewer; infinite if it met none. Only with +A.
+    /// The depth at which the viewer sees the surface that the last ray of the last pixel met, mm
+    /// from the sheet away from the viewer; infinite if it met none. Only with +A.
     double Depth() const { return last_depth; }
 
     /// What the last ray of the last sample saw; `colour`: its light. Only if the frame
@@ -172,8 +173,10 @@ private:
     integral::RayRun<std::optional<integral::BeamRay>> refined_run; ///< rays of samples of `beam`
     std::uint32_t refined_begin = 0, refined_end = 0;               ///< the samples' indices
     bool active = false, counts_error = false;
+    pov_base::IntegralClipping clipping = pov_base::IntegralClipping::colours;
     bool keeps_depth = false; ///< whether Depth is available
     double last_depth = 0;
+    integral::Vec3 last_point; ///< of the scene, where last_depth is finite
     const DBL *normal = nullptr; ///< of the surface that the last ray met
     bool one_ray = false;        ///< whether each pixel has at most one ray
     bool quilt = false;          ///< whether the picture is a quilt of views; then one_ray is true
@@ -192,13 +195,18 @@ void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Tr
         Choose_Area_Lights(x, y);
     colour.clear();
     DBL length;
+    const auto see = [&](Ray& ray, Colour& seen)
+    {
+        Met(ray, trace(ray, length, seen));
+        Clip(clipping, seen);
+    };
     if ((mode == camera_rays && one_ray) || mode == first_samples)
     {
         Ray ray;
         if (mode == first_samples ? Choose_First_Sample(x, y, counted, pretrace, ray, length)
             : quilt               ? Choose_Quilt_Ray(x, y, counted, pretrace, ray, length)
                                   : Choose_One_Ray(x, y, counted, pretrace, ray, length))
-            Met(ray, trace(ray, length, colour));
+            see(ray, colour);
         else
             colour.transm() = 1.0;
         return;
@@ -213,7 +221,7 @@ void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Tr
         Ray ray;
         sampled = rays[0].ray;
         Make_Ray(ray, sampled, pretrace, length);
-        Met(ray, trace(ray, length, colour));
+        see(ray, colour);
         if (mode == refinement)
             refined.Add(rays[0], colour);
         return;
@@ -224,7 +232,7 @@ void IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace, Colour& colour, Tr
         Ray ray;
         Colour seen;
         Make_Ray(ray, pixel_ray.ray, pretrace, length);
-        Met(ray, trace(ray, length, seen));
+        see(ray, seen);
         light.Add(pixel_ray, seen);
         if (mode == refinement)
             refined.Add(pixel_ray, seen);

@@ -46,6 +46,33 @@ std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camer
         integral::make_camera(parameters, View_Of(camera), width, height));
 }
 
+double Integral_Scene_Distance(const Camera& camera)
+{
+    return integral::scene_viewing_distance(View_Of(camera),
+                                            camera.Integral->optics->placement.units_per_mm);
+}
+
+void IntegralColours::Add(const std::vector<Colour>& colours)
+{
+    pixels += colours.size();
+    for (const Colour& colour : colours)
+        if (colour.red() != 0 || colour.green() != 0 || colour.blue() != 0 || colour.transm() < 1)
+            for (int channel = 0; channel < 3; channel++)
+            {
+                least[channel] = std::min(least[channel], float(colour[channel]));
+                most[channel] = std::max(most[channel], float(colour[channel]));
+            }
+}
+
+bool IntegralColours::Are_One(double all, const integral::OutputCurve& output) const
+{
+    bool one = pixels >= all;
+    for (int channel = 0; channel < 3; channel++)
+        one = one && (most[channel] < least[channel] ||
+                      output(most[channel]) - output(least[channel]) < 1 / 255.0);
+    return one;
+}
+
 /// The number of patches in a beam, chosen so that the error of the patches is small compared with
 /// the sampling error. A quarter of the number of samples at the sharpest edges is enough, since
 /// few pixels have so many samples; lenticular sheets, whose beams are narrow, need fewer.
@@ -79,10 +106,10 @@ void Choose_Integral_Bounding(SceneData& scene)
         scene.boundingMethod = 2;
 }
 
-/// Puts the camera where the viewer's eye is, for radiosity and whatever else asks for its place.
+/// Puts the camera where the scene's eye is, for radiosity and whatever else asks for its place.
 static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
 {
-    const integral::Vec3 eye = scene_from_sheet(optics.placement, {0, 0, -viewer_distance(optics)});
+    const integral::Vec3 eye = *scene_from_seen(optics, {0, 0, -viewer_distance(optics)});
     Make_Vector(camera.Location, eye.x, eye.y, eye.z);
 }
 
@@ -100,9 +127,10 @@ static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width,
 static void Begin(Camera& camera, const std::shared_ptr<const IntegralView>& view)
 {
     camera.Integral_View = view;
-    if (camera.Integral->parameters.viewing_distance)
+    if (camera.Integral->parameters.move_eye)
         Move_To_Eye(camera, *view->optics);
-    pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft);
+    pov_base::IntegralFrame::Begin(*view->optics, camera.Integral->draft,
+                                   camera.Integral->fit_words);
 }
 
 void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int height,
@@ -122,6 +150,7 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options,
                                                                                       height);
         view->sampler = std::make_shared<integral::PixelSampler>(*view->optics, given.seed);
+        view->clipping = pov_base::Read_Integral_Clipping(options);
         const bool projects = view->optics->projection.has_value();
         if (given.quilt && projects)
             throw std::invalid_argument("Integral_Quilt and projection_lens do not go together: "
@@ -233,19 +262,25 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetFloat(kIntegralAttrib_PrintHeight, size.y);
     statistics.SetInt(kIntegralAttrib_Draft, camera.Integral->draft);
     statistics.SetFloat(kIntegralAttrib_ViewingDistance, viewer_distance(*view.optics));
-    if (camera.Integral->parameters.viewing_distance)
-        statistics.SetFloat(
-            kIntegralAttrib_SceneDistance,
-            integral::scene_viewing_distance(View_Of(camera), view.optics->placement.units_per_mm));
+    if (!camera.Integral->fit_words.empty())
+        statistics.SetString(kIntegralAttrib_FitWords, camera.Integral->fit_words.c_str());
+    if (const auto& parallax = view.optics->parallax)
+    {
+        statistics.SetFloat(kIntegralAttrib_Parallax, parallax->factor);
+        statistics.SetFloat(kIntegralAttrib_SceneDistance, parallax->scene_distance);
+    }
+    else if (camera.Integral->parameters.move_eye)
+        statistics.SetFloat(kIntegralAttrib_SceneDistance, Integral_Scene_Distance(camera));
+    const double area = double(view.optics->film.width) * view.optics->film.height;
+    statistics.SetBool(kIntegralAttrib_OneColour, counts.colours.Are_One(area, view.error.output));
 
     const auto error = Error_Of(view);
     // The error of some pixels is not the frame's.
     pov_base::IntegralFrame::End(view.error.continued ? std::nullopt : error);
     statistics.SetFloat(kIntegralAttrib_Seconds, pov_base::IntegralFrame::Seconds());
-    if (view.audit && view.audit->Picture_Failed())
-        statistics.SetString(kIntegralAttrib_ErrorPicture, view.error.picture.c_str());
-    if (view.depth && !view.depth->Write())
-        statistics.SetString(kIntegralAttrib_DepthPicture, view.depth->File().c_str());
+    statistics.SetBool(kIntegralAttrib_Continued, view.error.continued);
+    if (view.depth)
+        view.depth->Write();
     if (error)
     {
         statistics.SetFloat(kIntegralAttrib_Error, error->rms);
@@ -256,7 +291,6 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
         statistics.SetLong(kIntegralAttrib_ErrorLitPixels, error->lit_pixels);
         statistics.SetInt(kIntegralAttrib_ErrorSamples, error->samples);
         statistics.SetInt(kIntegralAttrib_ErrorMethod, int(error->method));
-        statistics.SetBool(kIntegralAttrib_Continued, view.error.continued);
     }
 }
 

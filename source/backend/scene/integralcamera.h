@@ -13,6 +13,7 @@
 #include <string>
 
 #include "backend/frame.h"
+#include "base/integralclipping.h"
 #include "base/integraloptions.h"
 #include "integral/lightfield/error_estimate.h"
 #include "integral/lightfield/pixel_sampler.h"
@@ -60,6 +61,19 @@ struct IntegralTally
                                 ///< after the thread has ended
 };
 
+/// The range of the colours of finished pixels.
+struct IntegralColours
+{
+    long long pixels = 0; ///< number of finished pixels
+    float least[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, most[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    /// Adds pixels. Transparent black ones, behind no lens, have no colour.
+    void Add(const std::vector<Colour>& colours);
+
+    /// Whether no pixel of so many differs from others by a step of 8 bits.
+    bool Are_One(double all, const integral::OutputCurve& output) const;
+};
+
 /// The tallies of a render's threads.
 struct IntegralCounts
 {
@@ -67,6 +81,7 @@ struct IntegralCounts
     std::list<IntegralTally> tallies; ///< a list, since each thread keeps a reference to its own
     int containers = 0;               ///< number of objects inside which rays may start
     int objects = 0;                  ///< number of objects in the scene
+    IntegralColours colours;
 };
 
 /// The options of the error estimate.
@@ -91,11 +106,18 @@ struct IntegralStatement
     std::set<std::string> given;     ///< the words that have been given, to detect repetition
     double look_at_distance = 0;     ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0; ///< sheet distance / |direction|; 0: not known yet
+    double direction = 0;            ///< |direction| before the camera's transforms
+    std::string fit_words;           ///< the words that the fit chose; empty: no fit
     bool orthographic = false; ///< right and up are the window at any distance, not at |direction|
     int draft = 1;             ///< Integral_Draft=
     std::optional<integral::Vec2> draft_pitch; ///< a draft's pixel pitch, mm, for the film's
     std::shared_ptr<const integral::IntegralCamera> optics; ///< with the camera's final transform;
                                                             ///< null until the frame size is known
+    struct Position
+    {
+        UCS2String file;
+        POV_LONG line = 0, column = 0, offset = 0;
+    } end; ///< of the statement; without a file: there is no statement
 };
 
 /// A view that is being rendered: its optics and the data that its threads share.
@@ -112,6 +134,7 @@ struct IntegralView
     std::shared_ptr<IntegralAudit> audit;       ///< null: no audit
     std::shared_ptr<IntegralDepth> depth;       ///< null: no depth frame
     IntegralErrorOptions error;
+    pov_base::IntegralClipping clipping; ///< of the light of each ray
     std::uint64_t seed = 0;     ///< Integral_Seed=
     pov_base::IntegralRows rows; ///< the rows that count
 };
@@ -120,6 +143,9 @@ struct IntegralView
 /// Throws std::invalid_argument with a message for the user.
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera,
                                                                      int width, int height);
+
+/// How far from the sheet the scene's own eye is, mm. Call it for a camera that has its optics.
+double Integral_Scene_Distance(const Camera& camera);
 
 /// Chooses how the scene's objects are bounded if the options leave that open. Call it after the
 /// scene is parsed. For an integral camera, whose rays have many origins and directions, a BSP tree

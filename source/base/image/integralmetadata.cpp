@@ -56,9 +56,9 @@ void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::Writ
 #ifndef LIBPNG_MISSING
     if (!IntegralFrame::Current())
         return;
-    const integral::Vec2 pitch = IntegralFrame::Pixel_Pitch();
-    png_set_pHYs(png, info, png_uint_32(std::lround(1000 / pitch.x)),
-                 png_uint_32(std::lround(1000 / pitch.y)), PNG_RESOLUTION_METER);
+    if (const auto pitch = IntegralFrame::Pixel_Pitch())
+        png_set_pHYs(png, info, png_uint_32(std::lround(1000 / pitch->x)),
+                     png_uint_32(std::lround(1000 / pitch->y)), PNG_RESOLUTION_METER);
 
     std::string document = IntegralFrame::Document(
         Encoding_Of(options.encodingGamma, integral::Encoding::Kind::srgb));
@@ -79,12 +79,14 @@ void Set_Integral_EXR(Imf::Header& header)
 {
     if (!IntegralFrame::Current())
         return;
-    const integral::Vec2 pitch = IntegralFrame::Pixel_Pitch();
     integral::Encoding linear;
     linear.kind = integral::Encoding::Kind::linear;
     header.insert("integral", Imf::StringAttribute(IntegralFrame::Document(linear)));
-    Imf::addXDensity(header, float(integral::mm_per_inch / pitch.x));
-    header.pixelAspectRatio() = float(pitch.x / pitch.y);
+    if (const auto pitch = IntegralFrame::Pixel_Pitch())
+    {
+        Imf::addXDensity(header, float(integral::mm_per_inch / pitch->x));
+        header.pixelAspectRatio() = float(pitch->x / pitch->y);
+    }
 }
 #endif
 

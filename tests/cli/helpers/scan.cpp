@@ -10,13 +10,19 @@
 //     by B from the middle to the corners (0,0) cast=R,G,B  noise=S  seed=N      the channels'
 //     gains; Gaussian noise, of 255; its seed flat                             PAGE is white (its
 //     name is ignored)
+//     paper=V  blur=S  jpeg=Q              linear light of what surrounds the page (0.05); standard
+//     deviation of a Gaussian blur, scan pixels (0); quality of a JPEG that the scan has been
+//     (none)
 // Prints where the page's middle is in the scan, pixels from its top left. The page's pixels are
 // boxes; a scan pixel is the mean of 6 x 6 points of it.
+#include <cstddef>
+#include <cstdio>
+
+#include <jpeglib.h>
 #include <png.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <random>
@@ -79,6 +85,69 @@ bool write_scan(const char* name, int width, int height, double dpi, std::vector
     return std::fclose(file) == 0;
 }
 
+/// Blurs three channels of linear light by a Gaussian of this standard deviation, pixels.
+void blur(std::vector<float>& light, int width, int height, double deviation)
+{
+    const int reach = int(std::ceil(3 * deviation));
+    std::vector<double> weights;
+    double sum = 0;
+    for (int k = -reach; k <= reach; ++k) {
+        weights.push_back(std::exp(-0.5 * k * k / (deviation * deviation)));
+        sum += weights.back();
+    }
+    for (const bool across : {true, false}) {
+        std::vector<float> result(light.size());
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                for (int k = -reach; k <= reach; ++k) {
+                    const int i = across ? std::clamp(x + k, 0, width - 1) : x,
+                              j = across ? y : std::clamp(y + k, 0, height - 1);
+                    for (int c = 0; c < 3; ++c)
+                        result[(std::size_t(y) * width + x) * 3 + c] += float(
+                            weights[k + reach] / sum * light[(std::size_t(j) * width + i) * 3 + c]);
+                }
+        light = std::move(result);
+    }
+}
+
+/// Compresses a picture as JPEG, and expands it again.
+void through_jpeg(std::vector<png_byte>& bytes, int width, int height, int quality)
+{
+    jpeg_error_mgr errors;
+    unsigned char* file = nullptr;
+    unsigned long size = 0;
+    jpeg_compress_struct out = {};
+    out.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&out);
+    jpeg_mem_dest(&out, &file, &size);
+    out.image_width = JDIMENSION(width);
+    out.image_height = JDIMENSION(height);
+    out.input_components = 3;
+    out.in_color_space = JCS_RGB;
+    jpeg_set_defaults(&out);
+    jpeg_set_quality(&out, quality, TRUE);
+    jpeg_start_compress(&out, TRUE);
+    for (int y = 0; y < height; ++y) {
+        JSAMPROW row = bytes.data() + std::size_t(y) * width * 3;
+        jpeg_write_scanlines(&out, &row, 1);
+    }
+    jpeg_finish_compress(&out);
+    jpeg_destroy_compress(&out);
+    jpeg_decompress_struct in = {};
+    in.err = jpeg_std_error(&errors);
+    jpeg_create_decompress(&in);
+    jpeg_mem_src(&in, file, size);
+    jpeg_read_header(&in, TRUE);
+    jpeg_start_decompress(&in);
+    for (int y = 0; y < height; ++y) {
+        JSAMPROW row = bytes.data() + std::size_t(y) * width * 3;
+        jpeg_read_scanlines(&in, &row, 1);
+    }
+    jpeg_finish_decompress(&in);
+    jpeg_destroy_decompress(&in);
+    std::free(file);
+}
+
 } // namespace
 
 int main(int count, char** arguments)
@@ -123,6 +192,8 @@ int main(int count, char** arguments)
     std::mt19937 random(unsigned(numbers("seed", {1})[0]));
     std::normal_distribution<double> normal(0, 1);
     std::vector<png_byte> bytes(std::size_t(width) * height * 3);
+    const double paper = numbers("paper", {words.count("flat") ? 0.9 : 0.05})[0];
+    std::vector<float> linear(bytes.size());
     constexpr int points = 6;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -140,19 +211,28 @@ int main(int count, char** arguments)
                         sums[k] += inside
                                        ? page.linear[(std::size_t(row) * page.width + column) * 3 +
                                                      k]
-                                   : words.count("flat") ? 0.9
-                                                         : 0.05;
+                                       : paper;
                 }
+            for (int k = 0; k < 3; ++k)
+                linear[(std::size_t(y) * width + x) * 3 + k] = float(sums[k] / (points * points));
+        }
+    const double blurred = numbers("blur", {0})[0];
+    if (blurred > 0)
+        blur(linear, width, height, blurred);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
             const double u = 2 * (x + 0.5) / width - 1, v = 2 * (y + 0.5) / height - 1;
             const double lit = (1 - light[0] * 0.5 * (1 + u)) *
                                (1 - light[1] * 0.5 * (u * u + v * v));
             for (int k = 0; k < 3; ++k) {
-                const double value = 255 * encoded(sums[k] / (points * points) * lit * cast[k]) +
+                const std::size_t at_byte = (std::size_t(y) * width + x) * 3 + k;
+                const double value = 255 * encoded(linear[at_byte] * lit * cast[k]) +
                                      noise * normal(random);
-                bytes[(std::size_t(y) * width + x) * 3 + k] = png_byte(
-                    std::clamp(value + 0.5, 0.0, 255.0));
+                bytes[at_byte] = png_byte(std::clamp(value + 0.5, 0.0, 255.0));
             }
         }
+    if (words.count("jpeg"))
+        through_jpeg(bytes, width, height, int(numbers("jpeg", {90})[0]));
     if (!write_scan(arguments[2], width, height, dpi, bytes))
         return 4;
     // The page's middle from the scan's middle, turned anticlockwise.

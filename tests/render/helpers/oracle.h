@@ -29,7 +29,8 @@ struct Description {
     std::optional<Point2> aperture;    ///< mm; default: fills a lens
     std::optional<Point2> depth_range; ///< mm; in the camera's text alone: the oracle's scene is
                                        ///< clipped instead
-    std::optional<Real> sheet_distance, viewing_distance, units_per_mm, angle;
+    std::optional<Real> sheet_distance, viewing_distance, parallax, units_per_mm, angle;
+    bool move_eye = false;
     std::optional<Point3> look_at;
     std::string pattern = "same"; ///< of subpixels=cells,
     std::vector<Point2> places;   ///< and each cell's red, green, blue: pixels to the right and up
@@ -63,9 +64,11 @@ std::string perspective_text(const Description& description);
 
 /// The sheet's frame of reference in the scene.
 struct Placed {
-    Point3 location; ///< the aperture's centre
-    Point3 x, y, z;  ///< one mm along the sheet frame's axes, in scene units
-    Real distance;   ///< the aperture's, mm
+    Point3 location;     ///< the scene's eye
+    Point3 x, y, z;      ///< one mm along the sheet frame's axes, in scene units
+    Real distance;       ///< of the aperture, where the viewer's eye is, mm
+    Real scene_distance; ///< of the scene's eye, mm
+    Real parallax;       ///< mm that the scene's eye moves for 1 mm of the viewer's
 };
 Placed place(const Description& description);
 
@@ -81,6 +84,10 @@ struct SheetRay {
     Point2 aperture_point;
     Point3 direction;
 };
+
+/// Section 8: the line in the scene for a line that the viewer sees. Its aperture_point is in the
+/// plane of the scene's eye.
+SheetRay in_scene(const Placed& placed, SheetRay ray);
 
 /// Section 3, steps 1 to 4, by the pole; nothing if it is totally reflected.
 std::optional<SheetRay> ray_through(const Description&, Real distance, Point2 film_point,

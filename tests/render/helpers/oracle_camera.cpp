@@ -134,6 +134,10 @@ Description read_description(const std::vector<std::string>& words)
             d.sheet_distance = scalar();
         else if (key == "viewing_distance")
             d.viewing_distance = scalar();
+        else if (key == "parallax")
+            d.parallax = scalar();
+        else if (key == "move_eye")
+            d.move_eye = scalar() != 0;
         else if (key == "units_per_mm")
             d.units_per_mm = scalar();
         else if (key == "beam_samples")
@@ -227,6 +231,10 @@ std::string camera_text(const Description& d)
         out << "  sheet_distance " << *d.sheet_distance << '\n';
     if (d.viewing_distance)
         out << "  viewing_distance " << *d.viewing_distance << '\n';
+    if (d.parallax)
+        out << "  parallax " << *d.parallax << '\n';
+    if (d.move_eye)
+        out << "  move_eye\n";
     if (d.aperture)
         out << "  capture_aperture <" << (*d.aperture)[0] << ", " << (*d.aperture)[1] << ">\n";
     if (d.depth_range)
@@ -284,14 +292,29 @@ Placed place(const Description& d)
     const Real window = distance * length(right) / length(direction);
     const Real film_width = film_from_pixel(d, d.width, 0)[0] - film_from_pixel(d, 0, 0)[0];
     const Real k = d.units_per_mm ? *d.units_per_mm : window / film_width;
-    if (d.viewing_distance) { // the eye moves along the axis; the sheet's centre does not move
+    if (d.move_eye) { // along the axis; the sheet's centre does not move
         const Real moved = (distance - *d.viewing_distance * k) / length(direction);
         for (int i = 0; i < 3; ++i)
             location[i] += moved * direction[i];
         distance = *d.viewing_distance * k;
     }
+    const Real scene = distance / k, viewed = d.viewing_distance ? *d.viewing_distance : scene;
+    const Real parallax = d.parallax ? *d.parallax : scene / viewed;
     return {location, times(right, k / length(right)), times(up, k / length(up)),
-            times(direction, k / length(direction)), distance / k};
+            times(direction, k / length(direction)), viewed, scene, parallax};
+}
+
+SheetRay in_scene(const Placed& placed, SheetRay ray)
+{
+    Point3 way{0, 0, placed.scene_distance};
+    for (int i = 0; i < 2; ++i) {
+        const Real on_sheet = ray.aperture_point[i] +
+                              ray.direction[i] * placed.distance / ray.direction[2];
+        ray.aperture_point[i] *= placed.parallax;
+        way[i] = on_sheet - ray.aperture_point[i];
+    }
+    ray.direction = times(way, 1 / length(way));
+    return ray;
 }
 
 } // namespace oracle

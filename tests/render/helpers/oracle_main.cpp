@@ -68,8 +68,8 @@ public:
     void add(const SheetRay* ray)
     {
         const SheetRay nothing{{}, {0, 0}, {0, 0, 1}}; // any ray, as the mask leaves the pixel out
-        if (!ray)
-            ray = &nothing;
+        const SheetRay in_the_scene = in_scene(placed_, ray ? *ray : nothing);
+        ray = &in_the_scene;
         Point3 start{ray->aperture_point[0], ray->aperture_point[1], 0}; // from the aperture's
                                                                          // centre
         for (int i = 0; i < 3; i++)
@@ -180,9 +180,11 @@ void frame(const Description& d, const std::string& out, bool csv)
                 rays << "0,0,0,0,0,0,0,0,0,0,\n";
                 continue;
             }
-            const Point3 a = along(placed, ray->aperture_point[0], ray->aperture_point[1], 0);
-            const Point3 w = along(placed, ray->direction[0], ray->direction[1], ray->direction[2]);
-            const Real to_sheet = placed.distance / ray->direction[2];
+            const SheetRay sight = in_scene(placed, *ray);
+            const Point3 a = along(placed, sight.aperture_point[0], sight.aperture_point[1], 0);
+            const Point3 w = along(placed, sight.direction[0], sight.direction[1],
+                                   sight.direction[2]);
+            const Real to_sheet = placed.scene_distance / sight.direction[2];
             rays << 1 << ',';
             for (int n = 0; n < 3; n++)
                 rays << a[n] + placed.location[n] << ',';

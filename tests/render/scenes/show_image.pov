@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Shows the picture frame.TYPE as it is, a pixel a pixel: what an unmodified POV-Ray reads in it.
-// Declare=Type as below.
+// Declare=Type as below. Declare=Light: so many times as bright.
 #version 3.7;
 global_settings { assumed_gamma 1 }
+#ifndef (Light) #declare Light = 1; #end
 camera { orthographic location <0.5, 0.5, -1> direction z right x up y }
 box { 0, <1, 1, 0.01>
   pigment { image_map {
@@ -16,4 +17,4 @@ box { 0, <1, 1, 0.01>
     #case (6) hdr "frame.hdr" gamma 1 #break
     #end
     once } }
-  finish { ambient 1 diffuse 0 } }
+  finish { ambient Light diffuse 0 } }

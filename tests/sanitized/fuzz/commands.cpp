@@ -72,7 +72,7 @@ Json geometry(Choices& c, bool has_picture, bool narrow)
                      {"pitch_mm", pitch},
                      {"thickness_mm", thickness},
                      {"ior", c.within(1, 4)},
-                     {"slant_degrees", c.of(2) ? c.within(-89.99, 89.99) : 0.0},
+                     {"slant_degrees", c.of(2) ? c.within(-90, 90) : 0.0},
                      {"offset_mm", {c.signed_size(1e6), c.signed_size(1e6)}}};
     json["film"] = {{"pixel_pitch_mm", {c.size(1.0001e-6, 0.999e4), c.size(1.0001e-6, 0.999e4)}}};
     if (has_picture || c.of(2)) {

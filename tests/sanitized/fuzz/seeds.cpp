@@ -219,6 +219,8 @@ std::vector<Bytes> exr_seeds()
                                compression == Imf::PIZ_COMPRESSION));
     seeds.push_back(exr_of({"Y"}, Imf::FLOAT, Imf::ZIP_COMPRESSION, false));
     seeds.push_back(exr_of({"Y", "A"}, Imf::HALF, Imf::ZIP_COMPRESSION, true));
+    seeds.push_back(exr_of({"a.R", "a.G", "a.B", "beauty.R", "beauty.G", "beauty.B"}, Imf::HALF,
+                           Imf::NO_COMPRESSION, false));
     return and_halves(seeds);
 }
 
@@ -243,7 +245,13 @@ std::vector<Bytes> tiff_seeds()
         {8, 1, PHOTOMETRIC_PALETTE, COMPRESSION_NONE},
         {1, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_CCITTFAX4},
         {8, 3, PHOTOMETRIC_RGB, COMPRESSION_LZW, false, true},
-        {16, 3, PHOTOMETRIC_RGB, COMPRESSION_NONE, false, false, false, true}};
+        {16, 3, PHOTOMETRIC_RGB, COMPRESSION_NONE, false, false, false, true},
+        {8, 4, PHOTOMETRIC_SEPARATED, COMPRESSION_LZW},
+        {12, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_NONE},
+        {16, 3, PHOTOMETRIC_RGB, COMPRESSION_LZW, true, true},
+        {4, 1, PHOTOMETRIC_PALETTE, COMPRESSION_PACKBITS, false, true},
+        {16, 3, PHOTOMETRIC_RGB, COMPRESSION_NONE, false, false, true},
+        {8, 3, PHOTOMETRIC_YCBCR, COMPRESSION_JPEG, false, true}};
     for (const TiffForm& form : forms)
         seeds.push_back(tiff_of(form));
     return and_halves(seeds);
@@ -258,6 +266,12 @@ std::vector<Bytes> jpeg_seeds()
         seeds.push_back(encode_jpeg(image, 90));
         seeds.push_back(mpo_of_views({image, image}, 50, 63));
     }
+    for (const Bytes& profile : profile_seeds())
+        if (profile.size() < 60000) {
+            const std::size_t size = profile.size() + 16; // of the segment
+            seeds.push_back("\xff\xd8\xff\xe2" + Bytes{char(size >> 8), char(size)} +
+                            Bytes("ICC_PROFILE\0\1\1", 14) + profile + seeds[0].substr(2));
+        }
     return and_halves(seeds);
 }
 

@@ -47,9 +47,10 @@ void read_picture(const Bytes& bytes)
     look_at(read_frame(path));
 }
 
-void read_jpegs(const Bytes& bytes)
+/// The views of an MPO or an OpenEXR, and its first picture.
+void read_views_of_file(const Bytes& bytes)
 {
-    read_mpo(file_of(bytes));
+    read_list_of_views(file_of(bytes));
     read_picture(bytes);
 }
 
@@ -201,7 +202,7 @@ const std::vector<Bytes> json_words = {"\"sheet\":",
                                        "1e999",
                                        "-1",
                                        "0",
-                                       "89.99",
+                                       "90",
                                        "1000000",
                                        "4096",
                                        "9223372036854775807",
@@ -329,9 +330,9 @@ const Target planted_fault = {"planted", planted, planted_seeds, {}};
 
 const std::vector<Target> targets = {
     {"png", read_picture, png_seeds, png_words, mutated_png},
-    {"exr", read_picture, exr_seeds, exr_words},
+    {"exr", read_views_of_file, exr_seeds, exr_words},
     {"tiff", read_picture, tiff_seeds, tiff_words},
-    {"jpeg", read_jpegs, jpeg_seeds, jpeg_words},
+    {"jpeg", read_views_of_file, jpeg_seeds, jpeg_words},
     {"depths", read_depth_frame, depth_seeds, exr_words},
     {"sheet", read_sheet, sheet_seeds, json_words},
     {"panel", read_panel, panel_seeds, panel_words},

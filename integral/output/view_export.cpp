@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/output/view_pictures.h"
+#include "integral/output/view_export.h"
 
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
@@ -8,6 +8,7 @@
 #include "integral/output/given_views.h"
 #include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
+#include "integral/replay/fit_part.h"
 #include "integral/replay/parallel_views.h"
 #include "integral/replay/rgbd.h"
 #include "integral/replay/view_files.h"
@@ -37,7 +38,7 @@ void check_quilt_size(ViewGrid grid, PixelSize size)
 }
 
 /// The number of views: as wanted, else the film's whole pixels to a lens.
-ViewGrid grid_of(const ViewPictures& wanted, const std::string& name, const FrameMetadata& metadata)
+ViewGrid grid_of(const ViewExport& wanted, const std::string& name, const FrameMetadata& metadata)
 {
     if (wanted.grid)
         return *wanted.grid;
@@ -49,15 +50,42 @@ ViewGrid grid_of(const ViewPictures& wanted, const std::string& name, const Fram
     return grid;
 }
 
-/// The size of a view for people to look at.
-PixelSize size_to_look_at(const ViewPictures& wanted, const Film& film)
-{
-    if (wanted.size)
-        return *wanted.size;
-    constexpr int default_longer_side = 500;
+/// A view for people to look at: its size, and its part of the sheet.
+struct FittedView {
     View view;
-    set_view_size(view, film, default_longer_side);
-    return {view.width, view.height};
+    FittedPicture picture;
+    bool is_whole() const { return picture.size.x == 1 && picture.size.y == 1; }
+};
+
+/// The shape in which views will be seen: a stated one, that of square pixels, or else the film's,
+/// whatever the pixels are.
+struct SeenShape {
+    std::optional<double> stated;
+    bool of_square_pixels = false;
+};
+
+FittedView view_to_look_at(const ViewExport& wanted, const FrameMetadata& metadata, SeenShape shape)
+{
+    constexpr int default_longer_side = 500;
+    FittedView made;
+    if (shape.stated)
+        made.picture = fit_part(made.view, metadata, *shape.stated, wanted.fit);
+    set_view_size(made.view, metadata.film, default_longer_side);
+    if (!wanted.size)
+        return made;
+    made.view.width = wanted.size->width;
+    made.view.height = wanted.size->height;
+    if (shape.of_square_pixels)
+        made.picture = fit_part_to_size(made.view, metadata, wanted.fit);
+    return made;
+}
+
+/// Tells how the film was fitted into the shape of `target`.
+void tell_fit(const ViewExport& wanted, const std::string& name, const FittedPicture& picture,
+              const std::string& target)
+{
+    if (picture.differs())
+        wanted.tell(name + ": " + fit_text(picture, target));
 }
 
 /// A pixel for each lens.
@@ -74,17 +102,16 @@ PixelSize size_of_parallel_views(const std::string& name, const FrameMetadata& m
 /// The quilt's path, which names the number of views.
 std::string quilt_path(const std::string& output, ViewGrid grid, const Film& film)
 {
-    const double aspect = film.width * film.pixel_pitch.x / (film.height * film.pixel_pitch.y);
-    const std::string path = output == "-" ? output : quilt_name(output, grid, aspect);
-    const auto named = grid_in_name(path);
-    if (named && (named->columns != grid.columns || named->rows != grid.rows))
-        throw RequestError("-o " + output + ": its name says " + text_of(*named) +
+    const std::string path = output == "-" ? output : quilt_name(output, grid, shape_of(film));
+    const auto named = quilt_in_name(path);
+    if (named && (named->grid.columns != grid.columns || named->grid.rows != grid.rows))
+        throw RequestError("-o " + output + ": its name says " + text_of(named->grid) +
                            " views, but there are " + text_of(grid));
     check_writable(path);
     return path;
 }
 
-PictureSeries series_of(const ViewPictures& wanted, const std::string& path, int count, int first,
+PictureSeries series_of(const ViewExport& wanted, const std::string& path, int count, int first,
                         bool there_and_back)
 {
     AnimationSettings settings = wanted.animation;
@@ -93,7 +120,7 @@ PictureSeries series_of(const ViewPictures& wanted, const std::string& path, int
 }
 
 /// Tells what is lost on the way there and back, if something is.
-void tell_loss(const Frame& frame, ViewGrid grid, const ViewPictures& wanted)
+void tell_loss(const Frame& frame, ViewGrid grid, const ViewExport& wanted)
 {
     if (views_are_exact(*frame.metadata, grid))
         return;
@@ -114,7 +141,7 @@ struct ViewsOutput {
 
 /// Parallel views, a pixel for each lens.
 void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
-                         const ViewPictures& wanted)
+                         const ViewExport& wanted)
 {
     const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
     tell_loss(frame, directions, wanted);
@@ -129,17 +156,17 @@ void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
 }
 
 /// Views to look at: of eyes, or parallel ones upright.
-void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, PixelSize size,
-                   const ViewPictures& wanted)
+void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, const FittedView& fitted,
+                   const ViewExport& wanted)
 {
     const bool of_eyes = wanted.kind == ViewKind::of_eyes;
     const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
     std::vector<Image> views = (of_eyes ? views_of_eyes : upright_views)(
-        frame, directions, size.width, size.height, wanted.threads, wanted.progress("views"));
+        frame, directions, fitted.view, wanted.threads, wanted.progress("views"));
     if (is_animation(output.path))
         return write_animation(*output.series, views, directions);
     std::optional<FrameMetadata> metadata; // no frame can be made of upright views
-    if (of_eyes) {
+    if (of_eyes && fitted.is_whole()) {
         metadata = *frame.metadata;
         const double distance = metadata->aperture.distance;
         metadata->quilt = QuiltRecord{grid, std::nullopt,
@@ -154,20 +181,58 @@ void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, Pixel
     }
 }
 
+/// Of the views of a quilt of that path.
+SeenShape shape_of_quilt(const ViewExport& wanted, const std::string& path, const std::string& name,
+                         const Film& film)
+{
+    const auto named = quilt_in_name(path);
+    if (!named)
+        return {std::nullopt, wanted.kind == ViewKind::upright};
+    if (wanted.kind == ViewKind::parallel &&
+        fitted(shape_of(film), named->aspect, wanted.fit).differs())
+        throw RequestError("-o " + path + ": its name states the shape (width/height) " +
+                           with_digits(named->aspect, 3) + ", and that of " + name + " is " +
+                           with_digits(shape_of(film), 3) +
+                           "; a name without _qs gets the right end, and --upright or --eyes fit "
+                           "views into another shape");
+    return {named->aspect, false};
+}
+
+/// Of files and animations. Files of eyes carry the film's geometry; tells where their pixels are
+/// not square.
+SeenShape shape_of_files(const ViewExport& wanted, const Film& film)
+{
+    if (!wanted.files || wanted.kind != ViewKind::of_eyes)
+        return {std::nullopt, true};
+    if (wanted.size &&
+        fitted(double(wanted.size->width) / wanted.size->height, shape_of(film), wanted.fit)
+            .differs())
+        wanted.tell("views of " + text_of(*wanted.size) +
+                    " pixels: these are not square, as the film's shape (width/height) is " +
+                    with_digits(shape_of(film), 3) +
+                    "; programs that take them for square show the views stretched");
+    return {};
+}
+
 } // namespace
 
-std::string write_view_pictures(const std::string& name, const ViewPictures& wanted)
+std::string write_views_of_frame(const std::string& name, const ViewExport& wanted)
 {
     const Frame frame = read_sheet_frame(name, wanted.sheet);
     stop_if_interrupted();
     const FrameMetadata& metadata = *frame.metadata;
     const ViewGrid grid = grid_of(wanted, name, metadata);
-    const PixelSize size = size_to_look_at(wanted, metadata.film);
     ViewsOutput output{wanted.output, std::nullopt};
-    if (wanted.files || is_animation(wanted.output))
+    SeenShape shape;
+    if (wanted.files || is_animation(wanted.output)) {
         output.series.emplace(series_of(wanted, wanted.output, grid.count(), 0, true));
-    else
+        shape = shape_of_files(wanted, metadata.film);
+    } else {
         output.path = quilt_path(wanted.output, grid, metadata.film);
+        shape = shape_of_quilt(wanted, output.path, name, metadata.film);
+    }
+    const FittedView fitted = view_to_look_at(wanted, metadata, shape);
+    const PixelSize size{fitted.view.width, fitted.view.height};
     // Also of upright ones, which are refused where there are no parallel views.
     const PixelSize parallel = wanted.kind == ViewKind::of_eyes
                                    ? size
@@ -177,14 +242,16 @@ std::string write_view_pictures(const std::string& name, const ViewPictures& wan
     if (!output.series)
         check_quilt_size(grid, of_a_view);
 
-    if (wanted.kind == ViewKind::parallel)
+    if (wanted.kind == ViewKind::parallel) {
         make_parallel_views(output, frame, grid, wanted);
-    else
-        make_pictures(output, frame, grid, size, wanted);
+    } else {
+        tell_fit(wanted, name, fitted.picture, output.series ? "--size" : "the quilt");
+        make_pictures(output, frame, grid, fitted, wanted);
+    }
     return output.path;
 }
 
-std::string write_quilts(const std::vector<std::string>& names, const ViewPictures& wanted)
+std::string write_quilts(const std::vector<std::string>& names, const ViewExport& wanted)
 {
     std::string path;
     std::optional<PictureSeries> series;
@@ -192,25 +259,31 @@ std::string write_quilts(const std::vector<std::string>& names, const ViewPictur
     const int count = int(names.size());
     const ViewGrid grid = wanted.grid.value();
     for (int k = 0; k < count; ++k) {
-        const Frame frame = read_sheet_frame(names[std::size_t(k)], wanted.sheet);
+        const std::string& name = names[std::size_t(k)];
+        const Frame frame = read_sheet_frame(name, wanted.sheet);
         stop_if_interrupted();
-        const PixelSize size = size_to_look_at(wanted, frame.metadata->film);
+        const Film& film = frame.metadata->film;
+        if (!series)
+            path = quilt_path(wanted.output, grid, film);
+        const FittedView fitted = view_to_look_at(wanted, *frame.metadata,
+                                                  shape_of_quilt(wanted, path, name, film));
+        tell_fit(wanted, name, fitted.picture, "the quilt");
         if (!series) {
+            const PixelSize size{fitted.view.width, fitted.view.height};
             check_view_size(size);
             check_quilt_size(grid, size);
-            path = quilt_path(wanted.output, grid, frame.metadata->film);
             series.emplace(series_of(wanted, path, count, 1, false));
         }
-        series->add(quilt_of_views(views_of_eyes(frame, directions_of(grid, frame.metadata->sheet),
-                                                 size.width, size.height, wanted.threads,
-                                                 piece_of(bar, k, count)),
-                                   grid));
+        series->add(
+            quilt_of_views(views_of_eyes(frame, directions_of(grid, frame.metadata->sheet),
+                                         fitted.view, wanted.threads, piece_of(bar, k, count)),
+                           grid));
     }
     series->finish();
     return path;
 }
 
-void write_rgbd(const std::string& name, const std::string& depth_file, const ViewPictures& wanted)
+void write_rgbd(const std::string& name, const std::string& depth_file, const ViewExport& wanted)
 {
     if (format_for(wanted.output) == ImageFormat::exr)
         throw RequestError("-o " + wanted.output +
@@ -218,11 +291,12 @@ void write_rgbd(const std::string& name, const std::string& depth_file, const Vi
     check_writable(wanted.output);
     const Frame frame = read_sheet_frame(name, wanted.sheet);
     const DepthFrame depths = read_depths(depth_file);
-    const PixelSize size = size_to_look_at(wanted, frame.metadata->film);
-    check_quilt_size({2, 1}, size);
+    const FittedView fitted = view_to_look_at(wanted, *frame.metadata, {std::nullopt, true});
+    tell_fit(wanted, name, fitted.picture, "--size");
+    check_quilt_size({2, 1}, {fitted.view.width, fitted.view.height});
     std::optional<RgbdPicture> picture;
     try {
-        picture = rgbd_picture(frame, depths, size.width, size.height, wanted.threads,
+        picture = rgbd_picture(frame, depths, fitted.view, wanted.threads,
                                wanted.progress("views"));
     } catch (const std::invalid_argument& error) {
         throw RequestError("--rgbd " + depth_file + ": " + error.what());

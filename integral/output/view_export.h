@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Writes the views of frames as pictures: a quilt, numbered files, an animation, or a picture with
 // its depths.
-#ifndef INTEGRAL_OUTPUT_VIEW_PICTURES_H
-#define INTEGRAL_OUTPUT_VIEW_PICTURES_H
+#ifndef INTEGRAL_OUTPUT_VIEW_EXPORT_H
+#define INTEGRAL_OUTPUT_VIEW_EXPORT_H
 
 #include "integral/base/parallel.h"
 #include "integral/io/picture_series.h"
+#include "integral/lightfield/picture_fit.h"
 #include "integral/lightfield/view_grid.h"
 #include "integral/optics/film.h"
 
@@ -25,7 +26,7 @@ enum class ViewKind {
 };
 
 /// Which views are written, and how.
-struct ViewPictures {
+struct ViewExport {
     std::string output;
     std::string sheet;             ///< a file with the frames' geometry; "": they carry their own
     std::optional<ViewGrid> grid;  ///< nothing: as many as whole pixels are nearest to a lens's
@@ -33,6 +34,8 @@ struct ViewPictures {
                                    ///< side
     ViewKind kind = ViewKind::parallel;
     bool files = false;          ///< a file for each view, in place of a quilt
+    Fit fit = Fit::contain;      ///< of the film, where `size` or the quilt's name states another
+                                 ///< shape, and nothing says that pixels are not square
     AnimationSettings animation; ///< where `output` is one
     int threads = 0;             ///< 0: one per core
     /// Is told, in a line each, what the user should know.
@@ -44,16 +47,17 @@ struct ViewPictures {
 /// Each throws RequestError where the request makes no sense for the frame or the file's name,
 /// InputError, OutputError, and Interrupted where its progress stops the work.
 
-/// Writes the views of one frame, and returns the path: a quilt's name gets the number of views,
-/// if it does not say it.
-std::string write_view_pictures(const std::string& frame, const ViewPictures& wanted);
+/// Writes the views of one frame, and returns the path: a quilt's name gets the number of views and
+/// their shape, if it does not state them. Views of eyes that have bars, or are cut, carry no
+/// geometry.
+std::string write_views_of_frame(const std::string& frame, const ViewExport& wanted);
 
 /// Writes the views of eyes of several frames as an animation of quilts of wanted.grid, and returns
 /// its path.
-std::string write_quilts(const std::vector<std::string>& frames, const ViewPictures& wanted);
+std::string write_quilts(const std::vector<std::string>& frames, const ViewExport& wanted);
 
 /// Writes what the centre eye sees of a frame, beside the depths that a depth frame (.exr) says.
-void write_rgbd(const std::string& frame, const std::string& depths, const ViewPictures& wanted);
+void write_rgbd(const std::string& frame, const std::string& depths, const ViewExport& wanted);
 
 } // namespace integral
 

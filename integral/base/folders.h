@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Makes folders for outputs.
+#ifndef INTEGRAL_BASE_FOLDERS_H
+#define INTEGRAL_BASE_FOLDERS_H
+
+#include <string>
+
+namespace integral {
+
+/// Makes a folder and those above it, where they are missing. Throws OutputError with the reason
+/// where it cannot be made, or where no file can be written to it.
+void make_folder(const std::string& path);
+
+} // namespace integral
+
+#endif

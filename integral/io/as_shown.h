@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Shows pictures as viewers do: upright, in the colours that their embedded profile describes.
+#ifndef INTEGRAL_IO_AS_SHOWN_H
+#define INTEGRAL_IO_AS_SHOWN_H
+
+#include "integral/io/codecs.h"
+#include "integral/io/embedded_profile.h"
+
+namespace integral {
+
+/// A reader of the same picture, turned as its orientation says and converted to the working space
+/// from its profile. Returns `stored` itself where neither is needed. A turned picture is held in
+/// memory whole. A profile that cannot be used is left out, with a notice.
+std::unique_ptr<RowReader> as_shown(std::unique_ptr<RowReader> stored);
+
+/// The conversion of CMYK pixels from their profile; without one that can be used, the plain
+/// conversion, and `reader` gets a notice.
+ToWorkingSpace cmyk_conversion(const std::string& profile, Inks inks, int bits, RowReader& reader);
+
+} // namespace integral
+
+#endif

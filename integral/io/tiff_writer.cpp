@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Writes TIFF: the document in ImageDescription, the resolution in the resolution tags. 8 or 16 bit
+// integers or 32 bit floats; grey or RGB, with or without alpha; in strips.
+#include "integral/io/codecs.h"
+#include "integral/io/tiff_stream.h"
+
+#include "integral/optics/film.h"
+
+#include <cstring>
+
+namespace integral {
+namespace {
+
+class TiffWriter : public RowWriter {
+public:
+    TiffWriter(ByteSink& sink, const DecodedImage& head)
+    {
+        stream_.output = &sink;
+        tiff_ = open_tiff(stream_, "w");
+        TIFF* tiff = tiff_.get();
+        const Image& image = head.image;
+        const int bits = sample_bits(image);
+        TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, image.width);
+        TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, image.height);
+        TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+        TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, image.channels);
+        TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT,
+                     bits == 32 ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
+        TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+        TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC,
+                     image.channels == 1 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB);
+        TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+        TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
+        TIFFSetField(tiff, TIFFTAG_PREDICTOR,
+                     bits == 32 ? PREDICTOR_FLOATINGPOINT : PREDICTOR_HORIZONTAL);
+        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+        if (image.channels == 4) {
+            const std::uint16_t kind = image.premultiplied ? EXTRASAMPLE_ASSOCALPHA
+                                                           : EXTRASAMPLE_UNASSALPHA;
+            TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &kind);
+        }
+        if (head.pixel_pitch) {
+            TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+            TIFFSetField(tiff, TIFFTAG_XRESOLUTION, mm_per_inch / head.pixel_pitch->x);
+            TIFFSetField(tiff, TIFFTAG_YRESOLUTION, mm_per_inch / head.pixel_pitch->y);
+        }
+        if (!head.profile.empty())
+            TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(head.profile.size()),
+                         head.profile.data());
+        if (!head.document.empty())
+            TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, head.document.c_str());
+    }
+
+    void write(const Image& band) override
+    {
+        const std::size_t length = std::size_t(band.width) * band.channels *
+                                   (sample_bits(band) / 8);
+        row_.resize(length); // libtiff's predictor works in place
+        for (int y = 0; y < band.height; ++y, ++next_) {
+            std::memcpy(row_.data(), row_bytes(band, y), length);
+            check(TIFFWriteScanline(tiff_.get(), row_.data(), next_) >= 0);
+        }
+    }
+
+    void finish() override
+    {
+        check(TIFFFlush(tiff_.get()));
+        tiff_.reset();
+        check(true);
+    }
+
+private:
+    void check(bool done) const
+    {
+        if (stream_.failure)
+            std::rethrow_exception(stream_.failure);
+        if (!done)
+            fail_tiff("it cannot be encoded");
+    }
+
+    TiffStream stream_;
+    TiffHandle tiff_;
+    std::vector<unsigned char> row_;
+    std::uint32_t next_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<RowWriter> write_tiff(ByteSink& sink, const DecodedImage& head)
+{
+    return std::make_unique<TiffWriter>(sink, head);
+}
+
+} // namespace integral
