@@ -55,8 +55,8 @@ std::string shares_text(const DepthShares& shares)
 /// move the viewer, too.
 std::string words_of(const SceneFit& fit, const FrameMetadata& metadata)
 {
-    return "sheet_distance " + with_digits(fit.sheet_distance, 4) + " parallax " +
-           with_digits(fit.parallax, 4) +
+    return "sheet_distance " + with_digits(fit.sheet_distance, 6) + " parallax " +
+           with_digits(fit.parallax, 6) +
            (metadata.placement->scale_is_given
                 ? " viewing_distance " + with_digits(viewer_distance(metadata), 6)
                 : "");
