@@ -183,7 +183,10 @@ BOOST_AUTO_TEST_CASE(random_documents_read_back_to_the_same_doubles)
         m.aperture.distance = std::pow(10, between(-2, 9));
         m.aperture.width = i % 5 ? std::pow(10, between(-9, 15))
                                  : std::numeric_limits<double>::infinity();
-        m.aperture.height = i % 7 ? between(0, 1) : 0;
+        // Only the slit of upright lenses may have no height.
+        const bool is_slit = m.sheet.arrangement == Arrangement::lenticular &&
+                             slit_is_horizontal(m.sheet);
+        m.aperture.height = i % 7 || !is_slit ? between(1e-6, 1) : 0;
         m.aperture.shape = static_cast<ApertureShape>(i % 2);
         m.encoding.kind = static_cast<Encoding::Kind>(i % 3);
         m.encoding.gamma = between(1, 3);
