@@ -84,11 +84,12 @@ std::vector<double> distances_of(const std::vector<double>& depths, const FrameM
     return distances;
 }
 
-FitAdvice fit_advice(const std::vector<double>& distances, double budgets, double beta)
+FitAdvice fit_advice(const std::vector<double>& distances, const DepthEnds& ends, double budgets,
+                     double beta)
 {
     FitAdvice advice;
     advice.budgets = budgets;
-    advice.fit = fit_to_budget(*depth_ends(distances), {budgets * beta, {}, {}});
+    advice.fit = fit_to_budget(ends, {budgets * beta, {}, {}});
     advice.shares.sharp = part_within(advice.fit, distances, beta);
     advice.shares.soft = part_within(advice.fit, distances, soft_budgets * beta) -
                          advice.shares.sharp;
@@ -107,10 +108,13 @@ DepthAdvice depth_advice(const DepthFrame& frame, double budget)
     advice.now.sharp = share(depths, -budget, budget);
     advice.now.soft = soft - advice.now.sharp;
     advice.now.beyond = 1 - soft;
-    if (metadata.placement)
-        for (const double budgets : {1.0, 2.0})
-            advice.fits.push_back(fit_advice(distances_of(depths, metadata), budgets,
-                                             budget / viewer_distance(metadata)));
+    if (metadata.placement) {
+        const std::vector<double> distances = distances_of(depths, metadata);
+        if (const auto ends = depth_ends(distances))
+            for (const double budgets : {1.0, 2.0})
+                advice.fits.push_back(fit_advice(distances, *ends, budgets,
+                                                 budget / viewer_distance(metadata)));
+    }
     advice.dpi = coarsest_film(depths, metadata.film, counted(metadata).pixel, budget,
                                advice.now.sharp);
     return advice;
