@@ -14,6 +14,7 @@
 //                          odd; pixels must be linear (File_Gamma=1)
 // frames alike A B RMSE    root mean square difference over all pixels and channels <= RMSE/255
 // frames pixel A X Y       prints "r g b a" in 0...65535
+// frames pixels A          prints that of every pixel, row by row, a line each
 // frames samples A         prints R, G and B of every pixel, row by row, a byte each
 // frames rerecord A MIRRORED B
 //                          writes B: each pixel is the pixel of A whose place the pixel's line of
@@ -61,6 +62,8 @@
 namespace frames {
 namespace {
 
+void print(const Pixel& p) { std::cout << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3] << '\n'; }
+
 bool run(const std::vector<std::string>& w)
 {
     const auto is = [&](const char* name, std::size_t count) {
@@ -93,8 +96,12 @@ bool run(const std::vector<std::string>& w)
         return near(shrink(frame(1), std::stoi(w[2])), frame(3), std::stod(w[4]), std::stod(w[5]));
     if (is("pixel", 3)) {
         const Frame a = frame(1);
-        const Pixel p = a.at(std::stoi(w[2]), std::stoi(w[3]));
-        std::cout << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3] << '\n';
+        print(a.at(std::stoi(w[2]), std::stoi(w[3])));
+        return true;
+    }
+    if (is("pixels", 1)) {
+        for (const Pixel& p : frame(1).pixels)
+            print(p);
         return true;
     }
     if (is("samples", 1)) {

@@ -75,6 +75,9 @@ compare_with_parts() {
     return $status
 }
 
+# long COMMAND...: under check-long alone.
+long() { [ -z "$LONG" ] || "$@"; }
+
 # later NAME COMMAND...: runs the check in the background, $jobs at a time; results prints them in
 # order.
 later_names=()
