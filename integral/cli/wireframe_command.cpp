@@ -31,7 +31,7 @@ struct WireframeOptions : CommonOptions {
     FilmOptions film;
     ApertureOptions aperture;
     std::optional<std::string> start, print, model, mapping, faces, colour, background, light, fit,
-        scale, turn, move, point_size, output;
+        scale, turn, move, parallax, point_size, output;
     std::optional<int> samples, bits;
     bool in_scene = false, plain = false, pseudoscopic = false, json = false;
     ThreadOptions threads;
@@ -50,6 +50,9 @@ void declare_mesh(options::options_description& all, WireframeOptions& o)
         "mm to the right, up and into the sheet; negative Z comes out of it");
     add(all, "in-scene", o.in_scene,
         "the mesh's coordinates are those of the scene of --sheet FRAME");
+    add(all, "parallax", o.parallax, "K",
+        "show the mesh as the camera's word does: its eye moves K mm where the viewer's moves 1 mm, "
+        "0 to 100 (default: the mesh as it stands; with --in-scene as the frame has it)");
     add(all, "faces", o.faces, "STYLE",
         "wire: all edges; hidden: without those behind a face; flat: filled, shaded (default "
         "wire)");
@@ -119,6 +122,15 @@ MeshPlace place_of(const WireframeOptions& o)
     return place;
 }
 
+/// --parallax: the eye of the scene is where the frame of --sheet has it, or else the viewer's.
+void change_parallax(const WireframeOptions& o, double scene_distance, FrameMetadata& geometry)
+{
+    if (o.parallax)
+        geometry.parallax = Parallax{parse_number_between("parallax", *o.parallax, "a number", 0,
+                                                          100, "0 to 100"),
+                                     scene_distance};
+}
+
 /// The frame's geometry that the line says.
 FrameMetadata geometry_of(const WireframeOptions& o)
 {
@@ -128,7 +140,10 @@ FrameMetadata geometry_of(const WireframeOptions& o)
                                     "which wireframes are not drawn");
     if (geometry.film.width < 1)
         set_film_size("print", default_print, geometry.film);
+    const bool is_frame = geometry.placement || geometry.parallax;
+    const double frames_eye = scene_distance(geometry);
     change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
+    change_parallax(o, is_frame ? frames_eye : viewer_distance(geometry), geometry);
     geometry.quilt.reset();
     return geometry;
 }
@@ -171,17 +186,12 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
                          "rendered");
     Mesh mesh = read_mesh(o.inputs[0], how);
     if (o.in_scene)
-        for (Vec3& v : mesh.vertices) {
-            const auto seen = image_of(relief_of(geometry),
-                                       sheet_from_scene(*geometry.placement, v));
-            if (!seen)
-                throw InputError(o.inputs[0] + ": a vertex is seen beyond infinity by the "
-                                               "frame's parallax; render the frame with a parallax "
-                                               "of at most 1");
-            v = *seen;
-        }
+        for (Vec3& v : mesh.vertices)
+            v = sheet_from_scene(*geometry.placement, v);
     try {
         place(mesh, at);
+        if (o.in_scene || o.parallax)
+            show_in_relief(mesh, relief_of(geometry));
     } catch (const std::invalid_argument& error) {
         throw InputError(o.inputs[0] + ": " + error.what());
     }

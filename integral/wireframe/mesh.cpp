@@ -43,6 +43,15 @@ void fit_mesh(Mesh& mesh, double fit)
         v = (fit / largest) * (v - middle);
 }
 
+void refuse_far(Vec3 v)
+{
+    const double far = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    if (!(far <= farthest_vertex))
+        throw std::invalid_argument("a vertex is " + with_digits(far, 3) +
+                                    " mm from the sheet; 1000000 mm are the limit, and --fit "
+                                    "brings a mesh of any unit there");
+}
+
 } // namespace
 
 void keep_each_edge_once(Mesh& mesh)
@@ -66,11 +75,22 @@ void place(Mesh& mesh, const MeshPlace& place)
     }
     for (Vec3& v : mesh.vertices) {
         v = turned(times(scale, v), place.turn) + place.move;
-        const double far = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-        if (!(far <= farthest_vertex))
-            throw std::invalid_argument("a vertex is " + with_digits(far, 3) +
-                                        " mm from the sheet; 1000000 mm are the limit, and --fit "
-                                        "brings a mesh of any unit there");
+        refuse_far(v);
+    }
+}
+
+void show_in_relief(Mesh& mesh, const Collineation& relief)
+{
+    for (Vec3& v : mesh.vertices) {
+        const auto seen = image_of(relief, v);
+        if (!seen)
+            throw std::invalid_argument(
+                "with this parallax what is more than " +
+                with_digits(std::fabs(1 / relief.bend), 4) + " mm " +
+                (relief.bend < 0
+                     ? "behind the sheet is seen beyond infinity; a parallax of at most 1 shows it"
+                     : "before the sheet is behind every eye; leave it out"));
+        refuse_far(v = *seen);
     }
 }
 

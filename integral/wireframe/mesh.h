@@ -4,7 +4,7 @@
 #define INTEGRAL_WIREFRAME_MESH_H
 
 #include "integral/lightfield/image.h"
-#include "integral/optics/vec.h"
+#include "integral/optics/collineation.h"
 
 #include <array>
 #include <cstdint>
@@ -64,6 +64,11 @@ constexpr double farthest_vertex = 1e6; ///< mm from the sheet's centre, along e
 /// Moves the mesh's vertices. Throws std::invalid_argument where `fit` is asked of a mesh that has
 /// no extent, and where a vertex is farther than farthest_vertex.
 void place(Mesh& mesh, const MeshPlace& place);
+
+/// Moves the vertices to where a viewer sees them (optics.md section 8): the mesh is that of the
+/// scene, in the sheet frame. Throws std::invalid_argument where one is not seen at all, and where
+/// one is seen farther than farthest_vertex.
+void show_in_relief(Mesh& mesh, const Collineation& relief);
 
 } // namespace integral
 
