@@ -48,6 +48,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/scene_depths.h \
   integral/batch/scene_files.cpp \
   integral/batch/scene_files.h \
+  integral/batch/scene_look.cpp \
+  integral/batch/scene_look.h \
   integral/batch/slurm.cpp \
   integral/batch/slurm.h \
   integral/batch/step_record.cpp \

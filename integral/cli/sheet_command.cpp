@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral sheet: what a sheet, a film and a viewer give, before anything is rendered.
 #include "integral/base/number_text.h"
+#include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_depths.h"
+#include "integral/batch/scene_look.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
@@ -58,7 +60,9 @@ void declare(options::options_description& all, SheetCommandOptions& o)
         "+H600), or a depth frame (.exr); the geometry is the scene's");
     add(all, "picture", o.picture, "FILE.png",
         "with --report: the scene tinted blue where it is sharp, yellow where soft, red beyond; -o "
-        "FILE.html is a page with picture and report");
+        "FILE.html is a page with the report, this picture, and what an eye sees of a draft as it "
+        "is and "
+        "with Integral_Fit=2");
     add(all, "plot", o.plot, "KIND",
         "draw instead: spread, lens, sheets, resolution, pixels-seen, pixel-spread or film; needs "
         "-o FILE.svg or FILE.png");
@@ -119,6 +123,19 @@ void refuse_geometry(const SheetCommandOptions& o)
                          " do not go together: the geometry is the scene's");
 }
 
+/// The scene as an eye will see it, for the page; none of a depth frame.
+std::optional<SceneLooks> looks_of(const SheetCommandOptions& o, const FrameMetadata& print)
+{
+    constexpr int longest = 480; // pixels
+    const std::string fit = "2";
+    if (!names_scene(*o.report))
+        return std::nullopt;
+    const auto look = [&](const std::string& value, const char* label) {
+        return look_of_scene(*o.report, o.inputs, print, value, longest, progress_bar(label));
+    };
+    return SceneLooks{look("", "as it is"), look(fit, "fitted"), fit};
+}
+
 int report_scene(const SheetCommandOptions& o)
 {
     refuse_geometry(o);
@@ -147,8 +164,9 @@ int report_scene(const SheetCommandOptions& o)
     const std::string verdict = scene_verdict_text(*o.report, depths),
                       tables = scene_depth_text(depths) + "\n" +
                                sheet_report_text(depths.metadata, viewer);
-    print_result(o.output,
-                 page ? depth_page(*o.report, verdict, *picture, tables) : verdict + tables);
+    print_result(o.output, page ? depth_page(*o.report, verdict, *picture,
+                                             looks_of(o, depths.metadata), tables)
+                                : verdict + tables);
     return exit_done;
 }
 

@@ -51,7 +51,8 @@ void declare_mesh(options::options_description& all, WireframeOptions& o)
     add(all, "in-scene", o.in_scene,
         "the mesh's coordinates are those of the scene of --sheet FRAME");
     add(all, "parallax", o.parallax, "K",
-        "show the mesh as the camera's word does: its eye moves K mm where the viewer's moves 1 mm, "
+        "show the mesh as the camera's word does: its eye moves K mm where the viewer's moves 1 "
+        "mm, "
         "0 to 100 (default: the mesh as it stands; with --in-scene as the frame has it)");
     add(all, "faces", o.faces, "STYLE",
         "wire: all edges; hidden: without those behind a face; flat: filled, shaded (default "
@@ -126,9 +127,9 @@ MeshPlace place_of(const WireframeOptions& o)
 void change_parallax(const WireframeOptions& o, double scene_distance, FrameMetadata& geometry)
 {
     if (o.parallax)
-        geometry.parallax = Parallax{parse_number_between("parallax", *o.parallax, "a number", 0,
-                                                          100, "0 to 100"),
-                                     scene_distance};
+        geometry.parallax = Parallax{
+            parse_number_between("parallax", *o.parallax, "a number", 0, 100, "0 to 100"),
+            scene_distance};
 }
 
 /// The frame's geometry that the line says.

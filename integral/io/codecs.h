@@ -121,6 +121,7 @@ struct DecodedDepths {
     int width = 0, height = 0;
     std::vector<float> depth, imaged;
     std::string document;
+    std::vector<float> eye_distances;
 };
 
 /// Reads a depth frame from the bytes of an OpenEXR file. Throws as read_exr does.

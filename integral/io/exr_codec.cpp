@@ -10,6 +10,7 @@
 #include "integral/optics/film.h"
 
 #include <ImfChannelList.h>
+#include <ImfFloatVectorAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
@@ -57,6 +58,19 @@ std::string document_of(const Imf::Header& header)
 {
     const auto* text = header.findTypedAttribute<Imf::StringAttribute>(attribute);
     return text ? text->value() : "";
+}
+
+/// The distances of the surfaces that a depth frame's scene has for its own eye; none in files of
+/// other programs.
+std::vector<float> eye_distances_of(const Imf::Header& header)
+{
+    const auto* distances = header.findTypedAttribute<Imf::FloatVectorAttribute>("eyeDistances");
+    if (!distances)
+        return {};
+    for (const float distance : distances->value())
+        if (!(distance > 0))
+            throw std::runtime_error("its attribute eyeDistances has values that are no distances");
+    return distances->value();
 }
 
 /// Returns `input` after check_exr_header.
@@ -270,7 +284,8 @@ DecodedDepths decode_z(const InputFile& input)
             throw std::runtime_error("it is no depth frame: it has no channels Z and A");
     }
     const Imath::Box2i window = header.dataWindow();
-    DecodedDepths depths{width_of(window), height_of(window), {}, {}, document_of(header)};
+    DecodedDepths depths{width_of(window),    height_of(window),       {}, {},
+                         document_of(header), eye_distances_of(header)};
     const double pixels = double(depths.width) * depths.height;
     const double row_bytes = double(depths.width) * 2 * sizeof(float);
     check_plausible_size(row_bytes * rows_kept(header, depths.height), double(input.size()),

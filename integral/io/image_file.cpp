@@ -303,7 +303,8 @@ DepthFrame read_depths(const std::string& path)
     if (file.document.empty())
         refuse(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes "
                      "depth frames that do");
-    DepthFrame frame{std::move(file.depth), std::move(file.imaged), parse(path, file.document, "")};
+    DepthFrame frame{std::move(file.depth), std::move(file.imaged), parse(path, file.document, ""),
+                     std::move(file.eye_distances)};
     if (frame.metadata.film.width != file.width || frame.metadata.film.height != file.height)
         refuse(path, "its geometry is of a frame of another size");
     return frame;

@@ -13,23 +13,37 @@ constexpr double enough = 0.95; // sharp: more is not sought
 constexpr double worth = 0.01;  // gain in sharp below which a change is not worth a word
 constexpr double printer_dpi[] = {300, 360, 600, 720, 1200, 1440, 2400, 2880};
 
-/// Depths of a frame's surfaces, mm, in ascending order.
-std::vector<double> sorted_depths(const DepthFrame& frame)
+/// Scene units in a mm; 1 where nothing is known of the scene.
+double units_per_mm(const FrameMetadata& metadata)
 {
-    std::vector<double> depths;
-    for (std::size_t k = 0; k < frame.depth.size(); ++k)
-        if (frame.imaged[k] > 0 && std::isfinite(frame.depth[k]))
-            depths.push_back(frame.depth[k]);
-    std::sort(depths.begin(), depths.end());
-    return depths;
+    return metadata.placement ? metadata.placement->units_per_mm : 1;
 }
 
-/// The part of sorted depths within [low, high].
-double share(const std::vector<double>& depths, double low, double high)
+/// Distances from the scene's eye plane, scene units: those that the scene's eye sees; of frames
+/// without them those of the pixels' surfaces.
+std::vector<double> scene_distances(const DepthFrame& frame)
 {
-    const auto first = std::lower_bound(depths.begin(), depths.end(), low);
-    const auto last = std::upper_bound(first, depths.end(), high);
-    return double(last - first) / double(depths.size());
+    if (!frame.eye_distances.empty())
+        return {frame.eye_distances.begin(), frame.eye_distances.end()};
+    const Collineation relief = relief_of(frame.metadata);
+    std::vector<double> distances;
+    for (std::size_t at = 0; at < frame.depth.size(); ++at)
+        if (frame.imaged[at] > 0 && std::isfinite(frame.depth[at]))
+            if (const auto z = preimage_depth(relief, frame.depth[at]))
+                distances.push_back((scene_distance(frame.metadata) + *z) *
+                                    units_per_mm(frame.metadata));
+    return distances;
+}
+
+/// `beta`: the budget by the viewing distance.
+DepthShares shares_of(const SceneFit& fit, const std::vector<double>& distances, double beta)
+{
+    DepthShares shares;
+    shares.sharp = part_within(fit, distances, beta);
+    const double within = part_within(fit, distances, soft_budgets * beta);
+    shares.soft = within - shares.sharp;
+    shares.beyond = 1 - within;
+    return shares;
 }
 
 /// The change, if it is worth a word.
@@ -56,66 +70,60 @@ std::optional<DepthRemedy> least_change(const std::vector<double>& values, Sharp
     return std::nullopt;
 }
 
-std::optional<DepthRemedy> coarsest_film(const std::vector<double>& depths, const Film& film,
-                                         double pixel, double budget, double now)
+/// `sharp_with`: the part that is sharp with a budget so many times as large.
+template <class SharpWith>
+std::optional<DepthRemedy> coarsest_film(const Film& film, double pixel, SharpWith sharp_with,
+                                         double now)
 {
     if (film.subpixels != Subpixels::none)
         return std::nullopt; // a panel, which has the pixels that it has
-    const auto sharp_at = [&](double dpi) {
-        const double finer = pixel * dpi / mm_per_inch;
-        return share(depths, -budget * finer, budget * finer);
-    };
+    const auto finer_by = [&](double dpi) { return pixel * dpi / mm_per_inch; };
     std::vector<double> finer;
     for (const double dpi : printer_dpi)
-        if (pixel * dpi / mm_per_inch > 1.01)
+        if (finer_by(dpi) > 1.01)
             finer.push_back(dpi);
-    return least_change(finer, sharp_at, now);
-}
-
-/// The scene's own distances from its eye plane of sorted depths, in scene units.
-std::vector<double> distances_of(const std::vector<double>& depths, const FrameMetadata& metadata)
-{
-    const Collineation relief = relief_of(metadata);
-    const double k = metadata.placement->units_per_mm;
-    std::vector<double> distances;
-    for (const double depth : depths)
-        if (const auto z = preimage_depth(relief, depth))
-            distances.push_back((scene_distance(metadata) + *z) * k);
-    return distances;
-}
-
-FitAdvice fit_advice(const std::vector<double>& distances, const DepthEnds& ends, double budgets,
-                     double beta)
-{
-    FitAdvice advice;
-    advice.budgets = budgets;
-    advice.fit = fit_to_budget(ends, {budgets * beta, {}, {}});
-    advice.shares.sharp = part_within(advice.fit, distances, beta);
-    advice.shares.soft = part_within(advice.fit, distances, soft_budgets * beta) -
-                         advice.shares.sharp;
-    advice.shares.beyond = 1 - advice.shares.sharp - advice.shares.soft;
-    return advice;
+    return least_change(
+        finer, [&](double dpi) { return sharp_with(finer_by(dpi)); }, now);
 }
 
 } // namespace
 
+SceneFit fit_of(const FrameMetadata& metadata)
+{
+    return {scene_distance(metadata) * units_per_mm(metadata),
+            metadata.parallax ? metadata.parallax->factor : 1};
+}
+
+DepthFrame as_scene_eye_sees(const DepthFrame& frame)
+{
+    if (frame.eye_distances.empty())
+        return frame;
+    const SceneFit fit = fit_of(frame.metadata);
+    const double viewed = viewer_distance(frame.metadata);
+    DepthFrame seen{{}, {}, frame.metadata, frame.eye_distances};
+    for (const float distance : frame.eye_distances)
+        seen.depth.push_back(std::isinf(distance) ? distance
+                                                  : float(viewed * seen_depth(fit, distance)));
+    seen.imaged.assign(seen.depth.size(), 1);
+    return seen;
+}
+
 DepthAdvice depth_advice(const DepthFrame& frame, double budget)
 {
-    const std::vector<double> depths = sorted_depths(frame);
     const FrameMetadata& metadata = frame.metadata;
+    const std::vector<double> distances = scene_distances(frame);
+    const SceneFit fit = fit_of(metadata);
+    const double beta = budget / viewer_distance(metadata);
     DepthAdvice advice;
-    const double soft = share(depths, -soft_budgets * budget, soft_budgets * budget);
-    advice.now.sharp = share(depths, -budget, budget);
-    advice.now.soft = soft - advice.now.sharp;
-    advice.now.beyond = 1 - soft;
-    if (metadata.placement) {
-        const std::vector<double> distances = distances_of(depths, metadata);
-        if (const auto ends = depth_ends(distances))
-            for (const double budgets : {1.0, 2.0})
-                advice.fits.push_back(fit_advice(distances, *ends, budgets,
-                                                 budget / viewer_distance(metadata)));
-    }
-    advice.dpi = coarsest_film(depths, metadata.film, counted(metadata).pixel, budget,
+    advice.now = shares_of(fit, distances, beta);
+    const auto ends = depth_ends(distances);
+    if (ends && metadata.placement)
+        for (const double budgets : {1.0, 2.0}) {
+            const SceneFit to = fit_to_budget(*ends, {budgets * beta, {}, {}});
+            advice.fits.push_back({budgets, to, shares_of(to, distances, beta)});
+        }
+    const auto sharp_with = [&](double finer) { return part_within(fit, distances, beta * finer); };
+    advice.dpi = coarsest_film(metadata.film, counted(metadata).pixel, sharp_with,
                                advice.now.sharp);
     return advice;
 }

@@ -16,12 +16,17 @@ namespace integral {
 /// farther. At the budget the pixels resolve as much as the lenses, at the end of soft half of it.
 constexpr double soft_budgets = 2;
 
-/// The parts of the surfaces in a picture that are sharp, soft and beyond. Their sum is 1.
+/// The parts of a picture that are sharp, soft and beyond. Their sum is 1. What shows no surface
+/// counts where its infinity is seen; what parallax over 1 puts beyond the viewer's infinity counts
+/// as infinitely far. Of a frame without eye_distances these are parts of its surfaces.
 struct DepthShares {
     double sharp = 0, soft = 0, beyond = 0;
 };
 
-/// One change: the new value, and the part of the surfaces that would be sharp then.
+/// The sheet and the parallax that a frame has; its sheet_distance in scene units.
+SceneFit fit_of(const FrameMetadata& metadata);
+
+/// One change: the new value, and the part of the picture that would be sharp then.
 struct DepthRemedy {
     double value = 0, sharp = 0;
 };
@@ -40,9 +45,16 @@ struct DepthAdvice {
     std::optional<DepthRemedy> dpi; ///< of a printer; none for panels
 };
 
-/// The advice for a frame that shows surfaces. `budget`: mm on either side of the sheet, > 0. The
-/// film is the coarsest with which 95% are sharp, or else nearly as much as can be; one that does
-/// not make at least a hundredth of the surfaces sharp that were not is left out.
+/// The depths that the scene's eye sees through the sheet, as a frame of so many pixels in a row.
+/// The pixels of a frame see the scene from the whole aperture, in which an open floor, for
+/// example, is nearer to some than the fit assumes. A frame without eye_distances is returned as it
+/// is.
+DepthFrame as_scene_eye_sees(const DepthFrame& frame);
+
+/// The advice for a frame that shows surfaces, by eye_distances where it has them. `budget`: mm on
+/// either side of the sheet, > 0. The film is the coarsest with which 95% are sharp, or else nearly
+/// as much as can be; one that does not make at least a hundredth of the picture sharp that was not
+/// is left out.
 DepthAdvice depth_advice(const DepthFrame& frame, double budget);
 
 } // namespace integral

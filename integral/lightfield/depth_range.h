@@ -16,6 +16,10 @@ namespace integral {
 struct DepthFrame {
     std::vector<float> depth, imaged;
     FrameMetadata metadata; ///< of the colour frame
+    /// Distances (scene units, > 0) from the scene's eye plane of the surfaces that the scene's own
+    /// eye sees, spread evenly over the picture: infinite where there is none. Integral_Fit chooses
+    /// by them. Empty: not known.
+    std::vector<float> eye_distances = {};
 };
 
 /// Statistics of the depths in a frame, mm behind the sheet.

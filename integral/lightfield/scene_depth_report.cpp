@@ -10,15 +10,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace integral {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double mm_per_m = 1000;
 constexpr double countless = 10000; // mm: depths beyond are "more than 10 m"
 
 struct Judged {
+    DepthFrame depths;            ///< as the scene's eye sees them
     std::optional<double> budget; ///< mm
     DepthRange range;
     std::optional<DepthAdvice> advice; ///< none without a budget or without a surface
@@ -26,22 +29,23 @@ struct Judged {
 
 Judged judge(const DepthFrame& depths)
 {
-    Judged j;
-    j.budget = depth_budget(depths.metadata.sheet, counted(depths.metadata).pixel);
-    j.range = depth_range(depths, j.budget);
+    Judged j{as_scene_eye_sees(depths), seen_budget(depths.metadata), {}, {}};
+    j.range = depth_range(j.depths, j.budget);
     if (j.budget && j.range.surfaces > 0)
-        j.advice = depth_advice(depths, *j.budget);
+        j.advice = depth_advice(j.depths, *j.budget);
     return j;
 }
 
 std::string percent(double part) { return with_decimals(100 * part, 1) + "%"; }
 
-/// "12 mm before", "more than 10 m behind".
+/// "12 mm before", "1.25 m behind", "more than 10 m behind".
 std::string place_text(double depth)
 {
     const std::string side = depth < 0 ? " before" : " behind";
     if (std::fabs(depth) > countless)
         return "more than 10 m" + side;
+    if (std::fabs(depth) >= mm_per_m)
+        return with_digits(std::fabs(depth) / mm_per_m, 3) + " m" + side;
     return with_digits(std::fabs(depth), 3) + " mm" + side;
 }
 
@@ -62,14 +66,35 @@ std::string words_of(const SceneFit& fit, const FrameMetadata& metadata)
                 : "");
 }
 
-std::string backdrop_text(const DepthRange& range)
+/// What is infinitely far: nothing, no surface, or surfaces that a parallax over 1 puts there.
+std::string backdrop_text(const Judged& j)
 {
-    const double open = 1 - double(range.surfaces) / double(range.pixels);
-    if (range.surfaces == range.pixels)
+    const std::vector<float>& distances = j.depths.eye_distances;
+    const auto part = [&](double number) { return percent(number / double(j.range.pixels)); };
+    const double infinite = double(j.range.pixels - j.range.surfaces),
+                 open = distances.empty()
+                            ? infinite
+                            : double(std::count_if(distances.begin(), distances.end(),
+                                                   [](float d) { return std::isinf(d); }));
+    if (infinite == 0)
         return "closed: every pixel shows a surface";
-    return "open: " + percent(open) +
-           " of the pixels show no surface, as if it were infinitely far; that is never sharp, so "
-           "keep it plain, or close it by a wall behind the scene";
+    std::string text;
+    if (open > 0) {
+        const SceneFit fit = fit_of(j.depths.metadata);
+        text = "open: " + part(open) + " of the picture show no surface, ";
+        const double seen = viewer_distance(j.depths.metadata) *
+                            seen_depth(fit, std::numeric_limits<double>::infinity());
+        text += std::isinf(seen) ? "as if it were infinitely far"
+                                 : "seen " + place_text(seen) + " the sheet";
+        if (seen > soft_budgets * *j.budget)
+            text +=
+                "; that is never sharp, so keep it plain, or close it by a wall behind the scene";
+    }
+    if (infinite > open)
+        text += std::string(open > 0 ? "; " : "") + part(infinite - open) +
+                " of the picture are beyond the viewer's infinity, where no eyes can see them as "
+                "one; a parallax of at most 1 brings them back";
+    return text;
 }
 
 /// The resolution at a depth, (4-6) or the lenses' own where that is less, as a column of text.
@@ -110,7 +135,7 @@ std::string scene_verdict_text(const std::string& scene, const DepthFrame& depth
     if (j.advice->dpi)
         text += "  Film:     film { dpi " + with_digits(j.advice->dpi->value, 6) +
                 " }: " + percent(j.advice->dpi->sharp) + " sharp\n";
-    text += "  Backdrop: " + backdrop_text(j.range) + "\n";
+    text += "  Backdrop: " + backdrop_text(j) + "\n";
     return text;
 }
 

@@ -34,7 +34,9 @@ std::optional<double> balanced_sheet(const DepthEnds& ends, double parallax)
         return k < 0.5 ? std::optional(2 * (1 - k) * ends.near / (1 - 2 * k)) : std::nullopt;
     const double a = 2 * k, b = (1 - 2 * k) * (ends.near + ends.far),
                  c = -2 * (1 - k) * ends.near * ends.far;
-    // The sign of b decides which form has no cancellation. c <= 0 as long as K <= 1.
+    // The sign of b decides which form has no cancellation. For K <= 1, c <= 0. For K > 1 both
+    // roots are positive, and with the smaller one both ends are on this side of the viewer's
+    // infinity.
     const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
     return b > 0 ? -2 * c / (b + root) : (root - b) / (2 * a);
 }
@@ -93,9 +95,12 @@ double seen_depth(const SceneFit& fit, double distance)
 
 double part_within(const SceneFit& fit, const std::vector<double>& distances, double beta)
 {
-    constexpr double rounding = 1 + 1e-4; // depth frames hold floats
+    // A fit puts a whole sky exactly on the border; the budget of a draft's film, whose size is
+    // rounded to its pixels, differs a little from the print's.
+    constexpr double of_floats = 1 + 1e-4, of_sky = 1 + 5e-3;
     const auto is_within = [&](double distance) {
-        return std::fabs(seen_depth(fit, distance)) <= beta * rounding;
+        return std::fabs(seen_depth(fit, distance)) <=
+               beta * (distance == infinity ? of_sky : of_floats);
     };
     return distances.empty() ? 0
                              : double(std::count_if(distances.begin(), distances.end(),

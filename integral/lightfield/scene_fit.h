@@ -35,7 +35,8 @@ struct SceneFit {
 /// where the scene is shallower than that, with parallax 1 and equally far from the sheet. With
 /// sheet_distance given, the greatest parallax up to 1 that keeps both ends within; with parallax
 /// given, the sheet from which both ends are seen equally far, or else that which keeps the near
-/// end within. A single depth is put on the sheet, with parallax 1.
+/// end within. A given parallax may be more than 1: what is then seen beyond infinity counts as
+/// infinitely far. A single depth is put on the sheet, with parallax 1.
 SceneFit fit_to_budget(const DepthEnds& ends, const FitRequest& request);
 
 /// The depth, by the viewing distance, at which a distance from the eye plane is seen: negative

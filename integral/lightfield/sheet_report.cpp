@@ -273,6 +273,12 @@ Counted counted(const FrameMetadata& g)
     return {period, cell.x, g.film.pixel_pitch.x, g.aperture.width, g.film.width};
 }
 
+std::optional<double> seen_budget(const FrameMetadata& g)
+{
+    const auto budget = depth_budget(g.sheet, counted(g).pixel);
+    return budget && g.projection ? std::optional(*budget * g.projection->image().depth) : budget;
+}
+
 std::string sheet_report_text(const FrameMetadata& g, const Viewer& viewer)
 {
     std::string text = line("%s sheet, pitch %g mm, thickness %g mm, ior %g",

@@ -31,6 +31,10 @@ struct Counted {
 };
 Counted counted(const FrameMetadata& geometry);
 
+/// The depth budget (depth_budget) as the viewer sees it, mm: through a projection lens, that of
+/// the sheet's image. Nothing if the sheet has none.
+std::optional<double> seen_budget(const FrameMetadata& geometry);
+
 /// The report for people: tables of figures. Those that the geometry does not have are "-".
 std::string sheet_report_text(const FrameMetadata& geometry, const Viewer& viewer);
 

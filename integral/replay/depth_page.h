@@ -13,9 +13,15 @@ namespace integral {
 /// the sheet has none.
 Image scene_picture(const DepthFrame& depths, const std::optional<Frame>& colours);
 
-/// A page of verdict, picture and tables about `scene`.
+/// What an eye sees of a scene behind its sheet: as it is, and with a fit.
+struct SceneLooks {
+    Image as_it_is, fitted;
+    std::string fit; ///< the value of Integral_Fit=
+};
+
+/// A page of verdict, pictures and tables about `scene`.
 std::string depth_page(const std::string& scene, const std::string& verdict, const Image& picture,
-                       const std::string& tables);
+                       const std::optional<SceneLooks>& looks, const std::string& tables);
 
 } // namespace integral
 

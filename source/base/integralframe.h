@@ -12,6 +12,9 @@
 namespace pov_base
 {
 
+/// The camera's geometry, without `render`.
+integral::FrameMetadata Integral_Geometry(const integral::IntegralCamera& camera);
+
 class IntegralFrame
 {
 public:

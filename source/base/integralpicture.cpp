@@ -22,6 +22,7 @@
 
 #ifndef OPENEXR_MISSING
 #include <ImfChannelList.h>
+#include <ImfFloatVectorAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -113,7 +114,8 @@ std::string Write_Integral_Picture(const std::string& file, int width, int heigh
 }
 
 std::string Write_Integral_Depth(const std::string& file, int width, int height,
-                                 const std::vector<float>& depths)
+                                 const std::vector<float>& depths,
+                                 const std::vector<float>& distances)
 {
 #ifdef OPENEXR_MISSING
     return Failed(file, "this program was built without OpenEXR");
@@ -129,6 +131,7 @@ std::string Write_Integral_Depth(const std::string& file, int width, int height,
     {
         Imf::Header header(width, height);
         Set_Integral_EXR(header);
+        header.insert("eyeDistances", Imf::FloatVectorAttribute(distances));
         header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
         header.channels().insert("A", Imf::Channel(Imf::FLOAT));
         Imf::FrameBuffer buffer;

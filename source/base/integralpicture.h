@@ -20,10 +20,13 @@ std::string Write_Integral_Picture(const std::string& file, int width, int heigh
                                    const std::vector<double>& values);
 
 /// Writes width x height depths (mm), row by row, as channel Z of an OpenEXR file with the frame's
-/// geometry; channel A is 0 where the depth is NaN and 1 elsewhere. The file appears only when it
-/// is complete. Returns an empty text, or "FILE: cannot be written: " and why.
+/// geometry; channel A is 0 where the depth is NaN and 1 elsewhere. The attribute eyeDistances
+/// has `distances`, those of the surfaces that the scene's eye sees, in scene units from its plane.
+/// The file appears only when it is complete. Returns an empty text, or "FILE: cannot be written: "
+/// and why.
 std::string Write_Integral_Depth(const std::string& file, int width, int height,
-                                 const std::vector<float>& depths);
+                                 const std::vector<float>& depths,
+                                 const std::vector<float>& distances);
 }
 
 #endif

@@ -128,4 +128,29 @@ BOOST_AUTO_TEST_CASE(no_advice_of_numbers_that_nobody_can_use)
     BOOST_TEST(!advice.dpi.has_value());
 }
 
+BOOST_AUTO_TEST_CASE(what_the_scenes_eye_sees_decides_and_not_what_the_aperture_sees)
+{
+    // The frame's pixels see a floor near by and far away; the scene's eye has a wall before it, a
+    // tenth of the picture is open, and the budget is 20 mm of 200 mm.
+    DepthFrame frame = frame_of({-90, -80, 500, 1000});
+    constexpr float open = std::numeric_limits<float>::infinity();
+    for (int k = 0; k < 90; ++k)
+        frame.eye_distances.push_back(k < 45 ? 104 : 116); // 8 and 32 mm behind the sheet
+    frame.eye_distances.insert(frame.eye_distances.end(), 10, open);
+    const DepthAdvice advice = depth_advice(frame, 20);
+    BOOST_TEST(advice.now.sharp == 0.45);
+    BOOST_TEST(advice.now.soft == 0.45, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(advice.now.beyond == 0.1, boost::test_tools::tolerance(1e-12));
+    // The sky is seen at the far end of the budget: 1/K - 1 = 200/20.
+    BOOST_REQUIRE(advice.fits.size() == 2);
+    BOOST_TEST(advice.fits[0].fit.parallax == 1 / 11.0, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(advice.fits[0].shares.sharp == 1);
+    const DepthFrame seen = as_scene_eye_sees(frame);
+    BOOST_TEST(seen.depth.size() == 100u);
+    BOOST_TEST(seen.depth[0] == 8, boost::test_tools::tolerance(1e-5f));
+    BOOST_TEST(std::isinf(seen.depth[99]));
+    BOOST_TEST(depth_range(seen, 20).surfaces == 90u);
+    BOOST_TEST(as_scene_eye_sees(frame_of({5})).depth[0] == 5);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

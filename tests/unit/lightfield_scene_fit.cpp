@@ -91,16 +91,34 @@ BOOST_AUTO_TEST_CASE(a_given_parallax_gets_the_sheet_from_which_both_ends_are_eq
     Random random;
     for (int k = 0; k < 10000; ++k) {
         const double near = random.about(1e-3, 1e3), far = near * random.about(1.001, 1e4),
-                     parallax = random.about(1e-3, 1);
+                     parallax = random.about(1e-3, k % 2 == 0 ? 1 : 100);
         const SceneFit fit = fit_to_budget({near, far}, {0.1, {}, parallax});
-        BOOST_TEST(fit.parallax == parallax);
-        BOOST_TEST(is_near(exact_depth(fit, near), -exact_depth(fit, far)));
+        BOOST_TEST_CONTEXT("near " << near << " far " << far << " parallax " << parallax)
+        {
+            BOOST_TEST(fit.parallax == parallax);
+            BOOST_TEST(exact_depth(fit, near) < 0);
+            BOOST_TEST(is_near(exact_depth(fit, near), -exact_depth(fit, far)));
+        }
     }
     const SceneFit sky = fit_to_budget({3, infinity}, {0.1, {}, 0.25});
     BOOST_TEST(is_near(exact_depth(sky, 3), -exact_depth(sky, infinity)));
     // Infinity is at 0.6/0.4 of the viewing distance at least: the near end is kept within.
     const SceneFit far = fit_to_budget({3, infinity}, {0.1, {}, 0.6});
     BOOST_TEST(is_near(exact_depth(far, 3), -0.1));
+}
+
+BOOST_AUTO_TEST_CASE(a_parallax_over_1_puts_what_is_far_beyond_infinity)
+{
+    // With K = 3 and a sheet at 10, infinity is seen at K D/(K - 1) = 15.
+    const SceneFit fit{10, 3};
+    BOOST_TEST(is_near(seen_depth(fit, 14), 3.0 * 4 / (30 - 28)));
+    for (const double distance : {15.0, 16.0, 1e9, infinity})
+        BOOST_TEST(seen_depth(fit, distance) == infinity);
+    BOOST_TEST(part_within(fit, {10, 14, 16, infinity}, 1e6) == 0.5);
+    // The near end of a scene before the sky is kept within the budget.
+    const SceneFit sky = fit_to_budget({3, infinity}, {0.1, {}, 3});
+    BOOST_TEST(sky.parallax == 3);
+    BOOST_TEST(is_near(exact_depth(sky, 3), -0.1));
 }
 
 BOOST_AUTO_TEST_CASE(one_depth_is_put_on_the_sheet)

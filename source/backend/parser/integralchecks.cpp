@@ -144,6 +144,27 @@ void IntegralGrammar::Make_Optics(Camera& camera, IntegralStatement& statement)
     }
 }
 
+/// The optics of the print of which the camera's frame is a draft, or else the camera's own.
+std::shared_ptr<const integral::IntegralCamera> IntegralGrammar::Print_Optics(const Camera& camera)
+{
+    if (!camera.Integral->draft_pitch)
+        return camera.Integral->optics;
+    Camera print(camera);
+    IntegralStatement& statement = Edit(print);
+    statement.draft_pitch.reset();
+    integral::PixelSize size;
+    Frame_Size(statement, size);
+    try
+    {
+        return Make_Integral_Optics(print, size.width, size.height);
+    }
+    catch (const std::invalid_argument& problem)
+    {
+        Refuse(statement, std::string("Integral camera: ") + problem.what() + ".");
+    }
+    return nullptr;
+}
+
 /// Checks the camera that is rendered, and makes its optics.
 void IntegralGrammar::Check_Camera(Camera& camera)
 {
@@ -190,9 +211,10 @@ void IntegralGrammar::Finish(Camera& camera)
     std::vector<double> distances;
     if (integral)
     {
-        distances = Probe_Integral_Depths(*camera.Integral->optics, *parser.sceneData,
-                                          parser.GetParserDataPtr());
-        Fit_Depth(camera, distances);
+        const std::shared_ptr<const integral::IntegralCamera> print = Print_Optics(camera);
+        distances = Probe_Integral_Depths(*print, *parser.sceneData, parser.GetParserDataPtr());
+        Fit_Depth(camera, *print, distances);
+        Edit(camera).distances = distances;
     }
     pov_base::IntegralFrame::Set_Scene(UCS2toASCIIString(parser.sceneData->inputFile));
     pov_base::IntegralFrame::Expect(integral ? camera.Integral->optics.get() : NULL);

@@ -8,10 +8,10 @@
 #include "backend/parser/parse.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
+#include "base/integralframe.h"
 #include "base/integraloptions.h"
 #include "integral/base/number_text.h"
 #include "integral/lightfield/scene_fit.h"
-#include "integral/lightfield/sheet_figures.h"
 #include "integral/lightfield/sheet_report.h"
 
 #include <algorithm>
@@ -28,21 +28,6 @@ namespace pov
 namespace
 {
 
-/// The depth budget of the print (not of a draft), mm as the viewer sees it.
-std::optional<double> Budget_Of(const IntegralStatement& statement)
-{
-    const integral::IntegralCamera& optics = *statement.optics;
-    integral::FrameMetadata geometry;
-    geometry.sheet = optics.optics.sheet();
-    geometry.film = optics.film;
-    geometry.film.pixel_pitch = statement.parameters.film.pixel_pitch;
-    geometry.aperture = optics.optics.aperture();
-    const auto budget = integral::depth_budget(geometry.sheet, integral::counted(geometry).pixel);
-    if (!budget || !optics.projection)
-        return budget;
-    return *budget * optics.projection->image().depth;
-}
-
 /// The camera's sheet and parallax as a fit; the sheet's distance in scene units.
 integral::SceneFit Fit_Of(const integral::IntegralCamera& optics)
 {
@@ -52,14 +37,14 @@ integral::SceneFit Fit_Of(const integral::IntegralCamera& optics)
     return {scene * optics.placement.units_per_mm, factor};
 }
 
-/// The fit for a budget in mm. Where neither the viewer's distance nor the window's scale is free,
-/// the viewer's eye is the scene's, and its distance is in proportion to the sheet's.
+/// The fit for a budget in mm, of the print's camera. Where neither the viewer's distance nor the
+/// window's scale is free, the viewer's eye is the scene's, and its distance is in proportion to
+/// the sheet's.
 integral::SceneFit Choose(const integral::DepthEnds& ends, const IntegralStatement& statement,
-                     double allowed)
+                          const integral::IntegralCamera& optics, double allowed)
 {
     constexpr int rounds = 100;
     const integral::CameraParameters& given = statement.parameters;
-    const integral::IntegralCamera& optics = *statement.optics;
     integral::FitRequest request;
     if (given.sheet_distance || statement.orthographic)
         request.sheet_distance = Fit_Of(optics).sheet_distance;
@@ -87,8 +72,9 @@ AnimationFit animation_fit;
 
 }
 
-/// `distances`: Probe_Integral_Depths.
-void IntegralGrammar::Fit_Depth(Camera& camera, const std::vector<double>& distances)
+/// `print`: the camera of the print, not of a draft. `distances`: Probe_Integral_Depths.
+void IntegralGrammar::Fit_Depth(Camera& camera, const integral::IntegralCamera& print,
+                                const std::vector<double>& distances)
 {
     constexpr double beyond = 2; // budgets
     IntegralStatement& statement = Edit(camera);
@@ -100,7 +86,7 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const std::vector<double>& dista
     };
     const std::optional<double> option = parser.sceneData->integral->fit;
     const double budgets = option.value_or(statement.parameters.fit.value_or(0));
-    const std::optional<double> budget = Budget_Of(statement);
+    const std::optional<double> budget = integral::seen_budget(pov_base::Integral_Geometry(print));
     if (!budget)
     {
         if (budgets > 0)
@@ -109,7 +95,7 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const std::vector<double>& dista
         return;
     }
     if (!(budgets > 0))
-        return Warn_Of_Depth(statement, distances, beyond * *budget);
+        return Warn_Of_Depth(print, distances, beyond * *budget);
     statement.parameters.fit = budgets;
     const std::vector<std::string> errors = integral::find_errors(statement.parameters);
     if (!errors.empty())
@@ -119,14 +105,15 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const std::vector<double>& dista
         return parser.Warning(0, "Integral camera: no fit: no surface is seen from the scene's "
                                  "eye.");
 
-    const double allowed = budgets * *budget, viewed = viewer_distance(*statement.optics);
-    const integral::SceneFit before = Fit_Of(*statement.optics);
+    const double allowed = budgets * *budget, viewed = viewer_distance(print);
+    const integral::SceneFit before = Fit_Of(print);
     const bool animated = declared("final_frame") > declared("initial_frame");
     const std::string scene = UCS2toASCIIString(parser.sceneData->inputFile);
     const bool chosen = animated && animation_fit.fit && animation_fit.scene == scene &&
                         animation_fit.budgets == budgets &&
                         declared("frame_number") > declared("initial_frame");
-    const integral::SceneFit fit = chosen ? *animation_fit.fit : Choose(*ends, statement, allowed);
+    const integral::SceneFit fit = chosen ? *animation_fit.fit
+                                          : Choose(*ends, statement, print, allowed);
     if (animated)
         animation_fit = {scene, budgets, fit};
 
@@ -144,19 +131,18 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const std::vector<double>& dista
     { return 100 * integral::part_within(with, distances, allowed / viewed); };
     parser.Warning(0,
                    "Integral camera: the fit to %.3g depth budgets (%.3g mm either side of the "
-                   "sheet) chose\n  %s\n%s%.0f%% of the picture lie within; %.0f%% before the fit.",
+                   "sheet) chose\n%s: %s%.0f%% of the picture lie within; %.0f%% before the fit.",
                    budgets, allowed, statement.fit_words.c_str(),
                    !animated ? ""
-                   : chosen  ? "as for the animation's first frame. "
-                             : "for all frames of the animation, by this one. ",
+                   : chosen  ? "as for the animation's first frame; "
+                             : "for all frames of the animation, by this one; ",
                    percent(fit), percent(before));
 }
 
 /// `reach`: the depth either side that can be seen with half of the sheet's resolution, mm.
-void IntegralGrammar::Warn_Of_Depth(const IntegralStatement& statement,
+void IntegralGrammar::Warn_Of_Depth(const integral::IntegralCamera& optics,
                                     const std::vector<double>& distances, double reach)
 {
-    const integral::IntegralCamera& optics = *statement.optics;
     std::vector<double> surfaces;
     std::copy_if(distances.begin(), distances.end(), std::back_inserter(surfaces),
                  [](double distance) { return distance < HUGE_VAL; });

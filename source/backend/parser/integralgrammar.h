@@ -87,9 +87,11 @@ private:
     void Check_Type(const Camera& camera, const IntegralStatement& statement);
     void Check_Print_Size(const IntegralStatement& statement, integral::PixelSize size);
     void Make_Optics(Camera& camera, IntegralStatement& statement);
-    void Fit_Depth(Camera& camera, const std::vector<double>& distances);
-    void Warn_Of_Depth(const IntegralStatement& statement, const std::vector<double>& distances,
-                       double budget);
+    std::shared_ptr<const integral::IntegralCamera> Print_Optics(const Camera& camera);
+    void Fit_Depth(Camera& camera, const integral::IntegralCamera& print,
+                   const std::vector<double>& distances);
+    void Warn_Of_Depth(const integral::IntegralCamera& optics, const std::vector<double>& distances,
+                       double reach);
     void Warn(const Camera& camera, const std::vector<double>& distances);
     void Warn_Of_Shape(const Camera& camera);
     void Warn_Of_Scale(const integral::IntegralCamera& optics);
@@ -97,6 +99,8 @@ private:
     void Warn_Of_Film(const integral::IntegralCamera& optics);
     void Warn_Of_Draft(const IntegralStatement& statement);
     void Warn_Of_Starts(const integral::IntegralCamera& optics);
+    void Warn_Of_Infinity(const integral::IntegralCamera& optics,
+                          const std::vector<double>& distances);
     void Warn_Of_Place(const Camera& camera, std::vector<double> distances);
 
     Parser& parser;

@@ -42,6 +42,7 @@ void IntegralGrammar::Warn(const Camera& camera, const std::vector<double>& dist
     Warn_Of_Film(*camera.Integral->optics);
     Warn_Of_Draft(*camera.Integral);
     Warn_Of_Starts(*camera.Integral->optics);
+    Warn_Of_Infinity(*camera.Integral->optics, distances);
     Warn_Of_Place(camera, distances);
 }
 
@@ -178,6 +179,32 @@ void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
                    "reaches into them.\n%s.",
                    100 * starts.parted, k * aperture.width, k * aperture.height,
                    help.str().c_str());
+}
+
+/// Warns of surfaces that a parallax over 1 puts beyond the viewer's infinity. `distances`:
+/// Probe_Integral_Depths.
+void IntegralGrammar::Warn_Of_Infinity(const integral::IntegralCamera& optics,
+                                       const std::vector<double>& distances)
+{
+    constexpr double few = 0.01;
+    if (!optics.parallax || !(optics.parallax->factor > 1))
+        return;
+    const double k = optics.parallax->factor, infinity = optics.parallax->scene_distance *
+                                                         optics.placement.units_per_mm * k /
+                                                         (k - 1);
+    const auto part = [&](auto counts)
+    { return double(std::count_if(distances.begin(), distances.end(), counts)); };
+    const double surfaces = part([](double distance) { return distance < HUGE_VAL; }),
+                 beyond = part([&](double distance)
+                               { return distance >= infinity && distance < HUGE_VAL; });
+    if (surfaces > 0 && beyond > few * surfaces)
+        parser.Warning(
+            0,
+            "Integral camera: parallax %.3g puts %.0f%% of the picture's surfaces beyond "
+            "the viewer's infinity, where\nno two eyes can see them as one: all that is "
+            "%.4g scene units or more from the camera. A parallax of\nat most 1 brings "
+            "them back.",
+            k, 100 * beyond / surfaces, infinity);
 }
 
 /// Warns of an eye that was moved behind surfaces, and of a sheet whose place follows from the

@@ -3,6 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integraldepth.h"
+#include "backend/render/integralprobes.h"
 #include "backend/render/ray.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -20,10 +21,27 @@
 namespace pov
 {
 
-IntegralDepth::IntegralDepth(const IntegralView& view, const std::string& file)
+namespace
+{
+
+/// What the camera sees as a surface.
+struct SurfaceCondition : NoSomethingFlagRayObjectCondition
+{
+    bool operator()(const Ray& ray, const ObjectBase *object, DBL data) const override
+    {
+        return Is_Integral_Surface(object) &&
+               NoSomethingFlagRayObjectCondition::operator()(ray, object, data);
+    }
+};
+
+}
+
+IntegralDepth::IntegralDepth(const IntegralView& view, const std::string& file,
+                             const std::vector<double>& distances)
     : optics(view.optics),
       sampler(view.sampler),
       file(file),
+      distances(distances.begin(), distances.end()),
       depths(std::size_t(optics->film.width) * optics->film.height,
              std::numeric_limits<float>::quiet_NaN())
 {
@@ -37,7 +55,7 @@ bool IntegralDepth::Next_Row(int& row)
 
 void IntegralDepth::Find_Row(int row, Trace& trace)
 {
-    const NoSomethingFlagRayObjectCondition seen;
+    const SurfaceCondition seen;
     const TrueRayObjectCondition any;
     for (int x = 0; x < optics->film.width; x++)
     {
@@ -61,8 +79,8 @@ void IntegralDepth::Find_Row(int row, Trace& trace)
 
 void IntegralDepth::Write() const
 {
-    const std::string error = pov_base::Write_Integral_Depth(file, optics->film.width,
-                                                             optics->film.height, depths);
+    const std::string error = pov_base::Write_Integral_Depth(
+        file, optics->film.width, optics->film.height, depths, distances);
     if (!error.empty())
         pov_base::IntegralFrame::Add_Problem("Integral_Depth_Image", error);
 }

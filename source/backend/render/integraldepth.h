@@ -24,7 +24,9 @@ struct IntegralView;
 class IntegralDepth
 {
 public:
-    IntegralDepth(const IntegralView& view, const std::string& file);
+    /// `distances`: Probe_Integral_Depths, which the file will contain, too.
+    IntegralDepth(const IntegralView& view, const std::string& file,
+                  const std::vector<double>& distances);
 
     /// Sets `row` to a row that no thread has taken yet; false when there is none left.
     bool Next_Row(int& row);
@@ -39,6 +41,7 @@ private:
     std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const integral::PixelSampler> sampler;
     std::string file;
+    std::vector<float> distances;
     std::vector<float> depths;
     std::atomic<int> next{0};
 };

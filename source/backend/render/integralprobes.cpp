@@ -22,27 +22,25 @@
 namespace pov
 {
 
-namespace
-{
-
-using integral::Vec2;
-using integral::Vec3;
-
-/// Whether the camera sees an object as a surface: not one without an image, nor a container of
-/// media.
-bool Is_Seen(ObjectPtr object)
+bool Is_Integral_Surface(const ObjectBase *object)
 {
     const bool is_container = Test_Flag(object, HOLLOW_FLAG) && object->interior != NULL &&
                               !object->interior->media.empty();
     return !is_container && !Test_Flag(object, NO_IMAGE_FLAG);
 }
 
+namespace
+{
+
+using integral::Vec2;
+using integral::Vec3;
+
 /// The seen objects near the aperture.
 std::vector<ObjectPtr> Objects_Near(const integral::StartRegion& region, const SceneData& scene)
 {
     std::vector<ObjectPtr> near;
     for (const ObjectPtr object : scene.objects)
-        if (Is_Seen(object) && Region_Meets(region, object->BBox))
+        if (Is_Integral_Surface(object) && Region_Meets(region, object->BBox))
             near.push_back(object);
     return near;
 }
@@ -193,7 +191,7 @@ double First_Surface(const Ray& ray, const Vec3& origin, const Vec3& direction, 
     double nearest = HUGE_VAL;
     for (const ObjectPtr object : scene.objects)
     {
-        if (!Is_Seen(object) || !May_Meet(origin, direction, object->BBox))
+        if (!Is_Integral_Surface(object) || !May_Meet(origin, direction, object->BBox))
             continue;
         Intersection found;
         if (Find_Intersection(&found, object, ray, thread) && found.Depth < nearest)
@@ -224,7 +222,7 @@ std::vector<double> Probe_Integral_Depths(const integral::IntegralCamera& camera
         const double depth = First_Surface(Ray_Along(origin, direction), origin, direction, scene,
                                            thread);
         // The eye plane is parallel to the sheet: the same part of every ray lies before the sheet.
-        distances.push_back(depth * eye * length(camera.placement.z) / length(to_sheet));
+        distances.push_back(float(depth * eye * length(camera.placement.z) / length(to_sheet)));
     }
     return distances;
 }

@@ -14,6 +14,10 @@ namespace pov
 
 class SceneData;
 
+/// Whether the camera sees an object as a surface: not one without an image, nor a container of
+/// media.
+bool Is_Integral_Surface(const ObjectBase *object);
+
 /// Where the camera rays of a sample of the film's points start, seen from the eye, which is the
 /// middle of the aperture.
 struct IntegralStarts
@@ -33,7 +37,9 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
 /// The distances from the scene's eye plane, in scene units, of the first surfaces behind points
 /// spread over the picture, seen from the scene's eye; infinite where there is none. 200 to 2000
 /// points: fewer among very many objects, at most one in fifty pixels above 200. Objects that the
-/// camera does not see and containers of media do not count.
+/// camera does not see and containers of media do not count. Rounded to floats, as depth frames
+/// contain them, so that a report on a depth frame chooses the same fit as the renderer. Give the
+/// camera of the print, not of a draft of it: then both have the same distances.
 std::vector<double> Probe_Integral_Depths(const integral::IntegralCamera& camera,
                                           const SceneData& scene, TraceThreadData *thread);
 

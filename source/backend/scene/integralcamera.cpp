@@ -185,7 +185,8 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
                 *view->optics, IntegralSharedAmbient::cells_in_beam,
                 IntegralSharedAmbient::cells_a_pixel);
         if (!given.depth_picture.empty())
-            view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture);
+            view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture,
+                                                          camera.Integral->distances);
         // The noise of radiosity's points is in both halves.
         if (given.audit && (!by_halves || view->error.radiosity))
             view->audit = std::make_shared<IntegralAudit>(*view, given.seed);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "backend/frame.h"
 #include "base/integralclipping.h"
@@ -107,6 +108,7 @@ struct IntegralStatement
     double look_at_distance = 0;     ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0; ///< sheet distance / |direction|; 0: not known yet
     double direction = 0;            ///< |direction| before the camera's transforms
+    std::vector<double> distances;   ///< Probe_Integral_Depths, after parsing
     std::string fit_words;           ///< the words that the fit chose; empty: no fit
     bool orthographic = false; ///< right and up are the window at any distance, not at |direction|
     int draft = 1;             ///< Integral_Draft=

@@ -3,6 +3,9 @@
 //
 // depths count FILE    prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without, EMPTY"
 // depths range FILE    prints the least and the greatest depth of a surface, mm
+// depths within FILE MM  prints how many pixels show a surface at most MM mm from the sheet, how
+// many
+//                      show none, and how many are imaged
 // depths near FILE ORACLE MASK LOW HIGH TOLERANCE FRACTION
 //                      compares with the frame ORACLE, whose colours show depths in linear light:
 //                      green is 0 at LOW mm and 1 at HIGH; red is 1 where there is no surface. Of
@@ -85,19 +88,22 @@ bool near(const Depths& d, const frames::Frame& oracle, const std::string& mask_
 bool run(int argc, char** argv)
 {
     const std::string command = argc > 2 ? argv[1] : "";
-    if (command != "count" && command != "range" && !(command == "near" && argc == 9))
+    if (command != "count" && command != "range" && !(command == "within" && argc == 4) &&
+        !(command == "near" && argc == 9))
         throw std::runtime_error("usage: see the head of depths.cpp");
     const Depths d = read_depths(argv[2]);
     if (command == "near")
         return near(d, frames::read_oracle(argv[3], d.height), argv[4], std::stod(argv[5]),
                     std::stod(argv[6]), std::stod(argv[7]), std::stod(argv[8]));
-    long seen = 0, open = 0, empty = 0;
+    const double reach = command == "within" ? std::stod(argv[3]) : 0;
+    long seen = 0, open = 0, empty = 0, within = 0;
     float least = std::numeric_limits<float>::infinity(), most = -least;
     for (std::size_t k = 0; k < d.z.size(); ++k) {
         const bool lit = d.alpha[k] == 1, surface = lit && std::isfinite(d.z[k]);
         empty += !lit;
         open += lit && !surface;
         seen += surface;
+        within += surface && std::fabs(d.z[k]) <= reach;
         if (surface) {
             least = std::min(least, d.z[k]);
             most = std::max(most, d.z[k]);
@@ -106,6 +112,8 @@ bool run(int argc, char** argv)
     if (command == "count")
         std::cout << d.width << "x" << d.height << ", " << seen << ", " << open << ", " << empty
                   << "\n";
+    else if (command == "within")
+        std::cout << within << " " << open << " " << seen + open << "\n";
     else
         std::cout << least << " " << most << "\n";
     return true;
