@@ -21,8 +21,9 @@ namespace integral {
 namespace {
 
 struct CompareOptions : CommonOptions {
-    std::optional<std::string> output, gain, sheet;
-    bool json = false;
+    std::optional<std::string> output, gain, sheet, flip_map, ppd, channel_tolerance, mask;
+    std::optional<Words> ignore, weight;
+    bool json = false, flip = false;
     std::array<std::optional<std::string>, limit_count> limits; ///< in the order of limit_kinds
     // With --suite:
     std::optional<std::string> suite, references, tolerances, junit;
@@ -50,6 +51,26 @@ void declare(options::options_description& all, CompareOptions& o)
     for (std::size_t i = 0; i < limit_count; ++i)
         add(all, option_of(limit_kinds[i]).c_str(), o.limits[i], limit_kinds[i].value_name,
             limit_kinds[i].explanation);
+    add(all, "channel-tolerance", o.channel_tolerance, "D (=2/255)",
+        "a pixel differs if one of its channels differs by more than D, 0 to 1 (--max-differing)");
+    add(all, "flip", o.flip,
+        "compute FLIP, the difference that a person perceives who sees both pictures in turn, 0 to "
+        "1: LDR-FLIP, or HDR-FLIP where a picture holds floats");
+    add(all, "flip-map", o.flip_map, "FILE",
+        "write the map of FLIP: .png or .tiff in colours, black 0 and light yellow 1; .exr the "
+        "values");
+    add(all, "ppd", o.ppd, "PIXELS",
+        "pixels per degree of the viewer's sight for FLIP (default: by a frame's viewing distance "
+        "and film; 67.02 without geometry)");
+    all.add_options()("ignore", fills(o.ignore, "WHERE")->composing(),
+                      "leave out a region: X,Y,WxH in pixels, or lens:COLUMN,ROW, or ranges of "
+                      "lenses as lens:0..3,-2..2. May be given several times");
+    all.add_options()("weight", fills(o.weight, "WHERE=W")->composing(),
+                      "a region counts W times as much as the rest of the picture. May be given "
+                      "several times");
+    add(all, "mask", o.mask, "FILE",
+        "a picture of the same size: where it is black pixels are ignored, where it is white they "
+        "count, between in proportion");
     options::options_description group("With --suite");
     add(group, "suite", o.suite, "FOLDER",
         "compare the pictures of a folder with their references. -o writes a report, one HTML "
@@ -78,7 +99,9 @@ Limits limits_of(const CompareOptions& o)
             continue;
         const LimitKind& kind = limit_kinds[i];
         const std::string option = option_of(kind), text = *o.limits[i];
-        const double limit = parse_number(option.c_str(), text, "a number");
+        const double limit = kind.is_share && share_of(text)
+                                 ? *share_of(text)
+                                 : parse_number(option.c_str(), text, "a number");
         if (!(limit >= kind.least && limit <= kind.greatest))
             throw UsageError("--" + option + " " + text + ": a number from " +
                              with_digits(kind.least, 6) + " to " + with_digits(kind.greatest, 6) +
@@ -86,6 +109,31 @@ Limits limits_of(const CompareOptions& o)
         limits[i] = limit;
     }
     return limits;
+}
+
+/// Changes `rules` by what the line gives. Throws UsageError.
+void change_rules(ComparisonRules& rules, const CompareOptions& o, const Limits& limits)
+{
+    if (o.channel_tolerance)
+        rules.channel_tolerance = parse_number_between("channel-tolerance", *o.channel_tolerance,
+                                                       "a number", 0, 1, "a number from 0 to 1");
+    if (o.ppd)
+        rules.ppd = parse_number_between("ppd", *o.ppd, "a number", least_ppd, greatest_ppd,
+                                         "a number from 1 to 1000");
+    if (o.mask)
+        rules.mask = *o.mask;
+    for (const std::string& words : o.ignore.value_or(Words()))
+        rules.regions.push_back(usage_checked("--ignore ", [&] { return region_of(words, 0); }));
+    for (const std::string& words : o.weight.value_or(Words())) {
+        const std::size_t at = words.rfind('=');
+        if (at == std::string::npos)
+            refuse("weight", words, "WHERE=W");
+        const double weight = parse_number_between("weight", words.substr(at + 1), "WHERE=W", 0,
+                                                   1e6, "a weight from 0 to 1000000");
+        rules.regions.push_back(
+            usage_checked("--weight ", [&] { return region_of(words.substr(0, at), weight); }));
+    }
+    rules.flip |= o.flip || o.flip_map || limits[flip_limit];
 }
 
 /// Throws UsageError for options that --suite does not go with.
@@ -96,6 +144,8 @@ void check_suite_options(const CompareOptions& o)
             "with --suite no pictures are named; the folders are --suite and --references");
     if (o.sheet)
         throw UsageError("--sheet and --suite do not go together: each frame has its own geometry");
+    if (o.flip_map)
+        throw UsageError("--flip-map and --suite do not go together: the report has the maps");
     const auto is_empty = [](const std::optional<std::string>& text) {
         return text && text->empty();
     };
@@ -167,6 +217,7 @@ int run_suite(const CompareOptions& o)
     for (std::size_t kind = 0; kind < limit_count; ++kind)
         if (limits[kind])
             tolerances.tolerances.defaults[kind] = limits[kind];
+    change_rules(tolerances.tolerances.default_rules, o, limits);
     for (const std::string& path : {o.output.value_or(""), o.junit.value_or("")})
         if (!path.empty())
             check_writable(path);
@@ -190,19 +241,27 @@ int run(const CompareOptions& o)
     if (o.inputs.size() != 2)
         throw UsageError("an input is missing: A and B are compared, or folders with --suite; see "
                          "integral help compare");
-    double gain = 1;
-    read_number("gain", o.gain, gain);
-    const std::string output = o.output.value_or(""), sheet = o.sheet.value_or("");
-    if (!output.empty())
-        check_picture(output);
+    ComparisonRules rules;
+    change_rules(rules, o, limits);
+    ComparisonOutputs outputs{o.output.value_or(""), 1, o.flip_map.value_or("")};
+    read_number("gain", o.gain, outputs.gain);
+    const std::string output = outputs.difference, sheet = o.sheet.value_or("");
+    if (o.flip_map && outputs.flip_map.empty())
+        throw UsageError("--flip-map: a name is expected");
+    if (output == "-" && outputs.flip_map == "-")
+        throw UsageError("-o and --flip-map do not both go to standard output");
+    for (const std::string& path : {output, outputs.flip_map})
+        if (!path.empty())
+            check_picture(path);
     FrameReader a(o.inputs[0], sheet), b(o.inputs[1], sheet);
-    const Comparison comparison = compare_files(a, b, o.inputs[1], output, gain);
+    const Comparison comparison = usage_checked(
+        "", [&] { return compare_files(a, b, o.inputs[1], rules, outputs); });
 
     const auto missed = missed_limits(limits, comparison);
     Json json = figures_json(comparison);
     json["passed"] = missed.empty();
     const std::string figures = o.json ? json.dump(2) + "\n" : figures_text(comparison);
-    print_figures(figures, output == "-");
+    print_figures(figures, output == "-" || outputs.flip_map == "-");
     for (const auto& what : missed)
         say("compare", o.inputs[1] + ": " + what);
     return missed.empty() ? exit_done : exit_check_failed;
@@ -212,8 +271,8 @@ int run(const CompareOptions& o)
 
 const Command compare_command = {
     "compare",
-    "how far two frames or views are apart: RMSE, PSNR, SSIM, worst micro-image",
-    R"(A B [-o DIFFERENCE] [--max-rmse R] [--min-psnr P] [--min-ssim S]
+    "how far two frames or views are apart: RMSE, PSNR, SSIM, FLIP, worst micro-image",
+    R"(A B [-o DIFFERENCE] [--flip] [--max-rmse R] [--max-differing 0.1%] [--max-flip F]
        integral compare --suite FOLDER [--references FOLDER] [-o REPORT.html] [--junit FILE.xml])",
     R"(Compares two pictures of one size in their output encoding, 0 to 1 at full scale (linear
 pictures in the other's encoding). Colours are compared over black; alpha is a fourth
@@ -223,11 +282,17 @@ a frame's geometry, the micro-image with the greatest RMSE is named: the lens's 
 and its place on the sheet. NaN equals NaN and infinity equals infinity; other pairs with NaN
 or infinity are counted as unequal pixels, miss every limit, and are left out of the figures.
 
+FLIP (Andersson and others 2020, 2021) is the difference that a person perceives who sees A, the
+reference, and B in turn: 0 is none, 1 the greatest. The mean is printed, and the quartiles of
+the map weighted by its values. Pictures of floats are compared at several exposures (HDR-FLIP).
+An ignored pixel counts as equal in every figure.
+
 With --suite, the pictures of a folder (PNG, EXR, TIFF; its sub-folders too) are compared with
 those of the same names among the references. A picture fails if it misses a limit, or if size
 or geometry differ, a file is damaged, or one of the two is missing. Limits stand in a file:
   {"defaults": {"max_rmse": 0.002},
-   "files": {"glass/*": {"max_rmse": 0.01}, "noise.png": {"min_ssim": 0.9}}}
+   "files": {"glass/*": {"max_rmse": 0.01, "max_flip": 0.02},
+             "noise.png": {"min_ssim": 0.9, "ignore": ["0,0,100x20"]}}}
 A name's or glob's limits take the place of the defaults; a later match that of an earlier one;
 null lifts a limit. A picture without any limit must equal its reference.
 )",

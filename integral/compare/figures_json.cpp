@@ -12,12 +12,29 @@ Json figures_json(const Comparison& c)
                  {"ssim", c.ssim},
                  {"largest_difference", c.largest_difference},
                  {"within_two", c.within_two},
+                 {"differing", c.differing},
+                 {"channel_tolerance", c.channel_tolerance},
+                 {"flip", nullptr},
                  {"encoding", name_of(c.encoding.kind)},
                  {"worst_micro_image", nullptr},
                  {"not_finite",
                   {{"equal_pixels", c.not_finite.equal},
                    {"unequal_pixels", c.not_finite.unequal},
                    {"first_unequal", nullptr}}}};
+    if (c.flip) {
+        const FlipFigures& flip = *c.flip;
+        json["flip"] = {
+            {"mean", flip.mean},
+            {"weighted_quartiles", {flip.quartiles[0], flip.quartiles[1], flip.quartiles[2]}},
+            {"greatest", flip.greatest},
+            {"greatest_at", {flip.x, flip.y}},
+            {"ppd", flip.settings.ppd},
+            {"exposures", nullptr}};
+        if (const auto& exposures = flip.settings.exposures)
+            json["flip"]["exposures"] = {{"start", exposures->start},
+                                         {"stop", exposures->stop},
+                                         {"count", exposures->count}};
+    }
     if (c.not_finite.unequal > 0)
         json["not_finite"]["first_unequal"] = {c.not_finite.x, c.not_finite.y};
     if (c.worst)

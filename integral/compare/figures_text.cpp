@@ -16,6 +16,24 @@ std::string unequal_text(const NotFinitePixels& pixels)
            std::to_string(pixels.y);
 }
 
+std::string flip_text(const FlipFigures& flip)
+{
+    const auto& exposures = flip.settings.exposures;
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "%-20s%.6f, at %.1f pixels per degree%s\n"
+                  "FLIP's quartiles    %.6f, %.6f, %.6f (weighted); greatest %.6f at %d,%d\n",
+                  exposures ? "HDR-FLIP" : "FLIP", flip.mean, flip.settings.ppd,
+                  exposures ? (" and " + counted(exposures->count, "exposure") + " from " +
+                               with_decimals(exposures->start, 2) + " to " +
+                               with_decimals(exposures->stop, 2) + " stops")
+                                  .c_str()
+                            : "",
+                  flip.quartiles[0], flip.quartiles[1], flip.quartiles[2], flip.greatest, flip.x,
+                  flip.y);
+    return text;
+}
+
 std::string figures_text(const Comparison& c)
 {
     char text[400];
@@ -36,6 +54,11 @@ std::string figures_text(const Comparison& c)
                   "encoding            %s\n",
                   100 * c.within_two, name_of(c.encoding.kind));
     result += text;
+    if (c.channel_tolerance != default_channel_tolerance)
+        result += "differing           " + with_digits(100 * c.differing, 4) +
+                  "% of the pixels, by more than " + with_digits(c.channel_tolerance, 4) + "\n";
+    if (c.flip)
+        result += flip_text(*c.flip);
     if (c.worst) {
         std::snprintf(
             text, sizeof text, "worst micro-image   lens %lld,%lld at %.3f,%.3f mm: RMSE %.6f\n",

@@ -10,10 +10,22 @@ build_lib_libintegral_a_SOURCES += \
   integral/compare/compare_geometry.h \
   integral/compare/compare_limits.cpp \
   integral/compare/compare_limits.h \
+  integral/compare/comparison_rules.cpp \
+  integral/compare/comparison_rules.h \
   integral/compare/figures_json.cpp \
   integral/compare/figures_json.h \
   integral/compare/figures_text.cpp \
   integral/compare/figures_text.h \
+  integral/compare/flip.cpp \
+  integral/compare/flip.h \
+  integral/compare/flip_kernels.cpp \
+  integral/compare/flip_kernels.h \
+  integral/compare/flip_loops.cpp \
+  integral/compare/flip_loops.h \
+  integral/compare/flip_map.cpp \
+  integral/compare/flip_map.h \
+  integral/compare/pixel_weights.cpp \
+  integral/compare/pixel_weights.h \
   integral/compare/similarity.cpp \
   integral/compare/similarity.h \
   integral/compare/suite_accept.cpp \

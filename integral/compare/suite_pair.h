@@ -17,6 +17,7 @@ enum class PairState {
     over_limit,
     other_geometry,
     other_size,
+    no_tolerances, ///< a region or mask does not fit the picture
     damaged,
     no_reference,
     no_result
@@ -38,6 +39,7 @@ struct SuitePair {
     PairState state = PairState::passed;
     std::vector<std::string> faults; ///< one line for each
     Limits limits;
+    ComparisonRules rules;
     std::optional<Comparison> figures; ///< empty unless both were read and have the same size
     std::string pictures;              ///< HTML that shows both, if a report is wanted
 

@@ -124,24 +124,30 @@ double full_scale_gain(const Comparison& figures)
 /// Where the pictures differ most, magnified, and that place in words. `times` is the caption of
 /// the difference.
 std::string magnified_detail(const Comparison& figures, const Frame& reference, const Frame& result,
-                             const Image& difference, const std::string& times)
+                             const Image& difference, const std::string& times,
+                             const PairDetails& details)
 {
     const auto& metadata = reference.metadata ? reference.metadata : result.metadata;
-    const Detail detail = find_detail(
-        difference_picture(reference.image, result.image, full_scale_gain(figures)), figures,
-        metadata ? &*metadata : nullptr);
+    const Detail detail = find_detail(difference_picture(reference.image, result.image,
+                                                         full_scale_gain(figures),
+                                                         details.weights.get()),
+                                      figures, metadata ? &*metadata : nullptr);
     return "<p class=\"detail\">" + markup_text(detail.words) +
            ".</p>\n<div class=\"pictures magnified\">\n" +
            figure("reference", magnified(reference.image, detail.where, "part of the reference")) +
            figure("result", magnified(result.image, detail.where, "part of the result")) +
            figure(times, magnified(difference, detail.where, "part of their difference")) +
+           (details.flip_map ? figure("FLIP", magnified(*details.flip_map, detail.where,
+                                                        "part of the map of FLIP"))
+                             : "") +
            "</div>\n";
 }
 
 } // namespace
 
 std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference,
-                           const std::optional<Frame>& result, double gain)
+                           const std::optional<Frame>& result, double gain,
+                           const PairDetails& details)
 {
     const bool to_compare = pair.state == PairState::over_limit ||
                             pair.state == PairState::other_geometry ||
@@ -151,7 +157,8 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
     if (pair.figures && pair.figures->largest_difference == 0 &&
         pair.figures->not_finite.unequal == 0)
         return html +
-               figure("reference and result, which are equal",
+               figure(details.weights ? "reference and result, which are equal where they count"
+                                      : "reference and result, which are equal",
                       picture_element(result->image, longest, "the result " + pair.name)) +
                "</div>\n";
     if (reference)
@@ -166,15 +173,19 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
     const double least = std::min(pair.figures->largest_difference, 8 * pair.figures->rmse);
     if (gain == 0) // a whole number, which the caption can state exactly
         gain = least > 0 ? std::clamp(std::floor(1 / least), 1.0, 65535.0) : 1;
-    Image difference = difference_picture(reference->image, result->image, gain);
+    Image difference = difference_picture(reference->image, result->image, gain,
+                                          details.weights.get());
     difference.encoding = Encoding{}; // so that the stored values are shown unchanged
     const std::string times = "difference × " + with_digits(gain, 6);
     html += figure(times,
-                   picture_element(difference, longest, "their difference", Scaling::greatest)) +
-            "</div>\n";
-    return pair.passed()
-               ? html
-               : html + magnified_detail(*pair.figures, *reference, *result, difference, times);
+                   picture_element(difference, longest, "their difference", Scaling::greatest));
+    if (details.flip_map)
+        html += figure("FLIP: black 0, light yellow 1",
+                       picture_element(*details.flip_map, longest, "the map of FLIP"));
+    html += "</div>\n";
+    return pair.passed() ? html
+                         : html + magnified_detail(*pair.figures, *reference, *result, difference,
+                                                   times, details);
 }
 
 } // namespace integral

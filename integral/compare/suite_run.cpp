@@ -111,12 +111,16 @@ Suite suite_of(const SuiteFolders& folders, const SuiteTolerances& limits)
     if (names.empty())
         throw InputError(folders.results + ": neither here nor in " + folders.references +
                          " is there a picture; PNG, EXR and TIFF are compared");
+    const fs::path folder = fs::path(limits.file).parent_path(); // an absolute mask replaces it
     for (const std::string& name : names) {
         SuitePair pair;
         pair.name = name;
         pair.has_result = results.count(name) > 0;
         pair.has_reference = references.count(name) > 0;
         pair.limits = limits_for(limits.tolerances, name);
+        pair.rules = rules_for(limits.tolerances, name);
+        if (!pair.rules.mask.empty())
+            pair.rules.mask = (folder / pair.rules.mask).string();
         suite.pairs.push_back(pair);
     }
     for (const auto& entry : limits.tolerances.entries)
