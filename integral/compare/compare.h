@@ -27,6 +27,8 @@ struct NotFinitePixels {
     int x = 0, y = 0;         ///< the first of the unequal ones, row by row
 };
 
+struct SeenFigures; // seen.h
+
 constexpr double default_channel_tolerance = 2.0 / 255;
 
 /// What a comparison computes, and what it leaves out.
@@ -64,6 +66,8 @@ struct Comparison {
     /// By the metadata of the first picture that has some; empty where neither has, or where no
     /// lens has a channel that the figures are over.
     std::optional<WorstMicroImage> worst;
+    /// What eyes see of the frames, which limits are then for; empty unless asked for.
+    std::shared_ptr<const SeenFigures> seen;
 };
 
 /// Compares two pictures that come row by row.

@@ -3,6 +3,7 @@
 
 #include "integral/base/number_text.h"
 #include "integral/compare/figures_text.h"
+#include "integral/compare/seen.h"
 
 #include <algorithm>
 #include <charconv>
@@ -26,6 +27,8 @@ const std::array<LimitKind, limit_count> limit_kinds = {{
 
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind)
 {
+    if (comparison.seen && kind != 4)
+        return figure_of(comparison.seen->overall, kind);
     if (std::isnan(comparison.rmse))
         return std::nullopt;
     switch (kind) {
@@ -64,16 +67,20 @@ bool keeps(double figure, std::size_t kind, double limit)
 std::vector<std::string> missed_limits(const Limits& limits, const Comparison& comparison)
 {
     std::vector<std::string> missed;
+    const std::string as_seen = comparison.seen ? "as seen, " : "";
     for (std::size_t kind = 0; kind < limit_count; ++kind) {
         const auto figure = figure_of(comparison, kind);
         if (figure && limits[kind] && !keeps(*figure, kind, *limits[kind]))
-            missed.push_back(limit_kinds[kind].name + (" " + limit_text(kind, *figure, 6)) +
+            missed.push_back((kind == 4 ? "" : as_seen) + limit_kinds[kind].name +
+                             (" " + limit_text(kind, *figure, 6)) +
                              (limit_kinds[kind].is_most ? " is greater than " : " is less than ") +
                              limit_text(kind, *limits[kind], 6));
     }
-    if (comparison.not_finite.unequal > 0 &&
+    const NotFinitePixels& not_finite = comparison.seen ? comparison.seen->overall.not_finite
+                                                        : comparison.not_finite;
+    if (not_finite.unequal > 0 &&
         std::any_of(limits.begin(), limits.end(), [](const auto& limit) { return bool(limit); }))
-        missed.push_back(unequal_text(comparison.not_finite));
+        missed.push_back(as_seen + unequal_text(not_finite));
     return missed;
 }
 

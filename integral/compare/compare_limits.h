@@ -31,7 +31,8 @@ extern const std::array<LimitKind, limit_count> limit_kinds;
 /// The limit of each kind; empty where there is none.
 using Limits = std::array<std::optional<double>, limit_count>;
 
-/// The figure that a kind limits; empty where a comparison does not have it: the worst micro-image
+/// The figure that a kind limits: of what eyes see where the comparison has that, except for the
+/// micro-images; empty where a comparison does not have it: the worst micro-image
 /// without geometry, FLIP where it was not asked for, all figures where no value is finite in both
 /// pictures.
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind);

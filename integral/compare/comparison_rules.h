@@ -14,12 +14,22 @@ namespace integral {
 
 constexpr double least_ppd = 1, greatest_ppd = 1000;
 
+/// The eyes from which frames are seen.
+struct SeenEyes {
+    int columns = 0, rows = 0; ///< a grid over the viewing zone; 0: nine eyes, which spread across
+                               ///< the lenses
+    std::vector<Vec3> places; ///< mm from the sheet's centre, z the distance; take the grid's place
+};
+
 struct ComparisonRules {
     double channel_tolerance = default_channel_tolerance;
     bool flip = false;         ///< whether FLIP is computed
     std::optional<double> ppd; ///< pixels per degree for FLIP; empty: as the geometry has it
     std::vector<Region> regions;
     std::string mask; ///< path of the picture of weights; empty: none
+    /// The limits are for what these eyes see of frames, not for the frames' pixels; empty: for
+    /// those. Ignored regions are equal for the eyes, too; other weights count for pixels alone.
+    std::optional<SeenEyes> seen;
 };
 
 /// Pixels per degree at which a frame's viewer sees its film: by the geometric mean of the pitches,

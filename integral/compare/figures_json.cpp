@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/compare/figures_json.h"
 
+#include "integral/compare/seen.h"
 #include "integral/lightfield/names.h"
 
 namespace integral {
@@ -41,6 +42,23 @@ Json figures_json(const Comparison& c)
         json["worst_micro_image"] = {{"lens", {c.worst->lens.i, c.worst->lens.j}},
                                      {"pole_mm", {c.worst->pole.x, c.worst->pole.y}},
                                      {"rmse", c.worst->rmse}};
+    if (c.seen) {
+        const SeenFigures& seen = *c.seen;
+        Json eyes = Json::array();
+        for (const SeenByEye& eye : seen.eyes)
+            eyes.push_back({{"eye_mm", {eye.eye.x, eye.eye.y, eye.eye.z}},
+                            {"figures", figures_json(eye.figures)}});
+        json["seen"] = {{"figures", figures_json(seen.overall)},
+                        {"worst_eye", seen.worst},
+                        {"worst_place_mm", {seen.place.x, seen.place.y}},
+                        {"parallax", nullptr},
+                        {"eyes", eyes}};
+        if (const auto& parallax = seen.parallax)
+            json["seen"]["parallax"] = {{"greatest_mm", parallax->greatest},
+                                        {"place_mm", {parallax->place.x, parallax->place.y}},
+                                        {"median_mm", parallax->median},
+                                        {"details", parallax->details}};
+    }
     return json;
 }
 

@@ -2,6 +2,7 @@
 #include "integral/compare/figures_text.h"
 
 #include "integral/base/number_text.h"
+#include "integral/compare/seen.h"
 #include "integral/lightfield/names.h"
 
 #include <cmath>
@@ -72,6 +73,8 @@ std::string figures_text(const Comparison& c)
     if (c.not_finite.unequal > 0)
         result += "NaN or infinite     " + unequal_text(c.not_finite) +
                   "; RMSE, PSNR and SSIM leave these values out\n";
+    if (c.seen)
+        result += seen_text(*c.seen);
     return result;
 }
 

@@ -34,7 +34,7 @@ std::string size_of(const Image& image)
 
 /// Compares frames of one size by the pair's rules. `with_map`: keeps the FLIP map.
 void compare_frames(SuitePair& pair, const Frame& reference, const Frame& result, bool with_map,
-                    PairDetails& details)
+                    const CompareSeen& compare_seen, PairDetails& details)
 {
     ComparisonSettings settings;
     try {
@@ -60,6 +60,9 @@ void compare_frames(SuitePair& pair, const Frame& reference, const Frame& result
         };
     }
     pair.figures = compare(reference, result, settings);
+    if (pair.rules.seen && reference.metadata && result.metadata)
+        pair.figures->seen = std::make_shared<SeenFigures>(
+            compare_seen(reference, result, pair.rules));
     const std::string other = geometry_difference(reference.metadata, result.metadata);
     if (!other.empty())
         pair.faults.push_back(other);
@@ -87,16 +90,18 @@ const char* name_of(PairState state)
     return "no result";
 }
 
-void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictures& pictures)
+void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictures& pictures,
+                  const CompareSeen& compare_seen)
 {
     if (!pair.has_result) {
         pair.state = PairState::no_result;
-        pair.faults.push_back("there is no result, only its reference");
+        pair.faults.push_back("there is no result, only its reference; --accept " + pair.name +
+                              " removes that");
     } else if (!pair.has_reference) {
         pair.state = PairState::no_reference;
         pair.faults.push_back("there is no reference; --accept " + pair.name + " makes it one");
     }
-    if (pair.missing() && !pictures.wanted)
+    if (pair.missing() && !pictures.wanted && !pictures.thumbnails)
         return;
     std::optional<Frame> reference, result;
     if (pair.has_reference)
@@ -110,11 +115,13 @@ void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictu
             pair.faults.push_back("it has " + size_of(result->image) +
                                   " pixels, its reference has " + size_of(reference->image));
         } else {
-            compare_frames(pair, *reference, *result, pictures.wanted, details);
+            compare_frames(pair, *reference, *result, pictures.wanted, compare_seen, details);
         }
     }
     if (pictures.wanted)
         pair.pictures = suite_pictures(pair, reference, result, pictures.gain, details);
+    if (pictures.thumbnails && !pair.passed())
+        pair.thumbnail = suite_thumbnail(pair, reference, result, details);
 }
 
 } // namespace integral

@@ -2,6 +2,7 @@
 #include "integral/compare/suite_pictures.h"
 
 #include "integral/base/number_text.h"
+#include "integral/compare/seen.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
 
@@ -143,6 +144,37 @@ std::string magnified_detail(const Comparison& figures, const Frame& reference, 
            "</div>\n";
 }
 
+/// What the worst eye sees, and a table of all eyes.
+std::string seen_part(const SeenFigures& seen, int longest)
+{
+    const SeenByEye& worst = seen.eyes[seen.worst];
+    const std::string eye = "the eye at " + eye_text(worst.eye) + " mm";
+    Image difference = difference_picture(seen.reference, seen.result,
+                                          full_scale_gain(worst.figures));
+    difference.encoding = Encoding{};
+    std::string html = "<p class=\"detail\">What " + eye + " sees, whose views differ most (at " +
+                       with_decimals(seen.place.x, 2) + "," + with_decimals(seen.place.y, 2) +
+                       " mm of the sheet)";
+    if (seen.parallax)
+        html += "; parallax differs by up to " + with_decimals(seen.parallax->greatest, 3) + " mm";
+    html += ".</p>\n<div class=\"pictures\">\n" +
+            figure("reference, seen",
+                   picture_element(seen.reference, longest, "the reference as seen by " + eye)) +
+            figure("result, seen",
+                   picture_element(seen.result, longest, "the result as seen by " + eye)) +
+            figure("difference × " + with_digits(full_scale_gain(worst.figures), 4),
+                   picture_element(difference, longest, "the difference of the views",
+                                   Scaling::greatest)) +
+            "</div>\n<table>\n<thead><tr><th>Eye, mm</th><th class=\"number\">RMSE</th>"
+            "<th class=\"number\">SSIM</th><th class=\"number\">FLIP</th></tr></thead>\n<tbody>\n";
+    for (const SeenByEye& one : seen.eyes)
+        html += "<tr><td>" + eye_text(one.eye) + "</td><td class=\"number\">" +
+                with_digits(one.figures.rmse, 4) + "</td><td class=\"number\">" +
+                with_digits(one.figures.ssim, 4) + "</td><td class=\"number\">" +
+                (one.figures.flip ? with_digits(one.figures.flip->mean, 4) : "–") + "</td></tr>\n";
+    return html + "</tbody>\n</table>\n";
+}
+
 } // namespace
 
 std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference,
@@ -154,7 +186,7 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
                             pair.state == PairState::other_size;
     const int longest = to_compare ? shown_failed : shown_small;
     std::string html = "<div class=\"pictures\">\n";
-    if (pair.figures && pair.figures->largest_difference == 0 &&
+    if (pair.figures && !pair.figures->seen && pair.figures->largest_difference == 0 &&
         pair.figures->not_finite.unequal == 0)
         return html +
                figure(details.weights ? "reference and result, which are equal where they count"
@@ -183,9 +215,32 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
         html += figure("FLIP: black 0, light yellow 1",
                        picture_element(*details.flip_map, longest, "the map of FLIP"));
     html += "</div>\n";
+    if (pair.figures->seen)
+        html += seen_part(*pair.figures->seen, longest);
     return pair.passed() ? html
                          : html + magnified_detail(*pair.figures, *reference, *result, difference,
                                                    times, details);
+}
+
+std::optional<Image> suite_thumbnail(const SuitePair& pair, const std::optional<Frame>& reference,
+                                     const std::optional<Frame>& result, const PairDetails& details)
+{
+    constexpr int side = 160, border = 4;
+    if (!pair.figures) {
+        if (!reference && !result)
+            return std::nullopt;
+        return scaled_down(result ? result->image : reference->image, side);
+    }
+    const SeenFigures* seen = pair.figures->seen.get();
+    const Image &first = seen ? seen->reference : reference->image,
+                &second = seen ? seen->result : result->image;
+    const Comparison& figures = seen ? seen->eyes[seen->worst].figures : *pair.figures;
+    Image difference = difference_picture(first, second, full_scale_gain(figures),
+                                          seen ? nullptr : details.weights.get());
+    difference.encoding = Encoding{};
+    return tiled({scaled_down(first, side), scaled_down(second, side),
+                  scaled_down(difference, side, Scaling::greatest)},
+                 3, border);
 }
 
 } // namespace integral

@@ -23,6 +23,12 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
                            const std::optional<Frame>& result, double gain,
                            const PairDetails& details);
 
+/// Reference, result and difference (brought to full scale) side by side, small; of what the worst
+/// eye sees if that was compared. Empty where there is neither file.
+std::optional<Image> suite_thumbnail(const SuitePair& pair, const std::optional<Frame>& reference,
+                                     const std::optional<Frame>& result,
+                                     const PairDetails& details);
+
 /// The CSS that this HTML needs.
 extern const char suite_pictures_style[];
 

@@ -28,7 +28,8 @@ void expect_object(int line, const std::string& name, const Json& json)
 }
 
 /// The words that are no limits.
-const char* const other_words[] = {"channel_tolerance", "ppd", "ignore", "weights", "mask"};
+const char* const other_words[] = {
+    "channel_tolerance", "ppd", "ignore", "weights", "mask", "seen", "eyes"};
 
 /// Reads a limit: null, or a number in the kind's range; a share also as "0.1%".
 std::optional<double> limit_at(int line, const std::string& word, const LimitKind& kind,
@@ -76,6 +77,19 @@ void read_other(ToleranceChanges& changes, const LinedJson& document, const std:
         changes.channel_tolerance = number_at(line, word, value, 0, 1e6);
     } else if (word == "ppd") {
         changes.ppd = number_at(line, word, value, least_ppd, greatest_ppd);
+    } else if (word == "seen") {
+        if (!value.is_boolean())
+            refuse(line, "\"seen\" must be true or false");
+        changes.seen = value.get<bool>();
+    } else if (word == "eyes") {
+        std::vector<std::string> words;
+        for (const Json& eye : value.is_array() ? value : Json::array({value}))
+            words.push_back(eye.is_string() ? eye.get<std::string>() : eye.dump());
+        try {
+            changes.eyes = seen_eyes_of(words);
+        } catch (const std::invalid_argument& error) {
+            refuse(line, error.what());
+        }
     } else if (word == "mask") {
         if (!value.is_string() || value.get<std::string>().empty())
             refuse(line, "\"mask\" must be the path of a picture");
@@ -140,6 +154,12 @@ void change(const ToleranceChanges& changes, ComparisonRules& rules)
         rules.ppd = changes.ppd;
     if (changes.mask)
         rules.mask = *changes.mask;
+    if (changes.eyes)
+        rules.seen = *changes.eyes;
+    else if (changes.seen == true && !rules.seen)
+        rules.seen.emplace();
+    if (changes.seen == false)
+        rules.seen.reset();
     rules.regions.insert(rules.regions.end(), changes.regions.begin(), changes.regions.end());
 }
 

@@ -9,6 +9,7 @@
 
 #include "integral/compare/compare_limits.h"
 #include "integral/compare/comparison_rules.h"
+#include "integral/compare/seen.h"
 
 #include <string>
 #include <utility>
@@ -23,6 +24,8 @@ struct ToleranceChanges {
     std::optional<double> channel_tolerance, ppd;
     std::vector<Region> regions;     ///< these add up
     std::optional<std::string> mask; ///< relative to the document's folder
+    std::optional<bool> seen;
+    std::optional<SeenEyes> eyes;
 };
 
 struct Tolerances {
