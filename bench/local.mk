@@ -9,6 +9,10 @@ EXTRA_PROGRAMS += build/bench/replay_speed
 build_bench_replay_speed_SOURCES = bench/replay_speed.cpp
 build_bench_replay_speed_LDADD = $(LIBINTEGRAL_LIBS)
 
+EXTRA_PROGRAMS += build/bench/compare_speed
+build_bench_compare_speed_SOURCES = bench/compare_speed.cpp
+build_bench_compare_speed_LDADD = $(LIBINTEGRAL_LIBS)
+
 EXTRA_PROGRAMS += build/bench/interlace_speed
 build_bench_interlace_speed_SOURCES = bench/interlace_speed.cpp
 build_bench_interlace_speed_LDADD = $(LIBINTEGRAL_LIBS)

@@ -103,6 +103,10 @@ unit_sources = \
   tests/unit/lightfield_scene_fit.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/lightfield_visual_pitch.cpp \
+  tests/unit/compare_flip.cpp \
+  tests/unit/compare_regions.cpp \
+  tests/unit/compare_seen.cpp \
+  tests/unit/flip_oracle.h \
   tests/unit/output_device_text.cpp \
   tests/unit/output_fit.cpp \
   tests/unit/output_interlace.cpp \

@@ -22,12 +22,16 @@ Encoding common_encoding(const Image& a, const Image& b)
 /// Reads an image's pixels, laid over black, in a given encoding.
 class Viewed {
 public:
-    Viewed(const Image& image, Encoding encoding)
+    /// `with_light`: light() will be called.
+    Viewed(const Image& image, Encoding encoding, bool with_light = false)
         : image_(image), encoding_(encoding), as_stored_(same_encoding(image.encoding, encoding))
     {
-        if (!as_stored_ || (image.channels == 4 && !image.premultiplied))
+        if (with_light || !as_stored_ || (image.channels == 4 && !image.premultiplied))
             linear_.emplace(image);
     }
+
+    /// The linear light over black.
+    Colour light(int x, int y) const { return (*linear_)(x, y); }
 
     Colour operator()(int x, int y) const
     {
@@ -41,20 +45,10 @@ public:
 
 private:
     const Image& image_;
-    std::optional<LinearReader> linear_; ///< for pixels whose stored values cannot be used
+    std::optional<LinearReader> linear_; ///< where stored values are not enough
     Encoding encoding_;
     bool as_stored_;
 };
-
-void require_same_size(const Image& a, const Image& b)
-{
-    const auto size = [](const Image& i) {
-        return std::to_string(i.width) + "x" + std::to_string(i.height);
-    };
-    if (a.width != b.width || a.height != b.height)
-        throw std::invalid_argument("it has " + size(b) + " pixels, the other has " + size(a) +
-                                    "; compare pictures of one size");
-}
 
 constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
@@ -93,7 +87,7 @@ public:
         return lattice_.nearest(film_from_pixel(film_, {x + 0.5, y + 0.5}));
     }
 
-    void add(LensIndex lens, double squares, int channels)
+    void add(LensIndex lens, double squares, double channels)
     {
         if (!last_ || last_->first != std::make_pair(lens.j, lens.i))
             last_ = &*sums_.try_emplace({lens.j, lens.i}).first;
@@ -105,7 +99,7 @@ public:
     {
         std::optional<WorstMicroImage> worst;
         for (const auto& [index, sum] : sums_) {
-            const double rmse = std::sqrt(sum.squares / double(sum.count));
+            const double rmse = std::sqrt(sum.squares / sum.count);
             if (sum.count > 0 && (!worst || rmse > worst->rmse))
                 worst = {{index.second, index.first}, {}, rmse};
         }
@@ -116,8 +110,7 @@ public:
 
 private:
     struct Sum {
-        double squares = 0;
-        std::int64_t count = 0;
+        double squares = 0, count = 0;
     };
     Film film_;
     Lattice lattice_;
@@ -128,16 +121,18 @@ private:
 
 /// What one row of two pictures adds to the figures.
 struct RowFigures {
-    double largest = 0;     ///< the largest difference of any channel
-    std::int64_t close = 0; ///< pixels of which no channel differs by more than 2/255
+    double largest = 0;              ///< the largest difference of any channel
+    double pixels = 0;               ///< their weight
+    double close = 0, differing = 0; ///< weight of those within 2/255, and beyond the tolerance
     NotFinitePixels not_finite;
 };
 
 /// The differences of some rows of two pictures.
 struct Differences {
-    std::vector<double> squares;        ///< for each pixel, the sum over its channels
-    std::vector<std::uint8_t> channels; ///< for each pixel, the channels that the sum is over
+    std::vector<double> squares; ///< for each pixel, the weighted sum over its channels
+    std::vector<float> channels; ///< for each pixel, the weight of the channels of that sum
     std::vector<float> luma_a, luma_b;
+    std::vector<float> light_a[3], light_b[3]; ///< R, G, B for FLIP; else empty
     std::vector<LensIndex> lenses; ///< for each pixel; empty where there is no geometry
     std::vector<RowFigures> rows;
 };
@@ -145,8 +140,9 @@ struct Differences {
 } // namespace
 
 struct Comparer::State {
-    State(const Frame& a, const Frame& b, bool similarity)
-        : width(a.image.width),
+    State(const Frame& a, const Frame& b, const ComparisonSettings& settings)
+        : settings(settings),
+          width(a.image.width),
           height(a.image.height),
           alpha(a.image.channels == 4 && b.image.channels == 4)
     {
@@ -154,17 +150,31 @@ struct Comparer::State {
         result.encoding = common_encoding(a.image, b.image);
         if (a.metadata || b.metadata)
             micro_images.emplace(a.metadata ? *a.metadata : *b.metadata);
-        if (similarity)
-            this->similarity.emplace(width, height);
+        result.channel_tolerance = settings.channel_tolerance;
+        if (settings.similarity)
+            similarity.emplace(width, height, settings.weights);
+        if (settings.flip) {
+            Flip::WeightsOf weights_of;
+            if (settings.weights)
+                weights_of = [weights = settings.weights](int y, float* row) {
+                    weights->fill(y, row);
+                };
+            flip.emplace(width, height, *settings.flip, settings.take_map, weights_of);
+        }
     }
 
     /// Fills row `row` of the differences from row `y` of a and b.
     void take_row(const Viewed& a, const Viewed& b, int y, int row)
     {
         RowFigures figures;
+        std::vector<float> weights(std::size_t(width), 1.0f);
+        if (settings.weights)
+            settings.weights->fill(taken + row, weights.data());
         for (int x = 0; x < width; ++x) {
             const std::size_t at = std::size_t(row) * width + x;
-            const Colour p = a(x, y), q = b(x, y);
+            const float weight = weights[std::size_t(x)];
+            const Viewed& second = weight > 0 ? b : a;
+            const Colour p = a(x, y), q = second(x, y);
             const ChannelPair pairs[4] = {
                 {p.r, q.r}, {p.g, q.g}, {p.b, q.b}, {p.a, alpha ? q.a : p.a}};
             double squares = 0, largest = 0;
@@ -183,13 +193,26 @@ struct Comparer::State {
             }
             figures.not_finite.equal += !unequal && !all_finite;
             figures.largest = std::max(figures.largest, largest);
-            figures.close += !unequal && largest <= 2.0 / 255 + 1e-6;
-            d.squares[at] = squares;
-            d.channels[at] = std::uint8_t(sized);
+            figures.pixels += weight;
+            if (!unequal && largest <= 2.0 / 255 + 1e-6)
+                figures.close += weight;
+            if (unequal || largest > settings.channel_tolerance + 1e-6)
+                figures.differing += weight;
+            d.squares[at] = weight * squares;
+            d.channels[at] = weight * float(sized);
             d.luma_a[at] = luma(p, pairs);
             d.luma_b[at] = luma(q, pairs);
             if (micro_images)
                 d.lenses[at] = micro_images->lens_of(x, taken + row);
+            if (flip) {
+                const Colour light_p = a.light(x, y), light_q = second.light(x, y);
+                const float values[3][2] = {
+                    {light_p.r, light_q.r}, {light_p.g, light_q.g}, {light_p.b, light_q.b}};
+                for (int k = 0; k < 3; ++k) {
+                    d.light_a[k][at] = pairs[k].finite ? values[k][0] : 0;
+                    d.light_b[k][at] = pairs[k].finite ? values[k][1] : 0;
+                }
+            }
         }
         d.rows[std::size_t(row)] = figures;
     }
@@ -197,18 +220,24 @@ struct Comparer::State {
     /// Takes the rows [y, y + rows) of a and b.
     void take(const Viewed& a, const Viewed& b, int y, int rows)
     {
-        const std::size_t pixels = std::size_t(rows) * width;
-        d.squares.resize(pixels);
-        d.channels.resize(pixels);
-        d.luma_a.resize(pixels);
-        d.luma_b.resize(pixels);
-        d.lenses.resize(micro_images ? pixels : 0);
+        const std::size_t count = std::size_t(rows) * width;
+        d.squares.resize(count);
+        d.channels.resize(count);
+        d.luma_a.resize(count);
+        d.luma_b.resize(count);
+        for (int k = 0; k < 3; ++k) {
+            d.light_a[k].resize(flip ? count : 0);
+            d.light_b[k].resize(flip ? count : 0);
+        }
+        d.lenses.resize(micro_images ? count : 0);
         d.rows.resize(std::size_t(rows));
         for_each_row(rows, 0, [&](int row) { take_row(a, b, y + row, row); });
         // In order, so that the sums are the same however many threads there are.
         for (const RowFigures& row : d.rows) {
             result.largest_difference = std::max(result.largest_difference, row.largest);
+            pixels += row.pixels;
             close += row.close;
+            differing += row.differing;
             NotFinitePixels& all = result.not_finite;
             if (all.unequal == 0) {
                 all.x = row.not_finite.x;
@@ -217,7 +246,7 @@ struct Comparer::State {
             all.equal += row.not_finite.equal;
             all.unequal += row.not_finite.unequal;
         }
-        for (std::size_t at = 0; at < pixels; ++at) {
+        for (std::size_t at = 0; at < count; ++at) {
             squares += d.squares[at];
             sized_channels += d.channels[at];
             if (micro_images)
@@ -225,25 +254,30 @@ struct Comparer::State {
         }
         if (similarity)
             similarity->add(d.luma_a.data(), d.luma_b.data(), rows);
+        if (flip)
+            flip->add({d.light_a[0].data(), d.light_a[1].data(), d.light_a[2].data()},
+                      {d.light_b[0].data(), d.light_b[1].data(), d.light_b[2].data()}, rows);
         taken += rows;
     }
 
     int channels() const { return alpha ? 4 : 3; }
 
+    ComparisonSettings settings;
     int width, height;
     bool alpha; ///< whether both have alpha
     Comparison result;
     std::optional<MicroImages> micro_images;
     std::optional<Similarity> similarity;
+    std::optional<Flip> flip;
     Differences d;
     double squares = 0;
-    std::int64_t sized_channels = 0; ///< that the squares are over
-    std::int64_t close = 0;
+    double sized_channels = 0; ///< weight of the channels that the squares are over
+    double pixels = 0, close = 0, differing = 0; ///< weights, as in RowFigures
     int taken = 0;
 };
 
-Comparer::Comparer(const Frame& a, const Frame& b, bool similarity)
-    : state_(std::make_unique<State>(a, b, similarity))
+Comparer::Comparer(const Frame& a, const Frame& b, const ComparisonSettings& settings)
+    : state_(std::make_unique<State>(a, b, settings))
 {
 }
 
@@ -251,7 +285,9 @@ Comparer::~Comparer() = default;
 
 void Comparer::add(const Image& a, const Image& b)
 {
-    const Viewed seen_a(a, state_->result.encoding), seen_b(b, state_->result.encoding);
+    const bool with_light = state_->flip.has_value();
+    const Viewed seen_a(a, state_->result.encoding, with_light),
+        seen_b(b, state_->result.encoding, with_light);
     for (int y = 0; y < a.height; y += Similarity::most_rows)
         state_->take(seen_a, seen_b, y, std::min(Similarity::most_rows, a.height - y));
 }
@@ -260,13 +296,15 @@ Comparison Comparer::result() const
 {
     const State& s = *state_;
     Comparison result = s.result;
-    const double pixels = double(s.width) * s.height;
-    result.rmse = std::sqrt(s.squares / double(s.sized_channels));
+    result.rmse = std::sqrt(s.squares / s.sized_channels);
     result.psnr = result.rmse == 0 ? std::numeric_limits<double>::infinity()
                                    : 20 * std::log10(1 / result.rmse);
     if (s.similarity)
         result.ssim = s.similarity->mean();
-    result.within_two = double(s.close) / pixels;
+    if (s.flip)
+        result.flip = s.flip->result();
+    result.within_two = s.close / s.pixels;
+    result.differing = s.differing / s.pixels;
     if (s.micro_images)
         result.worst = s.micro_images->worst();
     if (s.sized_channels == 0)
@@ -274,9 +312,19 @@ Comparison Comparer::result() const
     return result;
 }
 
-Comparison compare(const Frame& a, const Frame& b)
+void require_same_size(const Image& a, const Image& b)
 {
-    Comparer comparer(a, b);
+    const auto size = [](const Image& i) {
+        return std::to_string(i.width) + "x" + std::to_string(i.height);
+    };
+    if (a.width != b.width || a.height != b.height)
+        throw std::invalid_argument("it has " + size(b) + " pixels, the other has " + size(a) +
+                                    "; compare pictures of one size");
+}
+
+Comparison compare(const Frame& a, const Frame& b, const ComparisonSettings& settings)
+{
+    Comparer comparer(a, b, settings);
     comparer.add(a.image, b.image);
     return comparer.result();
 }
@@ -287,14 +335,20 @@ Image difference_form(const Image& a, const Image& b)
     return form_of(bits, a.width, a.height, 3, common_encoding(a, b));
 }
 
-Image difference_picture(const Image& a, const Image& b, double gain)
+Image difference_picture(const Image& a, const Image& b, double gain, const PixelWeights* weights,
+                         int first_row)
 {
     require_same_size(a, b);
     const Encoding encoding = common_encoding(a, b);
     const Viewed seen_a(a, encoding), seen_b(b, encoding);
     Image result = blank_like(difference_form(a, b), a.width, a.height);
     for_each_row(a.height, 0, [&](int y) {
+        std::vector<float> row(std::size_t(a.width), 1.0f);
+        if (weights)
+            weights->fill(first_row + y, row.data());
         for (int x = 0; x < a.width; ++x) {
+            if (!(row[std::size_t(x)] > 0))
+                continue;
             const Colour p = seen_a(x, y), q = seen_b(x, y);
             const auto d = [&](float u, float v) {
                 const ChannelPair pair(u, v);

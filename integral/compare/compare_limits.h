@@ -20,17 +20,28 @@ struct LimitKind {
     double least, greatest;  ///< the range of limits that make sense
     const char* value_name;  ///< what stands for the value in the option's help
     const char* explanation; ///< the option's help
+    bool is_share = false;   ///< a share of the pixels, which may be given and is shown as 0.1%
 };
 
-inline constexpr std::size_t limit_count = 5;
+inline constexpr std::size_t limit_count = 7;
+/// The place in limit_kinds of a limit for FLIP.
+inline constexpr std::size_t flip_limit = 6;
 extern const std::array<LimitKind, limit_count> limit_kinds;
 
 /// The limit of each kind; empty where there is none.
 using Limits = std::array<std::optional<double>, limit_count>;
 
-/// The figure that a kind limits; empty where a comparison does not have it: the worst micro-image
-/// without geometry, all figures where no value is finite in both pictures.
+/// The figure that a kind limits: of what eyes see where the comparison has that, except for the
+/// micro-images; empty where a comparison does not have it: the worst micro-image
+/// without geometry, FLIP where it was not asked for, all figures where no value is finite in both
+/// pictures.
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind);
+
+/// Reads a share of the pixels: "0.1%", or a number without the sign. Empty if it is neither.
+std::optional<double> share_of(const std::string& text);
+
+/// A figure or limit of that kind in words, with `digits` significant digits: "0.19", "0.1%".
+std::string limit_text(std::size_t kind, double value, int digits);
 
 /// Whether a figure is within a limit.
 bool keeps(double figure, std::size_t kind, double limit);

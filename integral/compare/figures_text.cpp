@@ -2,6 +2,7 @@
 #include "integral/compare/figures_text.h"
 
 #include "integral/base/number_text.h"
+#include "integral/compare/seen.h"
 #include "integral/lightfield/names.h"
 
 #include <cmath>
@@ -14,6 +15,24 @@ std::string unequal_text(const NotFinitePixels& pixels)
     return counted(pixels.unequal, "pixel") + (pixels.unequal == 1 ? " differs" : " differ") +
            " by NaN or infinite values, the first at " + std::to_string(pixels.x) + "," +
            std::to_string(pixels.y);
+}
+
+std::string flip_text(const FlipFigures& flip)
+{
+    const auto& exposures = flip.settings.exposures;
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "%-20s%.6f, at %.1f pixels per degree%s\n"
+                  "FLIP's quartiles    %.6f, %.6f, %.6f (weighted); greatest %.6f at %d,%d\n",
+                  exposures ? "HDR-FLIP" : "FLIP", flip.mean, flip.settings.ppd,
+                  exposures ? (" and " + counted(exposures->count, "exposure") + " from " +
+                               with_decimals(exposures->start, 2) + " to " +
+                               with_decimals(exposures->stop, 2) + " stops")
+                                  .c_str()
+                            : "",
+                  flip.quartiles[0], flip.quartiles[1], flip.quartiles[2], flip.greatest, flip.x,
+                  flip.y);
+    return text;
 }
 
 std::string figures_text(const Comparison& c)
@@ -36,6 +55,11 @@ std::string figures_text(const Comparison& c)
                   "encoding            %s\n",
                   100 * c.within_two, name_of(c.encoding.kind));
     result += text;
+    if (c.channel_tolerance != default_channel_tolerance)
+        result += "differing           " + with_digits(100 * c.differing, 4) +
+                  "% of the pixels, by more than " + with_digits(c.channel_tolerance, 4) + "\n";
+    if (c.flip)
+        result += flip_text(*c.flip);
     if (c.worst) {
         std::snprintf(
             text, sizeof text, "worst micro-image   lens %lld,%lld at %.3f,%.3f mm: RMSE %.6f\n",
@@ -49,6 +73,8 @@ std::string figures_text(const Comparison& c)
     if (c.not_finite.unequal > 0)
         result += "NaN or infinite     " + unequal_text(c.not_finite) +
                   "; RMSE, PSNR and SSIM leave these values out\n";
+    if (c.seen)
+        result += seen_text(*c.seen);
     return result;
 }
 

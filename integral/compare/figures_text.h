@@ -13,6 +13,9 @@ namespace integral {
 /// first at 3,4".
 std::string unequal_text(const NotFinitePixels& pixels);
 
+/// The lines of FLIP in that table.
+std::string flip_text(const FlipFigures& flip);
+
 /// A table, a figure in each line.
 std::string figures_text(const Comparison& comparison);
 

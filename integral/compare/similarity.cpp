@@ -38,7 +38,7 @@ template <class Add> double weigh(const std::vector<double>& taps, int centre, i
 
 } // namespace
 
-Similarity::Similarity(int width, int height)
+Similarity::Similarity(int width, int height, std::shared_ptr<const PixelWeights> weights)
     : width_(width),
       height_(height),
       left_(width >= window ? reach : 0),
@@ -46,7 +46,8 @@ Similarity::Similarity(int width, int height)
       top_(height >= window ? reach : 0),
       bottom_(height - top_),
       taps_(gaussian_taps()),
-      ring_(std::size_t(std::min(ring_rows, height)) * moments * std::size_t(right_ - left_))
+      ring_(std::size_t(std::min(ring_rows, height)) * moments * std::size_t(right_ - left_)),
+      weights_(std::move(weights))
 {
 }
 
@@ -118,6 +119,15 @@ void Similarity::add_centres(int y, std::vector<double>& terms) const
     }
 }
 
+/// The weight of each window whose centre is in row y.
+std::vector<float> Similarity::weights_of_centres(int y) const
+{
+    std::vector<float> weights(std::size_t(width_), 1.0f);
+    if (weights_)
+        weights_->fill(y, weights.data());
+    return {weights.begin() + left_, weights.begin() + right_};
+}
+
 void Similarity::add(const float* a, const float* b, int rows)
 {
     for_each_row(rows, 0, [&](int k) {
@@ -132,13 +142,18 @@ void Similarity::add(const float* a, const float* b, int rows)
     std::vector<std::vector<double>> terms(std::size_t(end - first));
     for_each_row(end - first, 0, [&](int k) { add_centres(first + k, terms[std::size_t(k)]); });
     // In order, so that the sum is the same however many threads there are.
-    for (const auto& row : terms)
-        for (const double term : row)
-            total_ += term;
+    for (int k = 0; k < end - first; ++k) {
+        const auto weights = weights_of_centres(first + k);
+        const auto& row = terms[std::size_t(k)];
+        for (std::size_t x = 0; x < row.size(); ++x) {
+            total_ += weights[x] * row[x];
+            weight_ += weights[x];
+        }
+    }
     centred_ = end;
 }
 
-double Similarity::mean() const { return total_ / (double(right_ - left_) * (bottom_ - top_)); }
+double Similarity::mean() const { return total_ / weight_; }
 
 double structural_similarity(const std::vector<float>& a, const std::vector<float>& b, int width,
                              int height)

@@ -11,15 +11,20 @@
 
 namespace integral {
 
-/// Called after each picture: its name, its reference's path, and whether there was none before.
+/// Called after each picture: its name, its reference's path, and what that is now: "is new", "is
+/// replaced" or "is removed".
 using Accepted = std::function<void(const std::string& name, const std::string& reference,
-                                    bool is_new)>;
+                                    const char* now)>;
 
-/// Copies results over their references, with the geometry documents beside them. Each is given by
-/// its name within the folder of results, or by its path. Nothing is copied unless every name is a
-/// result that can be read. Throws InputError, OutputError.
+/// Copies results over their references, with the geometry documents beside them, and removes the
+/// references of results that are gone. Each is given by its name within the folder of results, or
+/// by its path. Nothing is changed unless every name is a result that can be read, or a reference.
+/// Throws InputError, OutputError.
 void accept_results(const std::vector<std::string>& given, const SuiteFolders& folders,
                     const Accepted& accepted);
+
+/// The names of the results without a reference.
+std::vector<std::string> results_without_reference(const SuiteFolders& folders);
 
 } // namespace integral
 

@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_COMPARE_SUITE_PAIR_H
 #define INTEGRAL_COMPARE_SUITE_PAIR_H
 
+#include "integral/compare/seen.h"
 #include "integral/compare/tolerances.h"
 
 #include <optional>
@@ -17,6 +18,7 @@ enum class PairState {
     over_limit,
     other_geometry,
     other_size,
+    no_tolerances, ///< a region or mask does not fit the picture
     damaged,
     no_reference,
     no_result
@@ -38,8 +40,11 @@ struct SuitePair {
     PairState state = PairState::passed;
     std::vector<std::string> faults; ///< one line for each
     Limits limits;
+    ComparisonRules rules;
     std::optional<Comparison> figures; ///< empty unless both were read and have the same size
     std::string pictures;              ///< HTML that shows both, if a report is wanted
+
+    std::optional<Image> thumbnail; ///< of a failed pair: reference, result, difference
 
     bool missing() const { return state >= PairState::no_reference; }
     bool passed() const { return state == PairState::passed; }
@@ -48,12 +53,15 @@ struct SuitePair {
 /// The pictures of a report.
 struct SuitePictures {
     bool wanted = false; ///< whether there is a report
+    bool thumbnails = false; ///< whether there is a summary with small pictures
     double gain = 0;     ///< multiplies the differences; 0: each so that it can be seen
 };
 
 /// Compares a pair, or reads the one file that there is, and fills in state, faults, figures and
-/// pictures. Files that cannot be read are noted as faults, not thrown.
-void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictures& pictures);
+/// pictures. Files that cannot be read are noted as faults, not thrown. `compare_seen` compares
+/// what eyes see where the pair's rules ask for that and both frames have geometry.
+void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictures& pictures,
+                  const CompareSeen& compare_seen);
 
 } // namespace integral
 

@@ -2,6 +2,7 @@
 #include "integral/compare/suite_pictures.h"
 
 #include "integral/base/number_text.h"
+#include "integral/compare/seen.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
 
@@ -124,34 +125,72 @@ double full_scale_gain(const Comparison& figures)
 /// Where the pictures differ most, magnified, and that place in words. `times` is the caption of
 /// the difference.
 std::string magnified_detail(const Comparison& figures, const Frame& reference, const Frame& result,
-                             const Image& difference, const std::string& times)
+                             const Image& difference, const std::string& times,
+                             const PairDetails& details)
 {
     const auto& metadata = reference.metadata ? reference.metadata : result.metadata;
-    const Detail detail = find_detail(
-        difference_picture(reference.image, result.image, full_scale_gain(figures)), figures,
-        metadata ? &*metadata : nullptr);
+    const Detail detail = find_detail(difference_picture(reference.image, result.image,
+                                                         full_scale_gain(figures),
+                                                         details.weights.get()),
+                                      figures, metadata ? &*metadata : nullptr);
     return "<p class=\"detail\">" + markup_text(detail.words) +
            ".</p>\n<div class=\"pictures magnified\">\n" +
            figure("reference", magnified(reference.image, detail.where, "part of the reference")) +
            figure("result", magnified(result.image, detail.where, "part of the result")) +
            figure(times, magnified(difference, detail.where, "part of their difference")) +
+           (details.flip_map ? figure("FLIP", magnified(*details.flip_map, detail.where,
+                                                        "part of the map of FLIP"))
+                             : "") +
            "</div>\n";
+}
+
+/// What the worst eye sees, and a table of all eyes.
+std::string seen_part(const SeenFigures& seen, int longest)
+{
+    const SeenByEye& worst = seen.eyes[seen.worst];
+    const std::string eye = "the eye at " + eye_text(worst.eye) + " mm";
+    Image difference = difference_picture(seen.reference, seen.result,
+                                          full_scale_gain(worst.figures));
+    difference.encoding = Encoding{};
+    std::string html = "<p class=\"detail\">What " + eye + " sees, whose views differ most (at " +
+                       with_decimals(seen.place.x, 2) + "," + with_decimals(seen.place.y, 2) +
+                       " mm of the sheet)";
+    if (seen.parallax)
+        html += "; parallax differs by up to " + with_decimals(seen.parallax->greatest, 3) + " mm";
+    html += ".</p>\n<div class=\"pictures\">\n" +
+            figure("reference, seen",
+                   picture_element(seen.reference, longest, "the reference as seen by " + eye)) +
+            figure("result, seen",
+                   picture_element(seen.result, longest, "the result as seen by " + eye)) +
+            figure("difference × " + with_digits(full_scale_gain(worst.figures), 4),
+                   picture_element(difference, longest, "the difference of the views",
+                                   Scaling::greatest)) +
+            "</div>\n<table>\n<thead><tr><th>Eye, mm</th><th class=\"number\">RMSE</th>"
+            "<th class=\"number\">SSIM</th><th class=\"number\">FLIP</th></tr></thead>\n<tbody>\n";
+    for (const SeenByEye& one : seen.eyes)
+        html += "<tr><td>" + eye_text(one.eye) + "</td><td class=\"number\">" +
+                with_digits(one.figures.rmse, 4) + "</td><td class=\"number\">" +
+                with_digits(one.figures.ssim, 4) + "</td><td class=\"number\">" +
+                (one.figures.flip ? with_digits(one.figures.flip->mean, 4) : "–") + "</td></tr>\n";
+    return html + "</tbody>\n</table>\n";
 }
 
 } // namespace
 
 std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& reference,
-                           const std::optional<Frame>& result, double gain)
+                           const std::optional<Frame>& result, double gain,
+                           const PairDetails& details)
 {
     const bool to_compare = pair.state == PairState::over_limit ||
                             pair.state == PairState::other_geometry ||
                             pair.state == PairState::other_size;
     const int longest = to_compare ? shown_failed : shown_small;
     std::string html = "<div class=\"pictures\">\n";
-    if (pair.figures && pair.figures->largest_difference == 0 &&
+    if (pair.figures && !pair.figures->seen && pair.figures->largest_difference == 0 &&
         pair.figures->not_finite.unequal == 0)
         return html +
-               figure("reference and result, which are equal",
+               figure(details.weights ? "reference and result, which are equal where they count"
+                                      : "reference and result, which are equal",
                       picture_element(result->image, longest, "the result " + pair.name)) +
                "</div>\n";
     if (reference)
@@ -166,15 +205,42 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
     const double least = std::min(pair.figures->largest_difference, 8 * pair.figures->rmse);
     if (gain == 0) // a whole number, which the caption can state exactly
         gain = least > 0 ? std::clamp(std::floor(1 / least), 1.0, 65535.0) : 1;
-    Image difference = difference_picture(reference->image, result->image, gain);
+    Image difference = difference_picture(reference->image, result->image, gain,
+                                          details.weights.get());
     difference.encoding = Encoding{}; // so that the stored values are shown unchanged
     const std::string times = "difference × " + with_digits(gain, 6);
     html += figure(times,
-                   picture_element(difference, longest, "their difference", Scaling::greatest)) +
-            "</div>\n";
-    return pair.passed()
-               ? html
-               : html + magnified_detail(*pair.figures, *reference, *result, difference, times);
+                   picture_element(difference, longest, "their difference", Scaling::greatest));
+    if (details.flip_map)
+        html += figure("FLIP: black 0, light yellow 1",
+                       picture_element(*details.flip_map, longest, "the map of FLIP"));
+    html += "</div>\n";
+    if (pair.figures->seen)
+        html += seen_part(*pair.figures->seen, longest);
+    return pair.passed() ? html
+                         : html + magnified_detail(*pair.figures, *reference, *result, difference,
+                                                   times, details);
+}
+
+std::optional<Image> suite_thumbnail(const SuitePair& pair, const std::optional<Frame>& reference,
+                                     const std::optional<Frame>& result, const PairDetails& details)
+{
+    constexpr int side = 160, border = 4;
+    if (!pair.figures) {
+        if (!reference && !result)
+            return std::nullopt;
+        return scaled_down(result ? result->image : reference->image, side);
+    }
+    const SeenFigures* seen = pair.figures->seen.get();
+    const Image &first = seen ? seen->reference : reference->image,
+                &second = seen ? seen->result : result->image;
+    const Comparison& figures = seen ? seen->eyes[seen->worst].figures : *pair.figures;
+    Image difference = difference_picture(first, second, full_scale_gain(figures),
+                                          seen ? nullptr : details.weights.get());
+    difference.encoding = Encoding{};
+    return tiled({scaled_down(first, side), scaled_down(second, side),
+                  scaled_down(difference, side, Scaling::greatest)},
+                 3, border);
 }
 
 } // namespace integral

@@ -57,12 +57,22 @@ std::vector<const SuitePair*> failed_first(const Suite& suite)
     return pairs;
 }
 
-constexpr const char* column_names[limit_count] = {"RMSE", "PSNR, dB", "SSIM", "Largest difference",
-                                                   "Worst micro-image"};
+constexpr const char* column_names[limit_count] = {
+    "RMSE", "PSNR, dB", "SSIM", "Largest difference", "Worst micro-image", "Differing", "FLIP"};
 
 std::string figure_text(double figure, std::size_t kind)
 {
-    return std::isinf(figure) ? "∞" : kind == 1 ? with_decimals(figure, 2) : with_digits(figure, 4);
+    return std::isinf(figure) ? "∞"
+           : kind == 1        ? with_decimals(figure, 2)
+                              : limit_text(kind, figure, 4);
+}
+
+/// Whether a pair has this figure, so that the table has its column.
+bool has_column(const Suite& suite, std::size_t kind)
+{
+    return kind < 4 || std::any_of(suite.pairs.begin(), suite.pairs.end(), [&](const SuitePair& p) {
+               return p.figures && figure_of(*p.figures, kind) && (kind != 5 || p.limits[kind]);
+           });
 }
 
 /// A cell of the table: a figure, and its limit below it.
@@ -80,7 +90,7 @@ std::string figure_cell(const SuitePair& pair, std::size_t kind)
                        figure_text(*figure, kind);
     if (limit)
         html += std::string("<span class=\"limit\">") + (limit_kinds[kind].is_most ? "≤ " : "≥ ") +
-                with_digits(*limit, 4) + "</span>";
+                limit_text(kind, *limit, 4) + "</span>";
     return html + "</span></td>";
 }
 
@@ -92,8 +102,9 @@ std::string anchor_of(const Suite& suite, const SuitePair& pair)
 std::string table(const Suite& suite, const std::vector<const SuitePair*>& pairs)
 {
     std::string html = "<table class=\"cards\">\n<thead><tr><th>File</th><th>Outcome</th>";
-    for (const char* name : column_names)
-        html += std::string("<th class=\"number\">") + name + "</th>";
+    for (std::size_t kind = 0; kind < limit_count; ++kind)
+        if (has_column(suite, kind))
+            html += std::string("<th class=\"number\">") + column_names[kind] + "</th>";
     html += "</tr></thead>\n<tbody>\n";
     for (const SuitePair* pair : pairs) {
         html += std::string("<tr") + (pair->passed() ? "" : " class=\"failed\"") +
@@ -101,7 +112,8 @@ std::string table(const Suite& suite, const std::vector<const SuitePair*>& pairs
                 markup_text(pair->name) + "</a></span></td><td data-label=\"Outcome\" class=\"" +
                 (pair->passed() ? "good" : "bad") + "\">" + name_of(pair->state) + "</td>";
         for (std::size_t kind = 0; kind < limit_count; ++kind)
-            html += figure_cell(*pair, kind);
+            if (has_column(suite, kind))
+                html += figure_cell(*pair, kind);
         html += "</tr>\n";
     }
     return html + "</tbody>\n</table>\n";

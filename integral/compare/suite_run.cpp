@@ -51,10 +51,10 @@ SuiteFolders suite_folders(const std::string& results, const std::optional<std::
     if (!fs::is_directory(folders.references, ignored) &&
         !(may_be_new && !fs::exists(folders.references, ignored)))
         throw InputError(folders.references +
-                         ": there is no such folder of references; on a first run, --accept " +
+                         ": there is no such folder of references; on a first run, --create makes "
+                         "the results references, or --accept " +
                          folders.results +
-                         "/*.png makes those results references; or name the folder with "
-                         "--references");
+                         "/*.png some of them; or name the folder with --references");
     if (fs::equivalent(folders.results, folders.references, ignored))
         throw std::invalid_argument("--suite and --references are the same folder");
     return folders;
@@ -111,12 +111,16 @@ Suite suite_of(const SuiteFolders& folders, const SuiteTolerances& limits)
     if (names.empty())
         throw InputError(folders.results + ": neither here nor in " + folders.references +
                          " is there a picture; PNG, EXR and TIFF are compared");
+    const fs::path folder = fs::path(limits.file).parent_path(); // an absolute mask replaces it
     for (const std::string& name : names) {
         SuitePair pair;
         pair.name = name;
         pair.has_result = results.count(name) > 0;
         pair.has_reference = references.count(name) > 0;
         pair.limits = limits_for(limits.tolerances, name);
+        pair.rules = rules_for(limits.tolerances, name);
+        if (!pair.rules.mask.empty())
+            pair.rules.mask = (folder / pair.rules.mask).string();
         suite.pairs.push_back(pair);
     }
     for (const auto& entry : limits.tolerances.entries)
@@ -127,12 +131,14 @@ Suite suite_of(const SuiteFolders& folders, const SuiteTolerances& limits)
     return suite;
 }
 
-bool compare_suite(Suite& suite, const SuitePictures& pictures, int threads,
-                   const Progress& progress)
+bool compare_suite(Suite& suite, const SuitePictures& pictures, const CompareSeen& compare_seen,
+                   int threads, const Progress& progress)
 {
     return for_each_row(
         int(suite.pairs.size()), threads,
-        [&](int i) { compare_pair(suite.pairs[std::size_t(i)], suite.folders, pictures); },
+        [&](int i) {
+            compare_pair(suite.pairs[std::size_t(i)], suite.folders, pictures, compare_seen);
+        },
         progress);
 }
 

@@ -39,8 +39,8 @@ Suite suite_of(const SuiteFolders& folders, const SuiteTolerances& limits);
 
 /// Compares all pairs, `threads` at a time (0: one per core). Returns whether all were compared:
 /// false if `progress` stopped it.
-bool compare_suite(Suite& suite, const SuitePictures& pictures, int threads,
-                   const Progress& progress = {});
+bool compare_suite(Suite& suite, const SuitePictures& pictures, const CompareSeen& compare_seen,
+                   int threads, const Progress& progress = {});
 
 } // namespace integral
 

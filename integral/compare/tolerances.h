@@ -2,11 +2,14 @@
 // The tolerances of a suite of pictures: a JSON file of limits for all files and for some of them.
 //
 //     { "defaults": { "max_rmse": 0.002, "min_ssim": 0.99 },
-//       "files": { "glass/*": { "max_rmse": 0.01 }, "glass/ball.png": { "min_ssim": null } } }
+//       "files": { "glass/*": { "max_rmse": 0.01, "ignore": ["0,0,100x20"] },
+//                  "glass/ball.png": { "min_ssim": null, "mask": "ball-mask.png" } } }
 #ifndef INTEGRAL_COMPARE_TOLERANCES_H
 #define INTEGRAL_COMPARE_TOLERANCES_H
 
 #include "integral/compare/compare_limits.h"
+#include "integral/compare/comparison_rules.h"
+#include "integral/compare/seen.h"
 
 #include <string>
 #include <utility>
@@ -14,13 +17,24 @@
 
 namespace integral {
 
+/// What an object of the document changes.
+struct ToleranceChanges {
+    /// By kind. An empty limit, the document's null, lifts one.
+    std::vector<std::pair<std::size_t, std::optional<double>>> limits;
+    std::optional<double> channel_tolerance, ppd;
+    std::vector<Region> regions;     ///< these add up
+    std::optional<std::string> mask; ///< relative to the document's folder
+    std::optional<bool> seen;
+    std::optional<SeenEyes> eyes;
+};
+
 struct Tolerances {
     Limits defaults;
-    /// Limits of the files that a pattern matches. An empty limit, the document's null, lifts one.
-    struct Entry {
+    ComparisonRules default_rules;
+    /// Changes for the files that a pattern matches.
+    struct Entry : ToleranceChanges {
         std::string pattern;
         int line = 0; ///< where the entry stands in the document, from 1
-        std::vector<std::pair<std::size_t, std::optional<double>>> limits; ///< by kind
     };
     std::vector<Entry> entries; ///< in the document's order
 };
@@ -37,6 +51,11 @@ bool matches(const std::string& pattern, const std::string& name);
 /// entries take the place of earlier ones. A file without any limit must equal its reference: its
 /// largest difference is limited to 0.
 Limits limits_for(const Tolerances& tolerances, const std::string& name);
+
+/// How a file is compared: the defaults with the changes of every entry that matches, in order.
+/// FLIP is computed if the file has a limit for it, or if the defaults ask for it. Paths of masks
+/// are relative to the document's folder.
+ComparisonRules rules_for(const Tolerances& tolerances, const std::string& name);
 
 } // namespace integral
 

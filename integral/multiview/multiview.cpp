@@ -34,7 +34,9 @@ void check_sheet(const FrameMetadata& geometry)
 double rmse(const Image& a, const Image& b)
 {
     const Frame first{a, std::nullopt}, second{b, std::nullopt};
-    Comparer comparer(first, second, false);
+    ComparisonSettings settings;
+    settings.similarity = false;
+    Comparer comparer(first, second, settings);
     comparer.add(a, b);
     return comparer.result().rmse;
 }

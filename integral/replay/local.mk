@@ -4,6 +4,8 @@
 build_lib_libintegral_a_SOURCES += \
   integral/replay/arrange.cpp \
   integral/replay/arrange.h \
+  integral/replay/compare_seen.cpp \
+  integral/replay/compare_seen.h \
   integral/replay/depth_page.cpp \
   integral/replay/depth_page.h \
   integral/replay/depth_picture.cpp \
@@ -35,6 +37,7 @@ build_lib_libintegral_a_SOURCES += \
 
 # The interactive page's own files, as C++ strings named like them: replay_page.html is replay_page_html.
 replay_page_files = \
+  integral/replay/comparison_part.html \
   integral/replay/replay_page.glsl \
   integral/replay/replay_page.html \
   integral/replay/replay_page.js

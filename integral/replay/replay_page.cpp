@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay_page.h"
 
-#include "build/generated/replay_page_text.h" // replay_page_html, replay_page_glsl, replay_page_js
+#include "build/generated/replay_page_text.h" // replay_page_html and its like
+#include "integral/compare/compare.h"
+#include "integral/compare/compare_geometry.h"
 #include "integral/io/codecs.h"
 #include "integral/io/markup.h"
 #include "integral/lightfield/names.h"
@@ -64,9 +66,16 @@ std::string filled_in(const std::string& page, const std::vector<Blank>& blanks)
     return text + page.substr(done);
 }
 
-} // namespace
+/// A frame's picture as the page's scripts read it.
+std::string page_picture(const Frame& frame)
+{
+    DecodedImage picture;
+    picture.image = converted(frame.image, 8, Encoding{}, false);
+    return base64(encode_png(picture));
+}
 
-std::string replay_page(const Frame& frame, const View& start)
+/// The page; `comparison`: the HTML of a second frame, or none.
+std::string page_of(const Frame& frame, const View& start, const std::string& comparison)
 {
     const FrameMetadata& metadata = *frame.metadata;
     const Subpixels& subpixels = metadata.film.subpixels;
@@ -76,13 +85,26 @@ std::string replay_page(const Frame& frame, const View& start)
                                     name_of(subpixels.order) +
                                     "; integral replay without --html shows it");
     const Vec2 zone = viewing_zone(metadata, metadata.aperture.distance);
-    DecodedImage picture;
-    picture.image = converted(frame.image, 8, Encoding{}, false);
-    return filled_in(replay_page_html, {{"@FRAME@", base64(encode_png(picture))},
+    return filled_in(replay_page_html, {{"@FRAME@", page_picture(frame)},
+                                        {"@COMPARISON@", comparison},
                                         {"@GEOMETRY@", within_html(to_json(metadata))},
                                         {"@START@", within_html(json_of(start, zone))},
                                         {"@SHADER@", replay_page_glsl},
                                         {"@SCRIPT@", replay_page_js}});
+}
+
+} // namespace
+
+std::string replay_page(const Frame& frame, const View& start) { return page_of(frame, start, ""); }
+
+std::string comparison_page(const Frame& reference, const Frame& result, const View& start)
+{
+    require_same_size(reference.image, result.image);
+    const std::string other = geometry_difference(reference.metadata, result.metadata);
+    if (!other.empty())
+        throw std::invalid_argument("--html shows two frames of one geometry, and " + other);
+    return page_of(reference, start,
+                   filled_in(comparison_part_html, {{"@SECOND@", page_picture(result)}}));
 }
 
 } // namespace integral

@@ -16,6 +16,11 @@ namespace integral {
 /// stripes, rgb or bgr, which the page cannot show.
 std::string replay_page(const Frame& frame, const View& start);
 
+/// The page for two frames of one geometry: what the eye sees of the reference left of a line that
+/// the reader moves, and of the result right of it, or both in turn. Throws as replay_page does,
+/// and where sizes or geometries differ.
+std::string comparison_page(const Frame& reference, const Frame& result, const View& start);
+
 } // namespace integral
 
 #endif

@@ -5,7 +5,7 @@
 const element = (id) => document.getElementById(id);
 const geometry = JSON.parse(element("geometry").textContent), start = JSON.parse(element("start").textContent);
 const { sheet, film, aperture } = geometry;
-const canvas = element("view"), picture = element("frame");
+const canvas = element("view"), pictures = [ element("frame"), element("second") ].filter(Boolean);
 const film_size = [film.width * film.pixel_pitch_mm[0], film.height * film.pixel_pitch_mm[1]];
 const offset = sheet.offset_mm ?? [0, 0], slant = (sheet.slant_degrees ?? 0) * Math.PI / 180;
 const ior = start.model === "pinhole" ? 1 : sheet.ior;
@@ -47,6 +47,61 @@ function read_fragment() {
   };
   focus_before_eye();
   document.body.classList.toggle("bare", state.bare);
+  show_split(number("split", 0, 1, 0.5));
+}
+
+// Of two frames, the part of the view's width that shows the first.
+let split_at = 0.5, blinking = 0;
+
+function show_split(part)
+{
+    split_at = part;
+    if (pictures.length < 2)
+        return;
+    element("split").value = part;
+    element("comparison").querySelector("output").textContent = part <= 0   ? "the result"
+                                                                : part >= 1 ? "the reference"
+                                                                            : "both";
+}
+
+function set_split(part)
+{
+    show_split(part);
+    request();
+}
+
+function toggle_blinking()
+{
+    const stop = blinking !== 0;
+    clearInterval(blinking);
+    blinking = stop ? 0 : setInterval(() => set_split(split_at > 0 ? 0 : 1), 500);
+    element("blink").setAttribute("aria-pressed", String(!stop));
+    set_split(stop ? 0.5 : 1);
+}
+
+function show_alone(part)
+{
+    if (blinking)
+        toggle_blinking();
+    set_split(part);
+}
+
+function on_comparison()
+{
+    if (pictures.length < 2)
+        return;
+    element("split").addEventListener("input", (event) => show_alone(Number(event.target.value)));
+    element("show-reference").addEventListener("click", () => show_alone(1));
+    element("show-result").addEventListener("click", () => show_alone(0));
+    element("blink").addEventListener("click", toggle_blinking);
+    document.addEventListener("keydown", (event) => {
+        if (event.ctrlKey || event.altKey || event.metaKey)
+            return;
+        if (event.key === "b")
+            toggle_blinking();
+        else if (event.key === "1" || event.key === "2")
+            show_alone(event.key === "1" ? 1 : 0);
+    });
 }
 
 function focus_before_eye() {
@@ -80,7 +135,8 @@ const along = [-across[1], across[0]];
 const WHOLE = 0, PART = 1;
 const split = (v) => [Math.floor(v), v - Math.floor(v)];
 const quick = 4; // samples across a pixel while the eye moves, at most
-let gl, uniform, textures, ready = false, drawn = "", pending = 0, settling = 0, moving = false;
+let gl, uniform, textures, films, ready = false, drawn = "", pending = 0, settling = 0,
+                                  moving = false;
 
 // By columns or rows, as replay_page.glsl says. `axis` 0: columns.
 function steps(axis, count) {
@@ -155,43 +211,49 @@ function loaded(part) {
 }
 
 // The frame's file, out of the page's text, piece by piece.
-async function frame_file() {
-  const text = picture.src, begin = text.indexOf(",") + 1, piece = 1 << 22; // a multiple of 4
-  const pieces = [];
-  for (let at = begin; at < text.length; at += piece) {
-    await loaded(0.5 * (at - begin) / (text.length - begin));
-    pieces.push(Uint8Array.from(atob(text.slice(at, at + piece)), (letter) => letter.charCodeAt(0)));
-  }
-  return new Blob(pieces, { type: "image/png" });
+async function frame_file(picture)
+{
+    const text = picture.src, begin = text.indexOf(",") + 1, piece = 1 << 22; // a multiple of 4
+    const pieces = [];
+    for (let at = begin; at < text.length; at += piece) {
+        await loaded(0.5 * (at - begin) / (text.length - begin));
+        pieces.push(
+            Uint8Array.from(atob(text.slice(at, at + piece)), (letter) => letter.charCodeAt(0)));
+    }
+    return new Blob(pieces, {type : "image/png"});
 }
 
-// The frame's stored values, bit by bit, in tiles that the graphics processor can hold.
-async function set_film() {
-  const blob = await frame_file();
-  const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), state.tile);
-  const width = Math.min(film.width, most), height = Math.min(film.height, most);
-  const columns = Math.ceil(film.width / width), rows = Math.ceil(film.height / height);
-  if (columns * rows > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS))
-    throw Error(`The frame of ${film.width} by ${film.height} pixels is too large for this device's graphics.`);
-  gl.activeTexture(gl.TEXTURE0);
-  gl.bindTexture(gl.TEXTURE_2D_ARRAY, textures[0]);
-  gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, columns * rows);
-  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
-  for (let tile = 0; tile < columns * rows; ++tile) {
-    const x = tile % columns * width, y = Math.floor(tile / columns) * height;
-    const w = Math.min(width, film.width - x), h = Math.min(height, film.height - y);
-    await loaded(0.5 + 0.5 * tile / (columns * rows));
-    const bitmap = await createImageBitmap(blob, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
+// A frame's stored values, bit by bit, in tiles that the graphics processor can hold.
+async function set_film(picture, texture)
+{
+    const blob = await frame_file(picture);
+    const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), state.tile);
+    const width = Math.min(film.width, most), height = Math.min(film.height, most);
+    const columns = Math.ceil(film.width / width), rows = Math.ceil(film.height / height);
+    if (columns * rows > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS))
+        throw Error(`The frame of ${film.width} by ${
+            film.height} pixels is too large for this device's graphics.`);
     gl.activeTexture(gl.TEXTURE0);
-    gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, tile, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
-    bitmap.close();
-  }
-  gl.uniform2i(uniform("tile_size"), width, height);
-  if (gl.getError() === gl.OUT_OF_MEMORY)
-    throw Error("The frame does not fit into this device's graphics memory.");
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, columns * rows);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+        gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
+    for (let tile = 0; tile < columns * rows; ++tile) {
+        const x = tile % columns * width, y = Math.floor(tile / columns) * height;
+        const w = Math.min(width, film.width - x), h = Math.min(height, film.height - y);
+        await loaded(0.5 + 0.5 * tile / (columns * rows));
+        const bitmap = await createImageBitmap(
+            blob, x, y, w, h, {premultiplyAlpha : "none", colorSpaceConversion : "none"});
+        gl.activeTexture(gl.TEXTURE0);
+        gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, tile, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE,
+                         bitmap);
+        bitmap.close();
+    }
+    gl.uniform2i(uniform("tile_size"), width, height);
+    if (gl.getError() === gl.OUT_OF_MEMORY)
+        throw Error("The frame does not fit into this device's graphics memory.");
 }
 
 // The view has the size in the fragment or in the page's data, or else fits the window.
@@ -230,7 +292,13 @@ function draw() {
   gl.uniform1f(uniform("past_focus"), state.gap / sheet.thickness_mm);
   gl.uniform1i(uniform("samples"), moving ? Math.min(quick, samples()) : samples());
   gl.uniform1i(uniform("raw"), state.raw ? 1 : 0);
-  gl.drawArrays(gl.TRIANGLES, 0, 3);
+  const edge = films.length < 2 ? canvas.width : Math.round(split_at * canvas.width);
+  films.forEach((film_texture, k) => {
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D_ARRAY, film_texture);
+      gl.scissor(k === 0 ? 0 : edge, 0, k === 0 ? edge : canvas.width - edge, canvas.height);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+  });
   document.body.dataset.drawn = canvas.width + "x" + canvas.height;
 }
 
@@ -426,10 +494,13 @@ function on_controls() {
 async function begin() {
   gl = context;
   drawn = "";
-  textures = Array.from({ length: 4 }, () => gl.createTexture());
+  textures = Array.from({length : 5}, () => gl.createTexture());
+  films = pictures.map((_, k) => textures[k === 0 ? 0 : 4]); // units 1 to 3 hold tables
+  gl.enable(gl.SCISSOR_TEST);
   set_program();
   set_geometry();
-  await set_film();
+  for (const [k, picture] of pictures.entries())
+      await set_film(picture, films[k]);
   ready = true;
   element("loading").hidden = true;
   draw();
@@ -446,6 +517,7 @@ function give_up(why) {
 read_fragment();
 show_geometry();
 on_controls();
+on_comparison();
 show_state();
 const context = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
 const run = () => begin().catch((error) => give_up(error.message));

@@ -74,7 +74,9 @@ double squares_of(const Lenses& lenses, const LinearReader& light, const Image& 
             store_linear(back, x, y, film_pixel(lenses, block.x + x, block.y + y, at));
     const Frame there{part_of(frame, block.x, block.y, block.width, block.height), std::nullopt};
     const Frame again{std::move(back), std::nullopt};
-    Comparer comparer(there, again, false);
+    ComparisonSettings settings;
+    settings.similarity = false;
+    Comparer comparer(there, again, settings);
     comparer.add(there.image, again.image);
     const double rmse = comparer.result().rmse;
     return rmse * rmse * block.width * block.height * frame.channels;

@@ -29,7 +29,8 @@ std::string refusal(const std::string& text)
 }
 
 const std::string
-    kinds = "; there are: max_rmse, min_psnr, min_ssim, max_difference, max_micro_image_rmse";
+    kinds = "; there are: max_rmse, min_psnr, min_ssim, max_difference, max_micro_image_rmse, "
+            "max_differing, max_flip, channel_tolerance, ppd, ignore, weights, mask, seen, eyes";
 
 } // namespace
 
