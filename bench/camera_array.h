@@ -4,9 +4,12 @@
 #ifndef INTEGRAL_BENCH_CAMERA_ARRAY_H
 #define INTEGRAL_BENCH_CAMERA_ARRAY_H
 
-#include "bench/error_against_time.h"
+#include "bench/renderer.h"
+#include "bench/views.h"
 
 #include "integral/optics/lens_mapping.h"
+
+#include <functional>
 
 namespace integral::bench {
 

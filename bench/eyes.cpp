@@ -52,9 +52,9 @@ struct Panel {
     double missing = 0, rays_a_pixel = 0; ///< of "sheet and film"
 };
 
-const Setting settings[] = {{Family::one_ray, "one-ray", "", {}},
-                            {Family::light_field, "antialiased", "", {"+A0.05", "+R5", "+AM2"}},
-                            {Family::both, "converged", "pixel_samples 8 beam_samples 8", {}}};
+const Setting settings[] = {{"one-ray", "", {}},
+                            {"antialiased", "", {"+A0.05", "+R5", "+AM2"}},
+                            {"converged", "pixel_samples 8 beam_samples 8", {}}};
 constexpr int antialiased = 1;
 // The zone's lowest eyes are at -28 mm. An eye below a scene's floor would see only its underside.
 const std::string floor_below_all_eyes = "Declare=Floor=-40";

@@ -87,38 +87,14 @@ bench: all pristine build/bench/optics_rays build/bench/replay_speed build/bench
 	build/bench/wireframe_speed
 	$(srcdir)/bench/start_and_end
 	$(srcdir)/bench/camera_cost
-	$(srcdir)/bench/mapping_cost
 	$(srcdir)/bench/strip_cost
 	$(srcdir)/bench/batch_throughput
-
-# Error against run time on six scenes (doc/six-scenes.md). Takes minutes of rendering; its test
-# runs a small part.
-EXTRA_PROGRAMS += build/bench/error_against_time
-build_bench_error_against_time_SOURCES = \
-  bench/error_against_time.cpp \
-  bench/error_against_time.h \
-  bench/error_against_time_ladder.cpp \
-  bench/error_against_time_measure.cpp \
-  bench/error_against_time_plots.cpp \
-  bench/error_against_time_renderer.cpp \
-  bench/error_against_time_report.cpp \
-  bench/pictures.cpp \
-  bench/pictures.h \
-  bench/program.h \
-  bench/views.cpp \
-  bench/views.h
-build_bench_error_against_time_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
-
-.PHONY: error-against-time
-error-against-time: all build/bench/error_against_time
-	build/bench/error_against_time --scenes $(srcdir)/bench/scenes --size 120x80 -o build/bench/error-against-time
 
 # Anti-aliasing against brute force on POV-Ray's own sample scenes (doc/error-against-time.md):
 # hours; what is measured is kept and not measured again.
 EXTRA_PROGRAMS += build/bench/strangers
-build_bench_strangers_SOURCES = bench/error_against_time.h bench/error_against_time_ladder.cpp \
-  bench/error_against_time_measure.cpp bench/error_against_time_renderer.cpp bench/pictures.cpp \
-  bench/pictures.h bench/program.h bench/strangers.cpp bench/strangers.h bench/strangers_figures.cpp \
+build_bench_strangers_SOURCES = bench/pictures.cpp bench/pictures.h bench/program.h \
+  bench/renderer.cpp bench/renderer.h bench/strangers.cpp bench/strangers.h bench/strangers_figures.cpp \
   bench/strangers_report.cpp bench/strangers_table.cpp bench/views.cpp bench/views.h
 build_bench_strangers_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
@@ -128,9 +104,8 @@ strangers: all build/bench/strangers
 
 # Frames judged by an eye that moves past them: bench/moving_eye REFERENCE FRAME...
 EXTRA_PROGRAMS += build/bench/moving_eye
-build_bench_moving_eye_SOURCES = bench/moving_eye.cpp bench/error_against_time.h \
-  bench/error_against_time_renderer.cpp bench/pictures.cpp bench/pictures.h bench/program.h \
-  bench/views.cpp bench/views.h
+build_bench_moving_eye_SOURCES = bench/moving_eye.cpp bench/pictures.cpp bench/pictures.h \
+  bench/program.h bench/renderer.cpp bench/renderer.h bench/views.cpp bench/views.h
 build_bench_moving_eye_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
 # Other routes to a frame, with an unmodified POV-Ray, on three of its sample scenes.
@@ -141,8 +116,8 @@ other-routes: all build/tests/oracle
 # The thesis's table 4-1 (doc/table-4-1.md): doc/images/table-4-1.png and the figures. Takes a few
 # minutes of rendering.
 EXTRA_PROGRAMS += build/bench/table_4_1
-build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/error_against_time.h bench/error_against_time_renderer.cpp \
-  bench/pictures.cpp bench/pictures.h bench/program.h bench/views.cpp bench/views.h
+build_bench_table_4_1_SOURCES = bench/table_4_1.cpp bench/pictures.cpp bench/pictures.h \
+  bench/program.h bench/renderer.cpp bench/renderer.h bench/views.cpp bench/views.h
 build_bench_table_4_1_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
 .PHONY: table-4-1
@@ -155,13 +130,12 @@ EXTRA_PROGRAMS += build/bench/eyes
 build_bench_eyes_SOURCES = \
   bench/camera_array.cpp \
   bench/camera_array.h \
-  bench/error_against_time.h \
-  bench/error_against_time_ladder.cpp \
-  bench/error_against_time_renderer.cpp \
   bench/eyes.cpp \
   bench/pictures.cpp \
   bench/pictures.h \
   bench/program.h \
+  bench/renderer.cpp \
+  bench/renderer.h \
   bench/views.cpp \
   bench/views.h
 build_bench_eyes_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)

@@ -8,6 +8,8 @@
 #include "bench/strangers.h"
 
 #include "bench/program.h"
+#include "bench/views.h"
+
 #include "integral/base/file_bytes.h"
 #include "integral/io/image_file.h"
 

@@ -4,7 +4,9 @@
 #ifndef BENCH_STRANGERS_H
 #define BENCH_STRANGERS_H
 
-#include "bench/error_against_time.h"
+#include "bench/renderer.h"
+
+#include "integral/lightfield/error_estimate.h"
 
 #include <map>
 #include <optional>

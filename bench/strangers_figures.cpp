@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "bench/strangers.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace integral::bench {
 
 namespace {
@@ -11,27 +14,37 @@ constexpr double least_error_of_one_ray = 0.001;
 
 Setting light_field(const std::string& threshold)
 {
-    return {Family::light_field, threshold, "", {"+A" + threshold, "+R5", "+AM2"}};
+    return {threshold, "", {"+A" + threshold, "+R5", "+AM2"}};
 }
 
 /// The seconds in which the best of some settings reaches an error; nothing if all of them err
-/// more, or all less.
+/// more, or all less. Between the settings that no other beats, log(time) is interpolated linearly
+/// over log(error).
 std::optional<double> seconds_of_best(const StrangersPanel& panel,
                                       const std::vector<Setting>& settings, double error)
 {
-    Panel rungs;
-    Sampler families;
+    std::vector<StrangersRow> rows;
     for (const Setting& each : settings) {
         const auto measured = panel.find(each.full_name());
-        if (measured == panel.end())
-            continue;
-        families.push_back(each.family);
-        Measurement& rung = rungs.rungs.emplace_back();
-        rung.setting = each;
-        rung.own_error = measured->second.error;
-        rung.cost.cpu_seconds = measured->second.cpu_seconds;
+        if (measured != panel.end() && measured->second.error > 0)
+            rows.push_back(measured->second);
     }
-    return seconds_at(rungs, families, error);
+    std::stable_sort(rows.begin(), rows.end(), [](const StrangersRow& a, const StrangersRow& b) {
+        return a.cpu_seconds < b.cpu_seconds;
+    });
+    const StrangersRow* last = nullptr; // the one of those with the next greater error
+    for (const StrangersRow& next : rows) {
+        if (last && next.error >= last->error)
+            continue;
+        if (next.error <= error) {
+            if (!last)
+                return next.error == error ? std::optional<double>(next.cpu_seconds) : std::nullopt;
+            const double along = std::log(last->error / error) / std::log(last->error / next.error);
+            return last->cpu_seconds * std::pow(next.cpu_seconds / last->cpu_seconds, along);
+        }
+        last = &next;
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -40,12 +53,12 @@ const std::vector<Setting>& brute_force_settings()
 {
     static const auto both = [](int pixel, int beam) {
         const std::string p = std::to_string(pixel), b = std::to_string(beam);
-        return Setting{Family::both, p + "x" + b, "pixel_samples " + p + " beam_samples " + b, {}};
+        return Setting{p + "x" + b, "pixel_samples " + p + " beam_samples " + b, {}};
     };
     static const std::vector<Setting> settings = {
-        {Family::one_ray, "auto", "lens_mapping auto", {}},
-        {Family::beam, "2", "beam_samples 2", {}},
-        {Family::beam, "4", "beam_samples 4", {}},
+        {"auto", "lens_mapping auto", {}},
+        {"2", "beam_samples 2", {}},
+        {"4", "beam_samples 4", {}},
         both(2, 2),
         both(2, 4),
         both(4, 4),

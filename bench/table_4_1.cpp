@@ -6,7 +6,8 @@
 //
 // table_4_1 FOLDER [SCENES]       writes FOLDER/table-4-1.png and .md. SCENES is the folder of
 //                                 sphere.pov (default: bench/scenes of this build's source).
-#include "bench/error_against_time.h"
+#include "bench/renderer.h"
+#include "bench/views.h"
 #include "bench/pictures.h"
 #include "bench/program.h"
 

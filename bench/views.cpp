@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "bench/views.h"
 
-#include "bench/error_against_time.h"
+#include "bench/renderer.h"
 #include "bench/pictures.h"
 
 #include "integral/compare/compare.h"

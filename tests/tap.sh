@@ -8,6 +8,9 @@
 #   check "they exist" every command LIST...     the command succeeds with each word of the list, which is not empty
 #   finish                                       prints the plan; the last line of every script
 #
+# A name that begins with "... " goes on with the last one that does not, which is printed before it:
+# a failure says what failed.
+#
 # TOP, BUILD, POVRAY, PRISTINE, INTEGRAL are set as tests/run sets them, so that a script runs alone
 # too.
 
@@ -24,12 +27,15 @@ export TOP BUILD POVRAY PRISTINE INTEGRAL POVINI POVINC LONG
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/integral-test.XXXXXX")
 trap 'rm -rf "$scratch"' EXIT
 tap_count=0
+tap_subject=
 
 # verdict STATUS NAME [EXPLANATION-FILE]
 verdict() {
+    local name=$2
+    case $name in "... "*) name="$tap_subject $name" ;; *) tap_subject=$name ;; esac
     tap_count=$((tap_count + 1))
-    if [ "$1" = 0 ]; then echo "ok $tap_count - $2"; return; fi
-    echo "not ok $tap_count - $2"
+    if [ "$1" = 0 ]; then echo "ok $tap_count - $name"; return; fi
+    echo "not ok $tap_count - $name"
     [ -z "${3:-}" ] || tail -n 20 "$3" | sed 's/^/# /'
 }
 

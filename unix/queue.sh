@@ -32,7 +32,7 @@ overlay() { (cd "$TOP" && find $places \( -name '*.cpp' -o -name '*.h' \) 2>/dev
 # sums DIR: prints hash and path of each file in DIR that the queue may change: files that upstream
 # ships, and C++ files. Files that upstream's prebuild, configure and make write there are left out.
 sums() {
-    (cd "$1" && find $places -type f ! -name '*.o' ! -name '*.a' ! -name '*.Po' ! -name '*~' ! -name '.*' \
+    (cd "$1" && find $places -type f ! -name '*.o' ! -name '*.a' ! -name '*.gch' ! -name '*.Po' ! -name '*~' ! -name '.*' \
         ! -path source/jversion.h ! -path unix/config.h -print0 2>/dev/null | sort -z | xargs -0r sha256sum) |
         sed 's/^\([0-9a-f]*\) [ *]/\1 /' |
         if [ -f "$upstream_sums" ]; then

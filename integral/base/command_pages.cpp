@@ -128,9 +128,14 @@ std::string overview(const PageCommands& commands)
     text << "Usage: integral COMMAND [options] INPUT... -o OUTPUT\n\n"
             "Takes the micro-image frames of povray-integral to print, panel and eye.\n\n"
             "Commands:\n";
-    for (const PageCommand& command : commands)
+    bool laboratory = false;
+    for (const PageCommand& command : commands) {
+        if (command.laboratory && !laboratory)
+            text << "\nOf the laboratory:\n";
+        laboratory = command.laboratory;
         text << "  " << command.name << std::string(12 - command.name.size(), ' ')
              << command.summary << "\n";
+    }
     text << "\n`integral help COMMAND` explains one; `integral --version` prints the version.\n\n"
             "Exit status: "
          << exit_statuses;

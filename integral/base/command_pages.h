@@ -23,6 +23,7 @@ struct PageCommand {
     std::string name, summary, usage;
     std::string description; ///< lines that begin with a blank are an example, kept as it is
     std::vector<PageOption> options;
+    bool laboratory = false; ///< listed after those of every day
 };
 using PageCommands = std::vector<PageCommand>;
 

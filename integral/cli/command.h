@@ -76,11 +76,12 @@ struct Command {
     /// Reads the words and does the work: run_with<STRUCT, run>. Returns an ExitStatus; throws
     /// UsageError, InputError, OutputError or Interrupted.
     int (*run)(const Command& command, const Words& words);
+    bool laboratory = false; ///< of the optical laboratory, not of every day: `help` lists it last
 };
 
-extern const Command sheet_command, replay_command, views_command, depth_command, print_command,
-    lcd_command, wireframe_command, mask_command, resolve_command, multiview_command,
-    compare_command, rectify_command, tune_command, batch_command;
+extern const Command sheet_command, replay_command, views_command, print_command, lcd_command,
+    depth_command, compare_command, tune_command, batch_command, wireframe_command, rectify_command,
+    mask_command, resolve_command, multiview_command;
 
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();

@@ -188,6 +188,7 @@ printers that build lenses up.
     0,
     0,
     described<MaskOptions>,
-    run_with<MaskOptions, run>};
+    run_with<MaskOptions, run>,
+    true};
 
 } // namespace integral

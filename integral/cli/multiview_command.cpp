@@ -99,6 +99,7 @@ for all pictures; the scene's camera, or Integral_Camera=, has to be integral.
     1,
     1000,
     described<MultiviewOptions>,
-    run_with<MultiviewOptions, run>};
+    run_with<MultiviewOptions, run>,
+    true};
 
 } // namespace integral

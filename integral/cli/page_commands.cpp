@@ -90,7 +90,8 @@ PageOption page_option(const std::string& command, const options::option_descrip
 
 PageCommand page_command(const Command& command)
 {
-    PageCommand page{command.name, command.summary, command.usage, command.description, {}};
+    PageCommand page{command.name, command.summary,   command.usage, command.description,
+                     {},           command.laboratory};
     const options::options_description declared = command.make_options();
     for (const auto& option : declared.options())
         page.options.push_back(page_option(page.name, *option));

@@ -210,6 +210,7 @@ print's resolution or more; the light is changed only as asked for.
     1,
     1,
     described<RectifyOptions>,
-    run_with<RectifyOptions, run>};
+    run_with<RectifyOptions, run>,
+    true};
 
 } // namespace integral

@@ -88,6 +88,7 @@ the protocol.
     0,
     0,
     described<ResolveOptions>,
-    run_with<ResolveOptions, run>};
+    run_with<ResolveOptions, run>,
+    true};
 
 } // namespace integral

@@ -308,6 +308,7 @@ pinhole they vanish between the lenses (figure 3-13).
     1,
     1,
     described<WireframeOptions>,
-    run_with<WireframeOptions, run>};
+    run_with<WireframeOptions, run>,
+    true};
 
 } // namespace integral

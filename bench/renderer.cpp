@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "bench/error_against_time.h"
+#include "bench/renderer.h"
 
 #include "integral/base/file_bytes.h"
 #include "integral/io/image_file.h"
@@ -85,13 +85,35 @@ double number_in(const std::string& text, const char* pattern, const std::string
 
 } // namespace
 
-std::string Sheet::words(int finer) const
+std::string Sheet::words() const
 {
     std::ostringstream text;
     text.precision(12);
-    text << name << " pitch " << pitch / finer << " thickness " << thickness / finer << " ior "
-         << ior;
+    text << name << " pitch " << pitch << " thickness " << thickness << " ior " << ior;
     return text.str();
+}
+
+std::string Setting::full_name() const
+{
+    std::string text = words;
+    for (const std::string& option : options)
+        text += (text.empty() ? "" : " ") + option;
+    return text;
+}
+
+const std::vector<Sheet>& sheets()
+{
+    static const std::vector<Sheet> all = {
+        {"lenticular", "1.27 mm lenticular", 1.27, 3.08, 1.6},
+        {"square", "1.124 mm square", 1.124, 3.23, 1.675},
+    };
+    return all;
+}
+
+std::string camera_words(const Sheet& sheet, const Setting& setting)
+{
+    return "lens_sheet { " + sheet.words() + " } film { dpi " + std::to_string(int(dots_per_inch)) +
+           " } " + setting.words;
 }
 
 RenderCost Renderer::render(const std::string& scene, const std::string& name,
@@ -99,7 +121,6 @@ RenderCost Renderer::render(const std::string& scene, const std::string& name,
                             const std::vector<std::string>& options, int times) const
 {
     const std::string ini = work_folder + "/settings.ini", log = work_folder + "/" + name + ".log";
-    const int coarser = camera ? 1 : finer;
     write_file(ini, "Display=off\nVerbose=off\nBits_Per_Color=16\nWork_Threads=1\n");
     std::vector<std::string> command;
     if (patience > 0)
@@ -107,9 +128,9 @@ RenderCost Renderer::render(const std::string& scene, const std::string& name,
     command.insert(
         command.end(),
         {program, "+I" + scene_folder + "/" + scene + ".pov", "+L" + scene_folder,
-         "+O" + picture(name), "+W" + std::to_string(times * width / coarser),
-         "+H" + std::to_string(times * height / coarser),
-         "Declare=Film_Width=" + std::to_string(width * mm_per_inch / (finer * dots_per_inch))});
+         "+O" + picture(name), "+W" + std::to_string(times * width),
+         "+H" + std::to_string(times * height),
+         "Declare=Film_Width=" + std::to_string(width * mm_per_inch / dots_per_inch)});
     if (camera)
         command.push_back("Integral_Camera=" + *camera);
     command.insert(command.end(), options.begin(), options.end());
