@@ -43,18 +43,6 @@ State& The_State()
     return state;
 }
 
-integral::FrameMetadata Metadata_Of(const integral::IntegralCamera& camera)
-{
-    integral::FrameMetadata metadata;
-    metadata.sheet = camera.optics.sheet();
-    metadata.film = camera.film;
-    metadata.aperture = camera.optics.aperture();
-    metadata.placement = camera.placement;
-    metadata.projection = camera.projection;
-    metadata.parallax = camera.parallax;
-    return metadata;
-}
-
 /// The 64-bit FNV-1a hash of a text.
 std::string Hash(const std::string& text)
 {
@@ -66,6 +54,18 @@ std::string Hash(const std::string& text)
     return digits;
 }
 
+}
+
+integral::FrameMetadata IntegralFrame::Geometry_Of(const integral::IntegralCamera& camera)
+{
+    integral::FrameMetadata metadata;
+    metadata.sheet = camera.optics.sheet();
+    metadata.film = camera.film;
+    metadata.aperture = camera.optics.aperture();
+    metadata.placement = camera.placement;
+    metadata.projection = camera.projection;
+    metadata.parallax = camera.parallax;
+    return metadata;
 }
 
 void IntegralFrame::Set_Scene(const std::string& file)
@@ -91,7 +91,7 @@ void IntegralFrame::Expect(const integral::IntegralCamera *camera)
     if (camera)
     {
         state.size = integral::PixelSize{camera->film.width, camera->film.height};
-        std::string text = integral::to_json(Metadata_Of(*camera));
+        std::string text = integral::to_json(Geometry_Of(*camera));
         for (const int choice :
              {int(camera->optics.model()), int(camera->mapping), camera->pixel_samples,
               camera->beam_samples, int(camera->pseudoscopic), int(camera->display_prefilter)})
@@ -118,7 +118,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft,
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
-    state.metadata = Metadata_Of(camera);
+    state.metadata = Geometry_Of(camera);
     state.metadata->render = integral::RenderRecord();
     state.metadata->render->program = "povray-integral 3.7.0.10";
     state.metadata->render->scene = state.scene;

@@ -15,6 +15,9 @@ namespace pov_base
 class IntegralFrame
 {
 public:
+    /// Geometry of the frames of a camera, without a render record.
+    static integral::FrameMetadata Geometry_Of(const integral::IntegralCamera& camera);
+
     /// Sets the scene's name for the frame's metadata, at the start of parsing.
     static void Set_Scene(const std::string& file);
 

@@ -8,6 +8,7 @@
 #include "backend/parser/parse.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
+#include "base/integralframe.h"
 #include "base/integraloptions.h"
 #include "integral/base/number_text.h"
 #include "integral/lightfield/scene_fit.h"
@@ -32,11 +33,8 @@ namespace
 std::optional<double> Budget_Of(const IntegralStatement& statement)
 {
     const integral::IntegralCamera& optics = *statement.optics;
-    integral::FrameMetadata geometry;
-    geometry.sheet = optics.optics.sheet();
-    geometry.film = optics.film;
+    integral::FrameMetadata geometry = pov_base::IntegralFrame::Geometry_Of(optics);
     geometry.film.pixel_pitch = statement.parameters.film.pixel_pitch;
-    geometry.aperture = optics.optics.aperture();
     const auto budget = integral::depth_budget(geometry.sheet, integral::counted(geometry).pixel);
     if (!budget || !optics.projection)
         return budget;
