@@ -141,6 +141,7 @@ unit_sources = \
   tests/unit/optics_fill.cpp \
   tests/unit/optics_film.cpp \
   tests/unit/optics_lattice.cpp \
+  tests/unit/optics_lens_box.cpp \
   tests/unit/optics_mapping.cpp \
   tests/unit/optics_models.cpp \
   tests/unit/optics_oracle.h \
@@ -154,6 +155,7 @@ unit_sources = \
   tests/unit/optics_surface.cpp \
   tests/unit/optics_symmetries.cpp \
   tests/unit/output_print_media.cpp \
+  tests/unit/picture_bytes.h \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \
   tests/unit/sampled_frame.h \

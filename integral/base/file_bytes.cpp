@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/base/file_bytes.h"
 
+#include "integral/base/memory.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <stdexcept>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -92,23 +95,41 @@ std::string extension_of(const std::string& path)
 
 std::string read_file(const std::string& path)
 {
+    constexpr std::size_t most_of_device = std::size_t(1) << 26, small = std::size_t(1) << 24;
     const std::string name = display_name(path, "standard input");
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(name + ": cannot be read: " + why);
+    };
     Descriptor file(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY));
     if (file.get() < 0)
-        throw InputError(name + ": cannot be read: " + reason(errno));
+        refuse(reason(errno));
     std::string bytes;
-    struct stat status;
+    const auto reserve = [&](std::size_t count) {
+        try {
+            if (count > small)
+                check_memory(double(count));
+        } catch (const std::runtime_error& error) {
+            refuse(error.what());
+        }
+        bytes.reserve(count);
+    };
+    struct stat status = {};
     if (fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode))
-        bytes.reserve(std::size_t(status.st_size) + 1);
+        reserve(std::size_t(status.st_size) + 1);
     std::string buffer(1 << 16, '\0');
     for (;;) {
         const ssize_t n = read(file.get(), &buffer[0], buffer.size());
         if (n < 0 && errno == EINTR)
             continue;
         if (n < 0)
-            throw InputError(name + ": cannot be read: " + reason(errno));
+            refuse(reason(errno));
         if (n == 0)
             return bytes;
+        if (S_ISCHR(status.st_mode) && bytes.size() >= most_of_device)
+            refuse("it is a device that does not end; give a file");
+        const std::size_t size = bytes.size() + std::size_t(n);
+        if (size > bytes.capacity())
+            reserve(2 * size);
         bytes.append(buffer, 0, std::size_t(n));
     }
 }

@@ -18,6 +18,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/json.h \
   integral/base/json_fields.cpp \
   integral/base/json_fields.h \
+  integral/base/memory.cpp \
+  integral/base/memory.h \
   integral/base/message_text.cpp \
   integral/base/message_text.h \
   integral/base/notices.cpp \

@@ -5,7 +5,7 @@
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_steps.h"
 #include "integral/batch/renderer_options.h"
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 
 #include <cerrno>
 #include <chrono>

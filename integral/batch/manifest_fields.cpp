@@ -104,10 +104,9 @@ void check_quotable(const Located& field, const std::string& text)
 void check_renderer_name(const Located& field, const std::string& name)
 {
     check_quotable(field, name);
-    if (std::any_of(name.begin(), name.end(), [](char c) { return (unsigned char)c > 127; }))
-        field.refuse(excerpt(name) +
-                     ": povray-integral finds no file whose name has letters outside "
-                     "of ASCII; rename it");
+    const std::string why = unopenable_name(name);
+    if (!why.empty())
+        field.refuse(excerpt(name) + ": " + why);
 }
 
 Names renderer_options(const Located& object)

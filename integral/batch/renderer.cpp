@@ -94,6 +94,9 @@ std::vector<std::string> scene_words(const std::string& scene)
         throw InputError(scene +
                          ": a pipe can be read only once, and this scene is rendered several "
                          "times; save it as a file");
+    const std::string why = unopenable_name(scene);
+    if (!why.empty())
+        throw InputError(scene + ": " + why);
     std::vector<std::string> words;
     const std::string folder = std::filesystem::path(scene).parent_path().string();
     if (!folder.empty() && std::filesystem::exists(without_section(scene)))

@@ -178,6 +178,13 @@ bool names_scene(const std::string& name)
     return extension == "pov" || extension == "ini" || extension.empty();
 }
 
+std::string unopenable_name(const std::string& name)
+{
+    if (std::none_of(name.begin(), name.end(), [](char c) { return (unsigned char)c > 127; }))
+        return "";
+    return "povray-integral finds no file whose name has letters outside of ASCII; rename it";
+}
+
 bool can_be_quoted(const std::string& name)
 {
     return name.find('"') == std::string::npos || name.find('\'') == std::string::npos;

@@ -45,6 +45,10 @@ bool names_settings(const std::string& name);
 /// Whether quoted() can pass a name on: one with both kinds of quotation marks cannot be.
 bool can_be_quoted(const std::string& name);
 
+/// Why povray-integral cannot open a file of that name: it has letters outside of ASCII. Empty if it
+/// can.
+std::string unopenable_name(const std::string& name);
+
 /// The values of the options that are this keyword or, where `letters` is not empty, these letters
 /// with a value behind them. Both names in small letters.
 std::vector<std::string> values_of_option(const std::vector<std::string>& words,

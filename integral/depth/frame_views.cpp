@@ -6,6 +6,7 @@
 #include "integral/optics/lens_mapping.h"
 #include "integral/replay/view_lenses.h"
 
+#include <algorithm>
 #include <climits>
 #include <cmath>
 #include <stdexcept>
@@ -103,7 +104,7 @@ private:
     std::vector<Lens> lens_of_; ///< of each film pixel
 };
 
-/// The eyes on the aperture's plane, a film pixel's width apart.
+/// The eyes on the aperture's plane, a film pixel's width apart; farther if they were too many.
 struct Eyes {
     Vec2 spacing; ///< mm
     int columns = 1, rows = 1;
@@ -113,8 +114,21 @@ struct Eyes {
     }
 };
 
+/// Throws where the film is smaller than a single lens: then the geometry is another picture's.
+void check_lenses_on_film(const FrameMetadata& metadata)
+{
+    const ViewGrid lens = natural_views(metadata);
+    if (lens.columns > metadata.film.width || lens.rows > metadata.film.height)
+        throw std::invalid_argument("a lens is as large as " + std::to_string(lens.columns) + "x" +
+                                    std::to_string(lens.rows) +
+                                    " pixels, more than the whole film; give --sheet the "
+                                    "geometry of this picture");
+}
+
 Eyes eyes_of(const FrameMetadata& metadata)
 {
+    static constexpr int most_a_side = 255;
+    check_lenses_on_film(metadata);
     const LensSheet& sheet = metadata.sheet;
     const double distance = metadata.aperture.distance;
     const Vec2 zone = viewing_zone(sheet, metadata.aperture);
@@ -122,18 +136,23 @@ Eyes eyes_of(const FrameMetadata& metadata)
         return micro_image_width(sheet, distance, width) / pitch;
     };
     // One fewer than there are pixels, so that each lies between two of them under every lens.
-    const auto count = [](double pixels) { return int(std::floor(pixels + 1e-6)) - 1; };
+    const auto count = [](double pixels) {
+        return std::min(most_a_side, int(std::floor(pixels + 1e-6)) - 1);
+    };
+    const auto spacing = [](double zone, double pixels, int eyes) {
+        return zone / (eyes < most_a_side ? pixels : eyes + 1);
+    };
     Eyes eyes;
     const bool lie_across = lenses_lie_across(sheet);
     if (!lie_across) {
         const double across = pixels(zone.x, metadata.film.pixel_pitch.x);
         eyes.columns = count(across);
-        eyes.spacing.x = zone.x / across;
+        eyes.spacing.x = spacing(zone.x, across, eyes.columns);
     }
     if (lie_across || sheet.arrangement != Arrangement::lenticular) {
         const double down = pixels(zone.y, metadata.film.pixel_pitch.y);
         eyes.rows = count(down);
-        eyes.spacing.y = zone.y / down;
+        eyes.spacing.y = spacing(zone.y, down, eyes.rows);
     }
     if (std::max(eyes.columns, eyes.rows) < 2)
         throw std::invalid_argument(

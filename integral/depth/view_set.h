@@ -93,10 +93,11 @@ ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
                  const std::optional<ViewEyes>& eyes, std::optional<double> shape = std::nullopt);
 
 /// What eyes see of a frame that are spread over its viewing zone, as far apart as neighbouring
-/// pixels of the film show: a column for each lens and a row for each row of lenses, or (lenticular
-/// sheets) of the film; turned where lenses lie across. Each value is interpolated between the
-/// pixels of its lens, never across the border of two. Throws std::invalid_argument for a frame
-/// with fewer than 3 pixels a lens; Interrupted if `progress` stops the work.
+/// pixels of the film show (farther where these are more than 256 a lens): a column for each lens
+/// and a row for each row of lenses, or (lenticular sheets) of the film; turned where lenses lie
+/// across. Each value is interpolated between the pixels of its lens, never across the border of
+/// two. Throws std::invalid_argument for a frame with fewer than 3 pixels a lens, or smaller than a
+/// lens; Interrupted if `progress` stops the work.
 ViewSet view_set(const Frame& frame, int threads, const Progress& progress);
 
 } // namespace integral

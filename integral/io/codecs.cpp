@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/as_shown.h"
 
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 #include "integral/io/mpo_file.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/embedded_profile.h"
 
-#include <lcms2.h>
+#include "integral/io/lcms_profile.h"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,6 @@
 
 namespace integral {
 namespace {
-
-struct CloseProfile {
-    void operator()(void* profile) const { cmsCloseProfile(profile); }
-};
-using Profile = std::unique_ptr<void, CloseProfile>;
 
 /// sRGB's primaries with a curve of linear light.
 cmsHPROFILE linear_profile()

@@ -5,7 +5,7 @@
 #include "integral/io/exr_header.h"
 #include "integral/io/exr_stream.h"
 #include "integral/io/exr_views.h"
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 
 #include "integral/optics/film.h"
 

@@ -3,7 +3,7 @@
 
 #include "integral/base/notices.h"
 #include "integral/io/codecs.h"
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 
 #include <algorithm>
 #include <new>

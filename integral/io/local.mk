@@ -28,10 +28,9 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/jpeg_errors.h \
   integral/io/jpeg_reader.cpp \
   integral/io/jpeg_writer.cpp \
+  integral/io/lcms_profile.h \
   integral/io/markup.cpp \
   integral/io/markup.h \
-  integral/io/memory.cpp \
-  integral/io/memory.h \
   integral/io/mpo_file.cpp \
   integral/io/mpo_file.h \
   integral/io/picture_series.cpp \

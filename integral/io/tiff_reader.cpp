@@ -4,7 +4,7 @@
 // itself, too. The document is in ImageDescription, the resolution in the resolution tags.
 #include "integral/io/as_shown.h"
 #include "integral/io/codecs.h"
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 #include "integral/io/tiff_samples.h"
 #include "integral/io/tiff_stream.h"
 

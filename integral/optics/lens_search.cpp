@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The searches for the lens that images a film point: `accurate` and `exhaustive`.
+#include "integral/optics/lens_box.h"
 #include "integral/optics/lens_mapping.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The greatest radius of a search, in lens pitches. Without it, a search would not end if the
 /// aperture is unlimited.
 constexpr double widest_search = 100;
+/// In lens pitches: within it there are so few lenses that a box around them saves nothing.
+constexpr double few_lenses = 2;
 
 } // namespace
 
@@ -72,12 +75,19 @@ std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, 
     // first few are stored in between.
     std::array<Candidate, 8> kept;
     std::size_t passing = 0;
+    const bool boxed = !lenticular_ && radius > few_lenses * lattice_.pitch();
+    const LensBox box = boxed ? box_of_passing_poles(aperture_, medium_, film_point, centre, radius)
+                              : LensBox();
     const auto each = [&](auto use) {
-        lattice_.for_each_within(centre, radius, [&](LensIndex lens) {
+        const auto visit = [&](LensIndex lens) {
             Candidate c;
             if (find_candidate(film_point, lens, c) && passes(c.aperture_point))
                 use(c, distance_to_centre(c.aperture_point));
-        });
+        };
+        if (boxed)
+            for_each_within(lattice_, centre, radius, box, visit);
+        else
+            lattice_.for_each_within(centre, radius, visit);
     };
     double least = infinity;
     each([&](const Candidate& c, double distance) {
@@ -142,8 +152,9 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
         radius = std::min(radius, length(ideal - film_point) + medium_.t / medium_.root_m);
     radius = std::min(radius, widest_search * lattice_.pitch());
     bool alone = guessed;
-    lattice_.for_each_within(ideal, radius,
-                             [&](LensIndex lens) { alone = alone && lens == guess->lens; });
+    if (guessed)
+        lattice_.for_each_within(ideal, radius,
+                                 [&](LensIndex lens) { alone = alone && lens == guess->lens; });
     if (alone) {
         mapped.ray = complete(*guess);
         return mapped;

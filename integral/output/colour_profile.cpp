@@ -2,22 +2,12 @@
 #include "integral/output/colour_profile.h"
 
 #include "integral/base/parallel.h"
-
-#include <lcms2.h>
+#include "integral/io/lcms_profile.h"
 
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 
 namespace integral {
-namespace {
-
-struct CloseProfile {
-    void operator()(void* profile) const { cmsCloseProfile(profile); }
-};
-using Profile = std::unique_ptr<void, CloseProfile>;
-
-} // namespace
 
 std::string srgb_profile()
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/output/page_raster.h"
 
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 
 #include <cairo.h>
 

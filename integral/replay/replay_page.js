@@ -16,7 +16,7 @@ const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 // The view: initially as in the page's data, replaced by the values in the address's fragment, and
 // changed by the user.
 // Fields: eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; from
-// the fragment only: samples, bare, tile.
+// the fragment only: samples, bare, tile. `contain`: size or part are the fragment's.
 let state;
 
 function numbers(text, count) {
@@ -31,7 +31,8 @@ function read_fragment() {
     return value ? within(value[0], least, greatest) : otherwise;
   };
   const eye = numbers(said.get("eye"), 3), size = numbers(said.get("size"), 2);
-  const part = numbers(said.get("part"), 4) ?? start.part;
+  const own_part = numbers(said.get("part"), 4), part = own_part ?? start.part;
+  const own_size = size && Math.min(...size) >= 1;
   state = {
     eye: eye && eye[2] > 0 ? eye : [...start.eye],
     pupil: number("pupil", 0, 1e6, start.pupil),
@@ -40,7 +41,8 @@ function read_fragment() {
     blur: number("lens-blur", 0, 1e6, start.blur),
     part: part[2] > 0 && part[3] > 0 ? part : [0, 0, ...film_size],
     samples: Math.round(number("samples", 1, 64, 0)),
-    size: size && Math.min(...size) >= 1 ? size.map(Math.round) : start.size[0] > 0 ? start.size : null,
+    size: own_size ? size.map(Math.round) : start.size[0] > 0 ? start.size : null,
+    contain: Boolean(own_size || own_part),
     raw: said.has("raw"),
     bare: said.has("bare"),
     tile: Math.round(number("tile", 1, 1e6, 1e6)),
@@ -138,12 +140,23 @@ const quick = 4; // samples across a pixel while the eye moves, at most
 let gl, uniform, textures, films, ready = false, drawn = "", pending = 0, settling = 0,
                                   moving = false;
 
-// By columns or rows, as replay_page.glsl says. `axis` 0: columns.
-function steps(axis, count) {
+// The part that a view of `size` pixels shows of the sheet so that `part` is in it unstretched: a
+// larger one, beyond the sheet's edges too, where the shapes differ by more than 1% (fit_part.h).
+function contained(part, size) {
+  const [x, y, width, height] = part, wider = width / height * size[1] / size[0];
+  const scale = Math.max(...size) / Math.max(width, height);
+  const nearest = [width, height].map((v) => Math.max(1, Math.round(scale * v)));
+  if (String(nearest) === String(size) || Math.abs(Math.log(wider)) <= 0.01)
+    return part;
+  return wider > 1 ? [x, y, width, height * wider] : [x, y, width / wider, height];
+}
+
+// By columns or rows of a view of `part`, as replay_page.glsl says. `axis` 0: columns.
+function steps(part, axis, count) {
   const row_spacing = sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1;
   const texels = new Float32Array(8 * count);
   for (let i = 0; i < count; ++i) {
-    const mm = state.part[axis] + (axis === 0 ? i / count - 0.5 : 0.5 - i / count) * state.part[2 + axis];
+    const mm = part[axis] + (axis === 0 ? i / count - 0.5 : 0.5 - i / count) * part[2 + axis];
     const u = split(across[axis] * (mm - offset[axis]) / sheet.pitch_mm);
     const v = split(along[axis] * (mm - offset[axis]) / (sheet.pitch_mm * row_spacing));
     const pitch = film.pixel_pitch_mm[axis], pixel = split(axis === 0 ? mm / pitch + film.width / 2 : film.height / 2 - mm / pitch);
@@ -259,24 +272,26 @@ async function set_film(picture, texture)
 // The view has the size in the fragment or in the page's data, or else fits the window.
 function fit() {
   const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
-  const [, , width, height] = state.part;
-  let size = state.size;
+  let size = state.size, part = state.part;
   if (!size) {
+    const [, , width, height] = part;
     const room = [canvas.parentElement.clientWidth, state.bare ? innerHeight : Math.max(200, 0.54 * innerHeight)];
     const scale = Math.min(room[0] / width, room[1] / height) * dots;
     size = [width * scale, height * scale];
   }
   size = size.map((v) => within(Math.round(v), 1, most));
-  if (String([size, state.part]) === drawn)
+  if (state.size && state.contain)
+    part = contained(part, size);
+  if (String([size, part]) === drawn)
     return;
-  drawn = String([size, state.part]);
+  drawn = String([size, part]);
   [canvas.width, canvas.height] = size;
   canvas.style.width = size[0] / dots + "px";
   canvas.style.height = size[1] / dots + "px";
-  floats_texture(2, gl.RGBA32F, gl.RGBA, size[0], 2, steps(0, size[0]));
-  floats_texture(3, gl.RGBA32F, gl.RGBA, size[1], 2, steps(1, size[1]));
+  floats_texture(2, gl.RGBA32F, gl.RGBA, size[0], 2, steps(part, 0, size[0]));
+  floats_texture(3, gl.RGBA32F, gl.RGBA, size[1], 2, steps(part, 1, size[1]));
   gl.viewport(0, 0, size[0], size[1]);
-  gl.uniform2f(uniform("view_pixel"), width / size[0], height / size[1]);
+  gl.uniform2f(uniform("view_pixel"), part[2] / size[0], part[3] / size[1]);
   gl.uniform1i(uniform("view_height"), size[1]);
 }
 

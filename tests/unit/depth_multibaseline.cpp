@@ -177,6 +177,31 @@ BOOST_AUTO_TEST_CASE(frames_of_all_sheets)
         }
 }
 
+BOOST_AUTO_TEST_CASE(lenses_of_very_many_pixels_give_255_views_each_way)
+{
+    FrameMetadata geometry;
+    geometry.sheet = {Arrangement::lenticular, 60, 150, 1.55, 0, {}};
+    geometry.film = {2400, 1, {0.1, 0.1}};
+    geometry.aperture = *filling_aperture(geometry.sheet, 3000);
+    const Vec2 zone = viewing_zone(geometry.sheet, geometry.aperture);
+    const ViewSet views = view_set(frame_of_plane(geometry, 0), 2, {});
+    BOOST_TEST(views.others.size() == 254u);
+    BOOST_TEST(views.scale->ratio * length(views.places.right) == zone.x / 256,
+               boost::test_tools::tolerance(1e-12));
+    // A lens of another picture: 2700 pixels, of which the film has 2400.
+    geometry.sheet.pitch = 270;
+    geometry.sheet.thickness = 700;
+    geometry.aperture = *filling_aperture(geometry.sheet, 3000);
+    Frame frame{make_image<std::uint8_t>(2400, 1, 3, Encoding()), std::nullopt};
+    set_metadata(frame, geometry);
+    BOOST_CHECK_EXCEPTION(
+        view_set(frame, 2, {}), std::invalid_argument, [](const std::invalid_argument& error) {
+            return std::string(error.what())
+                       .find("a lens is as large as 2700x1 pixels, more than the whole "
+                             "film") == 0;
+        });
+}
+
 BOOST_AUTO_TEST_CASE(dark_pixels_are_not_measured)
 {
     FrameMetadata geometry;

@@ -2,7 +2,7 @@
 // Tests JPEGs of other programs: CMYK, and what a decoder reads with warnings. Expected values are
 // those that were stored, by the format's definition.
 #include "integral/io/codecs.h"
-#include "tests/unit/picture_files.h"
+#include "tests/unit/picture_bytes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,33 +12,13 @@
 
 #include <jpeglib.h> // needs <cstdio> before it
 
+using namespace picture_bytes;
 using namespace picture_files;
 using namespace std::string_literals;
 
 BOOST_AUTO_TEST_SUITE(io_jpeg_forms)
 
 namespace {
-
-/// The message with which bytes are refused; "" if they are read.
-std::string refusal(const std::string& bytes)
-{
-    try {
-        const InputFile file = InputFile::of_bytes(bytes);
-        whole_picture(*read_any(file));
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-/// The notices of a picture that is read.
-std::vector<std::string> notices_of(const std::string& bytes)
-{
-    const InputFile file = InputFile::of_bytes(bytes);
-    const auto reader = read_any(file);
-    whole_picture(*reader);
-    return reader->take_notices();
-}
 
 /// A JPEG of CMYK or its YCCK, all of one colour, inks stored inverted.
 std::string inks_jpeg(J_COLOR_SPACE stored, const std::array<unsigned char, 4>& inks)

@@ -3,7 +3,7 @@
 #include "integral/base/notices.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 #include "integral/io/mpo_file.h"
 #include "integral/output/given_views.h"
 #include "tests/unit/picture_files.h"

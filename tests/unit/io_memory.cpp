@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Checks which limits of control groups are found, in folders that stand for /proc and /sys.
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 
 #include <boost/test/unit_test.hpp>
 

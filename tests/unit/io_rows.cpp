@@ -3,7 +3,7 @@
 // without pixels, and files that appear only when they are complete.
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 #include "tests/unit/picture_files.h"
 
 #include <boost/test/unit_test.hpp>

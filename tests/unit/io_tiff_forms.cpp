@@ -3,7 +3,7 @@
 // by the format's definition.
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
-#include "tests/unit/picture_files.h"
+#include "tests/unit/picture_bytes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,6 +12,7 @@
 #include <functional>
 #include <tiffio.h>
 
+using namespace picture_bytes;
 using namespace picture_files;
 
 BOOST_AUTO_TEST_SUITE(io_tiff_forms)
@@ -137,27 +138,6 @@ Expected plain(const Form& form)
         const bool grey = form.samples < 3;
         return Colour{at(0), at(grey ? 0 : 1), at(grey ? 0 : 2), 1};
     };
-}
-
-/// The message with which bytes are refused; "" if they are read.
-std::string refusal(const std::string& bytes)
-{
-    try {
-        const InputFile file = InputFile::of_bytes(bytes);
-        whole_picture(*read_any(file));
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-/// The notices of a picture that is read.
-std::vector<std::string> notices_of(const std::string& bytes)
-{
-    const InputFile file = InputFile::of_bytes(bytes);
-    const auto reader = read_any(file);
-    whole_picture(*reader);
-    return reader->take_notices();
 }
 
 } // namespace

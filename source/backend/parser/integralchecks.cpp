@@ -14,6 +14,7 @@
 #include "base/integralframe.h"
 #include "base/integraloptions.h"
 #include "integral/base/number_text.h"
+#include "integral/lightfield/sheet_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,24 @@ void IntegralGrammar::Check_Type(const Camera& camera, const IntegralStatement& 
     if (camera.Type != PERSPECTIVE_CAMERA)
         Refuse(statement, "An integral camera starts from a perspective or an orthographic camera; "
                           "no other type goes with it.");
+}
+
+/// The lenses' own pitch from the one that is even from the viewer's distance.
+void IntegralGrammar::Use_Visual_Pitch(IntegralStatement& statement)
+{
+    integral::CameraParameters& parameters = statement.parameters;
+    if (!statement.visual_pitch)
+        return;
+    if (!parameters.viewing_distance)
+        Refuse(statement, "visual_pitch is the pitch that is even from viewing_distance: add "
+                          "viewing_distance and that distance, in mm, or give the lenses' own "
+                          "pitch.");
+    if (parameters.projection_lens)
+        Refuse(statement,
+               "visual_pitch does not work with projection_lens, behind whose image the sheet is "
+               "not seen: give the lenses' own pitch.");
+    parameters.sheet.pitch = integral::pitch_of_visual(*statement.visual_pitch, parameters.sheet,
+                                                       *parameters.viewing_distance);
 }
 
 /// An error if a picture of this size in pixels has not the size of print_size.
@@ -192,6 +211,7 @@ void IntegralGrammar::Check_Camera(Camera& camera)
     for (const char *word : {"lens_sheet", "film"})
         if (!statement.given.count(word))
             Refuse(statement, std::string("An integral camera needs ") + word + " { ... }.");
+    Use_Visual_Pitch(statement);
     Make_Optics(camera, statement);
 }
 

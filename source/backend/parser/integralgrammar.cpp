@@ -132,6 +132,8 @@ void IntegralGrammar::Apply_Option(IntegralStatement& statement)
     for (const Word& word : Words())
         if (option->given.count(word.name))
             word.replace(option->parameters, statement.parameters);
+    if (option->given.count("lens_sheet"))
+        statement.visual_pitch = option->visual_pitch;
     statement.given.insert(option->given.begin(), option->given.end());
     statement.integral = true;
 }
@@ -300,6 +302,7 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
         Check_Value(statement);
     };
 
+    statement.visual_pitch.reset();
     parser.Parse_Begin();
     if (UCS2 *file = parser.Parse_String(true, false))
     {
@@ -323,6 +326,11 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
             arrange(integral::Arrangement::hexagonal);
         else if (Accept("pitch"))
             number("pitch", sheet.pitch);
+        else if (Accept("visual_pitch"))
+        {
+            number("visual_pitch", sheet.pitch);
+            statement.visual_pitch = sheet.pitch;
+        }
         else if (Accept("thickness"))
             number("thickness", sheet.thickness);
         else if (Accept("ior"))
@@ -337,8 +345,7 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
         }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
             parser.Error("'%s' is not a word of lens_sheet: lenticular, square, hexagonal, pitch, "
-                         "thickness, "
-                         "ior, slant or offset expected.",
+                         "visual_pitch, thickness, ior, slant or offset expected.",
                          Next_Word().c_str());
         else
             break;
@@ -348,6 +355,11 @@ void IntegralGrammar::Parse_Lens_Sheet(IntegralStatement& statement)
     if (!given.count("arrangement"))
         parser.Error("lens_sheet needs an arrangement: lenticular, square or hexagonal; or the "
                      "name of a file with a measured sheet, in quotes.");
+    if (given.count("pitch") && given.count("visual_pitch"))
+        parser.Error("lens_sheet has pitch (the lenses' own) or visual_pitch (as seen from "
+                     "viewing_distance), not both: leave one of them out.");
+    if (given.count("visual_pitch"))
+        given.insert("pitch");
     for (const char *word : {"pitch", "thickness", "ior"})
         if (!given.count(word))
             parser.Error("lens_sheet needs %s%s.", word, std::string(word) == "ior" ? "" : " (mm)");

@@ -85,6 +85,7 @@ private:
     void Refuse(const IntegralStatement& statement, const std::string& message);
     void Check_Camera(Camera& camera);
     void Check_Type(const Camera& camera, const IntegralStatement& statement);
+    void Use_Visual_Pitch(IntegralStatement& statement);
     void Check_Print_Size(const IntegralStatement& statement, integral::PixelSize size);
     void Make_Optics(Camera& camera, IntegralStatement& statement);
     std::shared_ptr<const integral::IntegralCamera> Print_Optics(const Camera& camera);

@@ -104,6 +104,9 @@ struct IntegralStatement
     bool integral = false; ///< false: not integral; holds values in case Integral_Camera= makes it
                            ///< so
     integral::CameraParameters parameters;
+    /// The sheet's pitch as it is even from viewing_distance, mm; nothing: parameters.sheet has the
+    /// lenses' own.
+    std::optional<double> visual_pitch;
     std::set<std::string> given;     ///< the words that have been given, to detect repetition
     double look_at_distance = 0;     ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0; ///< sheet distance / |direction|; 0: not known yet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/io/memory.h"
+#include "integral/base/memory.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tells how much memory this process can still allocate.
-#ifndef INTEGRAL_IO_MEMORY_H
-#define INTEGRAL_IO_MEMORY_H
+#ifndef INTEGRAL_BASE_MEMORY_H
+#define INTEGRAL_BASE_MEMORY_H
 
 #include <string>
 
