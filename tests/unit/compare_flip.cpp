@@ -5,7 +5,7 @@
 #include "integral/compare/flip.h"
 #include "integral/compare/flip_loops.h"
 
-#include "flip_oracle.h"
+#include "tests/unit/flip_oracle.h"
 
 #include <boost/test/unit_test.hpp>
 
