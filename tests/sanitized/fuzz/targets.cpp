@@ -106,9 +106,10 @@ void read_panel(const Bytes& bytes)
 void read_tolerances(const Bytes& bytes)
 {
     const Tolerances tolerances = as_input([&] { return tolerances_from_json(bytes); });
-    for (const char* name : {"", "glass/ball.png", "a11.png"})
+    for (const char* name : {"", "glass/ball.png", "a11.png"}) {
         limits_for(tolerances, name);
-    rules_for(tolerances, name);
+        rules_for(tolerances, name);
+    }
 }
 
 void read_batch(const Bytes& bytes) { read_manifest(file_of(bytes)); }
