@@ -66,7 +66,8 @@ struct IntegralTally
 struct IntegralColours
 {
     long long pixels = 0; ///< number of finished pixels
-    float least[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, most[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    float least[3] = {HUGE_VALF, HUGE_VALF, HUGE_VALF};
+    float most[3] = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
 
     /// Adds pixels. Transparent black ones, behind no lens, have no colour.
     void Add(const std::vector<Colour>& colours);
