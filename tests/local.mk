@@ -103,6 +103,7 @@ unit_sources = \
   tests/unit/lightfield_scene_fit.cpp \
   tests/unit/lightfield_sheet_figures.cpp \
   tests/unit/lightfield_visual_pitch.cpp \
+  tests/unit/lightfield_zone_shares.cpp \
   tests/unit/compare_flip.cpp \
   tests/unit/compare_regions.cpp \
   tests/unit/compare_seen.cpp \

@@ -79,9 +79,9 @@ struct Command {
     bool laboratory = false; ///< of the optical laboratory, not of every day: `help` lists it last
 };
 
-extern const Command sheet_command, replay_command, views_command, print_command, lcd_command,
-    depth_command, compare_command, tune_command, batch_command, wireframe_command, rectify_command,
-    mask_command, resolve_command, multiview_command;
+extern const Command sheet_command, replay_command, views_command, flip_command, print_command,
+    lcd_command, depth_command, compare_command, tune_command, batch_command, wireframe_command,
+    rectify_command, mask_command, resolve_command, multiview_command;
 
 /// Every command, in the order in which `integral help` lists them.
 const std::vector<const Command*>& all_commands();

@@ -14,6 +14,7 @@ build_bin_integral_SOURCES += \
   integral/cli/depth_command.cpp \
   integral/cli/fit_options.cpp \
   integral/cli/fit_options.h \
+  integral/cli/flip_command.cpp \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
   integral/cli/lcd_command.cpp \

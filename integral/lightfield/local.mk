@@ -85,4 +85,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/lightfield/tabulated_curve.h \
   integral/lightfield/view_grid.h \
   integral/lightfield/weighed_samples.cpp \
-  integral/lightfield/weighed_samples.h
+  integral/lightfield/weighed_samples.h \
+  integral/lightfield/zone_shares.cpp \
+  integral/lightfield/zone_shares.h

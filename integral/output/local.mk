@@ -14,10 +14,13 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/cups_raster.h \
   integral/output/device_text.cpp \
   integral/output/device_text.h \
+  integral/output/flip.cpp \
+  integral/output/flip.h \
   integral/output/frame_of_views.cpp \
   integral/output/frame_of_views.h \
   integral/output/frame_print.cpp \
   integral/output/frame_print.h \
+  integral/output/frame_rows.h \
   integral/output/given_views.cpp \
   integral/output/given_views.h \
   integral/output/interlace.cpp \
@@ -82,4 +85,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/output/spool_document.cpp \
   integral/output/spool_document.h \
   integral/output/view_export.cpp \
-  integral/output/view_export.h
+  integral/output/view_export.h \
+  integral/output/zone_view.cpp \
+  integral/output/zone_view.h \
+  integral/output/zone_view_text.cpp

@@ -14,6 +14,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/fit_part.h \
   integral/replay/draft_frame.cpp \
   integral/replay/draft_frame.h \
+  integral/replay/frame_of_shares.cpp \
+  integral/replay/frame_of_shares.h \
   integral/replay/interpolate.h \
   integral/replay/parallel_views.cpp \
   integral/replay/parallel_views.h \

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral flip: several pictures that share a sheet's viewing zone, as one frame.
+#include "integral/cli/fit_options.h"
+#include "integral/cli/geometry_options.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/thread_options.h"
+#include "integral/io/image_file.h"
+#include "integral/output/flip.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace integral {
+namespace {
+
+constexpr double longer_side = 152.4; // mm, of a print: 6 inches
+constexpr int most_pictures = 256;
+
+struct FlipOptions : CommonOptions {
+    SheetOptions sheet;
+    FilmOptions film;
+    ApertureOptions aperture;
+    std::optional<std::string> start, print, shares, transition, page, output;
+    std::optional<int> bits;
+    bool loop = false, there_and_back = false, reverse = false, upwards = false, json = false;
+    FitOptions fit;
+    ThreadOptions threads;
+};
+
+void declare(options::options_description& all, FlipOptions& o)
+{
+    add(all, "output,o", o.output, "FRAME", "the frame: .png, .exr or .tiff");
+    add(all, "transition", o.transition, "PERCENT",
+        "of a picture's share, in which one picture turns evenly into the next: 0 is a flip or "
+        "motion (default), 100 a morph");
+    add(all, "shares", o.shares, "S,...",
+        "of the zone, one for each picture (default: equal ones)");
+    add(all, "there-and-back", o.there_and_back,
+        "after the last picture the order goes back to the second one");
+    add(all, "loop", o.loop,
+        "the last picture turns into the first at the zone's edge, too, where else it jumps");
+    add(all, "reverse", o.reverse,
+        "the first picture at the right, or above, in place of at the left, or below");
+    add(all, "upwards", o.upwards,
+        "square and hexagonal lenses: pictures from below upwards, in place of from left to right; "
+        "lenticular ones show what their slant lets them");
+    add(all, "page", o.page, "FILE.html",
+        "a page of what each eye sees, where, and how much of other pictures");
+    add(all, "json", o.json, "print the same as JSON");
+    declare(all, o.fit);
+    declare(all, o.sheet);
+    declare(all, o.film);
+    add(all, "print", o.print, "WxH",
+        "size of the frame in mm, instead of --size (default: 152.4 on the longer side, of the "
+        "first picture's shape)");
+    declare(all, o.aperture);
+    declare_start_geometry(all, o.start);
+    add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default: the most of a picture)");
+    declare(all, o.threads);
+}
+
+/// Whether the line says for which sheet and film the frame is to be.
+bool states_geometry(const FlipOptions& o)
+{
+    return o.start || o.print || first_given(o.sheet) || o.film.dpi || o.film.pixel_pitch ||
+           o.film.size || o.aperture.distance || o.aperture.aperture;
+}
+
+/// Gives the film the default size of a print of the first picture's shape.
+void set_default_size(const std::string& picture, Film& film)
+{
+    const auto [width, height] = picture_size(picture);
+    const double scale = longer_side / std::max(width, height);
+    film.width = std::max(1, int(std::lround(width * scale / film.pixel_pitch.x)));
+    film.height = std::max(1, int(std::lround(height * scale / film.pixel_pitch.y)));
+}
+
+/// The geometry that the line says; nothing where it says none and the first picture is a frame.
+std::optional<FrameMetadata> geometry_of(const FlipOptions& o)
+{
+    const auto is_frame = [](const std::string& path) {
+        return FrameReader(path).frame().metadata.has_value();
+    };
+    if (!states_geometry(o) && std::any_of(o.inputs.begin(), o.inputs.end(), is_frame))
+        return std::nullopt;
+    FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
+    if (geometry.projection)
+        throw InputError(*o.start + ": it is for replay through a projection lens, which no flip "
+                                    "is made for");
+    if (geometry.film.width < 1)
+        set_default_size(o.inputs[0], geometry.film);
+    change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
+    return geometry;
+}
+
+PictureFlip flip_of(const FlipOptions& o)
+{
+    PictureFlip flip;
+    flip.pictures = o.inputs;
+    flip.output = needed_output(o.output, "FRAME");
+    if (o.shares)
+        flip.shares = parse_numbers("shares", *o.shares, "a number for each picture",
+                                    o.inputs.size(), o.inputs.size());
+    if (o.transition)
+        flip.transition = parse_number_between("transition", *o.transition, "per cent of a share",
+                                               0, 100, "0 to 100") /
+                          100;
+    flip.loop = o.loop;
+    flip.there_and_back = o.there_and_back;
+    flip.reverse = o.reverse;
+    flip.upwards = o.upwards;
+    flip.fit = o.fit.value();
+    if (o.bits)
+        flip.bits = bits_given(o.bits, 8);
+    flip.threads = o.threads.count();
+    flip.tell = [](const std::string& what) { say("flip", what); };
+    return flip;
+}
+
+int run(const FlipOptions& o)
+{
+    PictureFlip flip = flip_of(o);
+    format_for(flip.output);
+    check_outputs({o.output, o.page});
+    flip.geometry = geometry_of(o);
+    const ZoneView view = write_flip(flip, progress_bar("flip"));
+    print_figures(o.json ? zone_view_json(view, o.inputs) : zone_view_text(view, o.inputs),
+                  flip.output == "-");
+    if (o.page)
+        write_file(*o.page, zone_view_page(view, o.inputs, read_frame(flip.output), flip.threads));
+    return exit_done;
+}
+
+} // namespace
+
+const Command flip_command = {
+    "flip",
+    "several pictures that an eye sees one after another: flips, motion, morphs",
+    "PICTURE PICTURE... -o FRAME [--transition PERCENT] [--print WxH] [--lpi N] [--page FILE.html] "
+    "...",
+    R"(Gives each of several pictures a share of the sheet's viewing zone, in one frame: the
+print shows one picture after the other as it is turned. Pictures are photographs,
+drawings, or frames of one sheet and film, whose depth stays: a flip in 3-D. The first is
+seen from the left, or behind lenses that lie across (--slant 90, where both eyes see the
+same) from below.
+
+Prints which eye sees what, at the viewing distance: alone where no change of pictures is,
+with the blur of lenses and printed dots.
+)",
+    2,
+    most_pictures,
+    described<FlipOptions>,
+    run_with<FlipOptions, run>};
+
+} // namespace integral
