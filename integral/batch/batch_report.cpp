@@ -73,7 +73,8 @@ void add_step(Json& job, const BatchStep& step, const StepResult& result, const 
                                : !result.reason.empty()   ? result.reason
                                                           : record.reason;
     if (step.kind == StepKind::frame && done) {
-        job["render_seconds"] = record.render_seconds;
+        if (record.render_seconds > 0)
+            job["render_seconds"] = record.render_seconds;
         if (record.error)
             job["error_rms"] = *record.error;
     }
@@ -150,9 +151,10 @@ std::string job_article(const Json& job, const BatchFolder& folder)
         picture = moving_picture(name, moving, picture);
     std::string article = "<article class=\"" + state + "\"><div class=\"picture\">" + picture +
                           "</div>\n<h2>" + name + "</h2>\n";
-    if (job.at("render_seconds").is_number())
-        article += "<p>" + figure(job.at("render_seconds"), 3) + " s, estimated error " +
-                   figure(job.at("error_rms"), 3) + "</p>\n";
+    const bool has_seconds = job.at("render_seconds").is_number();
+    if (has_seconds || job.at("error_rms").is_number())
+        article += "<p>" + (has_seconds ? figure(job.at("render_seconds"), 3) + " s, " : "") +
+                   "estimated error " + figure(job.at("error_rms"), 3) + "</p>\n";
     article += "<p>" + links + "</p>\n" + remarks;
     if (job.at("reason").is_string())
         article += "<p class=\"reason\">" + markup_text(text_at(job, "reason")) + "</p>\n";

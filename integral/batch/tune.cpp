@@ -200,6 +200,7 @@ private:
         words.push_back(camera_option(camera_, setting));
         words.push_back("+FN8 +O\"" + picture + "\"");
         words.push_back("-P");
+        words.push_back("Integral_Metadata=full"); // with the seconds
         const auto begun = std::chrono::steady_clock::now();
         const ChildEnd end = render(scene_, words, scratch);
         const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun)

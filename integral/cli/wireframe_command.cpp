@@ -14,6 +14,7 @@
 #include "integral/wireframe/wireframe_report.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 
 #ifndef PACKAGE_VERSION
@@ -272,7 +273,7 @@ int run(const WireframeOptions& o)
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
                                .count();
     geometry.render = record;
-    geometry.render->seconds = seconds;
+    geometry.render->seconds = std::getenv("SOURCE_DATE_EPOCH") ? 0 : seconds; // repeatable builds
     Frame frame{std::move(*image), std::nullopt};
     set_metadata(frame, geometry);
     write_frame(output, std::move(frame));

@@ -84,7 +84,8 @@ ErrorEstimate error_from(const JsonObject& object)
     error.pixels = whole_at(object, "pixels", 0LL, most_pixels);
     error.lit_pixels = whole_at(object, "lit_pixels", 0LL, most_pixels);
     error.samples = whole_at(object, "samples", 0, std::numeric_limits<int>::max());
-    error.seconds = number_at(object, "seconds", 0, largest_figure);
+    if (object.has("seconds"))
+        error.seconds = number_at(object, "seconds", 0, largest_figure);
     return error;
 }
 
@@ -195,15 +196,17 @@ Json json_of(const Encoding& encoding)
 
 Json json_of(const ErrorEstimate& error)
 {
-    return {{"rms", error.rms},
-            {"low", error.low},
-            {"high", error.high},
-            {"confidence", error.confidence},
-            {"method", name_of(error.method)},
-            {"pixels", error.pixels},
-            {"lit_pixels", error.lit_pixels},
-            {"samples", error.samples},
-            {"seconds", error.seconds}};
+    Json json = {{"rms", error.rms},
+                 {"low", error.low},
+                 {"high", error.high},
+                 {"confidence", error.confidence},
+                 {"method", name_of(error.method)},
+                 {"pixels", error.pixels},
+                 {"lit_pixels", error.lit_pixels},
+                 {"samples", error.samples}};
+    if (error.seconds > 0)
+        json["seconds"] = error.seconds;
+    return json;
 }
 
 Json json_of(const RenderRecord& render)
@@ -213,8 +216,9 @@ Json json_of(const RenderRecord& render)
                  {"model", name_of(render.model)},
                  {"mapping", name_of(render.mapping)},
                  {"pixel_samples", render.pixel_samples},
-                 {"beam_samples", render.beam_samples},
-                 {"seconds", render.seconds}};
+                 {"beam_samples", render.beam_samples}};
+    if (render.seconds > 0)
+        json["seconds"] = render.seconds;
     if (!render.fit.empty())
         json["fit"] = render.fit;
     if (render.draft > 1)

@@ -31,6 +31,7 @@ struct State
     std::string fingerprint;
     std::optional<integral::PixelSize> size;
     std::optional<integral::ViewGrid> quilt;
+    bool repeatable = false;
     std::optional<integral::FrameMetadata> metadata;
     Clock::time_point begun;
     std::optional<Clock::time_point> ended;
@@ -80,6 +81,20 @@ void IntegralFrame::Set_Quilt(const std::optional<integral::ViewGrid>& tiles)
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
     state.quilt = tiles;
+}
+
+void IntegralFrame::Set_Repeatable(bool repeatable)
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    state.repeatable = repeatable;
+}
+
+bool IntegralFrame::Repeatable()
+{
+    State& state = The_State();
+    std::lock_guard<std::mutex> lock(state.mutex);
+    return state.repeatable;
 }
 
 void IntegralFrame::Expect(const integral::IntegralCamera *camera)
@@ -206,9 +221,12 @@ std::string IntegralFrame::Document(const integral::Encoding& encoding)
     const double seconds = Seconds();
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
-    state.metadata->encoding = encoding;
-    state.metadata->render->seconds = seconds;
-    return integral::to_json(*state.metadata);
+    integral::FrameMetadata metadata = *state.metadata;
+    metadata.encoding = encoding;
+    metadata.render->seconds = state.repeatable ? 0 : seconds;
+    if (state.repeatable && metadata.render->error)
+        metadata.render->error->seconds = 0;
+    return integral::to_json(metadata);
 }
 
 double IntegralFrame::Seconds()

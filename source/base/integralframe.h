@@ -24,6 +24,11 @@ public:
     /// Whether pictures are to be quilts of so many views, at the start of parsing.
     static void Set_Quilt(const std::optional<integral::ViewGrid>& tiles);
 
+    /// Whether pictures are written without date, machine and run time, so that the same pixels
+    /// give the same file; set at the start of parsing, for every camera.
+    static void Set_Repeatable(bool repeatable);
+    static bool Repeatable();
+
     /// Sets the scene's camera after parsing (null for a camera that is not integral), so that an
     /// interrupted render is continued only with the same geometry.
     static void Expect(const integral::IntegralCamera *camera);

@@ -22,6 +22,7 @@ enum
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
     kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
     kIntegralAttrib_Quilt = 'IgQu',      ///< option Integral_Quilt=: views across and up
+    kIntegralAttrib_Metadata = 'IgMd',   ///< option Integral_Metadata=: full or repeatable
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
     kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged
@@ -71,6 +72,7 @@ enum
         {"Integral_Reconstruction", kIntegralAttrib_Reconstruction, kPOVMSType_UCS2String},        \
         {"Integral_Sharing", kIntegralAttrib_Sharing, kPOVMSType_UCS2String},                      \
         {"Integral_Quilt", kIntegralAttrib_Quilt, kPOVMSType_UCS2String},                          \
-        {"Integral_Rows", kIntegralAttrib_Rows, kPOVMSType_UCS2String},
+        {"Integral_Rows", kIntegralAttrib_Rows, kPOVMSType_UCS2String},                            \
+        {"Integral_Metadata", kIntegralAttrib_Metadata, kPOVMSType_UCS2String},
 
 #endif

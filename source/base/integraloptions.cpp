@@ -337,6 +337,12 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
     {
         result.problem = problem.what();
     }
+    const std::string metadata = Lower_Case(text(kIntegralAttrib_Metadata));
+    if (!metadata.empty() && metadata != "full" && metadata != "repeatable")
+        result.problem_with_any_camera =
+            "Integral_Metadata=" + metadata +
+            " is neither full nor repeatable (without date, machine and run time)";
+    IntegralFrame::Set_Repeatable(metadata == "repeatable");
     return std::make_shared<IntegralSceneOptions>(result);
 }
 

@@ -45,6 +45,7 @@ struct IntegralSceneOptions
     bool free_width = false;  ///< the width is a default, which print_size may replace
     bool free_height = false; ///< and the height
     std::string problem;      ///< what is wrong with the options, for the user; empty: nothing
+    std::string problem_with_any_camera; ///< the same, of an option that counts for every camera
 };
 
 /// Reads the options; problems that Read_Integral_Options would report are in `problem`.

@@ -30,6 +30,7 @@ void PrintIntegralHelp()
         "    Integral_Sharing=auto|on|off|N   whether rays share the shading of surfaces\n"
         "    Integral_Rows=FIRST,LAST         the rows that count; others are only neighbours\n"
         "    Integral_Seed=N                  seed of the random numbers\n"
+        "    Integral_Metadata=full|repeatable   repeatable: files without date, machine and run time\n"
         "\n",
         stderr);
     std::fputs(integral::first_steps(), stderr);

@@ -33,6 +33,8 @@ void IntegralGrammar::Parse_Option()
             "as a file first.",
             scene.c_str());
     const pov_base::IntegralSceneOptions& options = *parser.sceneData->integral;
+    if (!options.problem_with_any_camera.empty())
+        parser.Error("%s.", options.problem_with_any_camera.c_str());
     if (options.camera.empty() && options.sheet.empty())
         return;
     option = std::make_shared<IntegralStatement>();

@@ -51,6 +51,8 @@ integral::Encoding Encoding_Of(const SimpleGammaCurvePtr& curve,
 
 }
 
+bool Is_Repeatable() { return IntegralFrame::Repeatable(); }
+
 void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::WriteOptions& options)
 {
 #ifndef LIBPNG_MISSING

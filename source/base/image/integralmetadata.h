@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Writes a micro-image frame's geometry into its picture file, or into a JSON file in the same
-// folder.
+// folder, and says what POV-Ray may write of date and machine.
 #ifndef POVRAY_BASE_INTEGRALMETADATA_H
 #define POVRAY_BASE_INTEGRALMETADATA_H
 
@@ -15,6 +15,10 @@ struct png_info_def;
 
 namespace pov_base
 {
+
+/// Whether pictures are written without date, machine and run time (Integral_Metadata=repeatable),
+/// whichever camera drew them.
+bool Is_Repeatable();
 
 /// PNG: the document as iTXt chunk `integral`, the resolution as pHYs. Call it before
 /// png_write_info.
