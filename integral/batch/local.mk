@@ -4,6 +4,8 @@
 build_lib_libintegral_a_SOURCES += \
   integral/batch/batch_folder.cpp \
   integral/batch/batch_folder.h \
+  integral/batch/batch_junit.cpp \
+  integral/batch/batch_junit.h \
   integral/batch/batch_memory.cpp \
   integral/batch/batch_memory.h \
   integral/batch/batch_progress.cpp \

@@ -2,6 +2,7 @@
 // integral batch: many frames, and what is made of them.
 #include "integral/base/file_bytes.h"
 #include "integral/base/number_text.h"
+#include "integral/batch/batch_junit.h"
 #include "integral/batch/batch_report.h"
 #include "integral/batch/batch_run.h"
 #include "integral/batch/batch_strips.h"
@@ -28,7 +29,7 @@ constexpr int most_strips = 10000;
 struct BatchOptions : CommonOptions {
     Words only;
     std::optional<int> jobs;
-    std::optional<std::string> memory;
+    std::optional<std::string> memory, junit;
     int retry = 0;
     bool dry_run = false, summary = false, json = false;
 
@@ -77,6 +78,8 @@ void declare(options::options_description& all, BatchOptions& o)
     add(all, "dry-run", o.dry_run, "only say what would be done");
     add(all, "summary", o.summary, "only write summary.json and index.html, of what is there");
     add(all, "json", o.json, "print the summary, or the plan of --dry-run, as JSON");
+    add(all, "junit", o.junit, "FILE",
+        "write the outcome of every step as JUnit XML, for CI systems");
     declare_cluster(all, o);
 }
 
@@ -190,6 +193,8 @@ int run_and_report(PlannedBatch& batch, const RunOptions& wanted, const BatchOpt
     const auto summary = batch_summary(batch.manifest, batch.plan, results, wanted.jobs);
     if (!o.dry_run && wanted.jobs.empty())
         write_summary(batch.folder, summary);
+    if (o.junit)
+        write_file(*o.junit, batch_junit(batch, summary));
     print_result(std::nullopt, o.json      ? summary.dump(2) + "\n"
                                : o.dry_run ? plan_text(summary)
                                            : result_text(summary, only_summary));
@@ -204,6 +209,11 @@ int run(const BatchOptions& o)
         throw UsageError("--dry-run and --summary do not go together");
     if (o.summary && !o.only.empty())
         throw UsageError("--summary is of all jobs: not with --only");
+    if (o.junit && (o.dry_run || o.cancel || o.strip || (o.slurm && !o.follow)))
+        throw UsageError("--junit needs a run whose outcome is known: not with --dry-run, --cancel "
+                         "or --slurm without --follow");
+    if (o.junit)
+        check_writable(*o.junit);
     Manifest manifest = read_manifest(o.inputs[0]);
     check_targets(manifest);
     RunOptions wanted = run_options(o, manifest);

@@ -5,6 +5,7 @@
 #include "integral/compare/figures_json.h"
 #include "integral/compare/suite_pictures.h"
 #include "integral/io/html_page.h"
+#include "integral/io/junit_xml.h"
 #include "integral/io/markup.h"
 
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ namespace integral {
 namespace {
 
 struct Counts {
-    int compared = 0, failed = 0, missing = 0, damaged = 0;
+    int compared = 0, failed = 0, missing = 0;
 };
 
 Counts counts_of(const Suite& suite)
@@ -26,7 +27,6 @@ Counts counts_of(const Suite& suite)
     for (const SuitePair& pair : suite.pairs) {
         (pair.missing() ? counts.missing : counts.compared) += 1;
         counts.failed += !pair.missing() && !pair.passed();
-        counts.damaged += pair.state == PairState::damaged;
     }
     return counts;
 }
@@ -221,37 +221,20 @@ std::string suite_json(const Suite& suite)
 
 std::string suite_junit(const Suite& suite)
 {
-    const Counts counts = counts_of(suite);
-    std::string cases;
-    const auto add = [&](const std::string& name, const char* element, const std::string& type,
+    std::vector<JUnitCase> cases;
+    const auto add = [&](const std::string& name, JUnitOutcome outcome, const std::string& type,
                          const std::vector<std::string>& faults) {
-        cases += "    <testcase classname=\"integral.compare\" name=\"" + markup_text(name) + "\"";
-        if (faults.empty()) {
-            cases += "/>\n";
-            return;
-        }
-        std::string all;
-        for (const std::string& fault : faults)
-            all += (all.empty() ? "" : "\n") + fault;
-        cases += std::string(">\n      <") + element + " type=\"" + type + "\" message=\"" +
-                 markup_text(faults.front()) + "\">" + markup_text(all) + "</" + element +
-                 ">\n    </testcase>\n";
+        cases.push_back({"integral.compare", name, outcome, type, faults, std::nullopt, ""});
     };
     for (const SuitePair& pair : suite.pairs)
-        add(pair.name, pair.state == PairState::damaged ? "error" : "failure", name_of(pair.state),
-            pair.faults);
+        add(pair.name,
+            pair.faults.empty()                ? JUnitOutcome::passed
+            : pair.state == PairState::damaged ? JUnitOutcome::error
+                                               : JUnitOutcome::failure,
+            name_of(pair.state), pair.faults);
     for (const std::string& fault : suite.unused)
-        add(unused_fault(suite, fault), "failure", "tolerance", {fault});
-
-    const std::string figures = " tests=\"" +
-                                std::to_string(suite.pairs.size() + suite.unused.size()) +
-                                "\" failures=\"" +
-                                std::to_string(counts.failed + counts.missing - counts.damaged +
-                                               int(suite.unused.size())) +
-                                "\" errors=\"" + std::to_string(counts.damaged) + "\"";
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + figures +
-           ">\n  <testsuite name=\"" + markup_text(suite.folders.results) + "\"" + figures + ">\n" +
-           cases + "  </testsuite>\n</testsuites>\n";
+        add(unused_fault(suite, fault), JUnitOutcome::failure, "tolerance", {fault});
+    return junit_xml(suite.folders.results, cases);
 }
 
 } // namespace integral

@@ -28,6 +28,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/jpeg_errors.h \
   integral/io/jpeg_reader.cpp \
   integral/io/jpeg_writer.cpp \
+  integral/io/junit_xml.cpp \
+  integral/io/junit_xml.h \
   integral/io/lcms_profile.h \
   integral/io/markup.cpp \
   integral/io/markup.h \
