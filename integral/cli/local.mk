@@ -11,6 +11,9 @@ build_bin_integral_SOURCES += \
   integral/cli/page_commands.cpp \
   integral/cli/page_commands.h \
   integral/cli/compare_command.cpp \
+  integral/cli/compare_options.cpp \
+  integral/cli/compare_options.h \
+  integral/cli/compare_suite.cpp \
   integral/cli/depth_command.cpp \
   integral/cli/fit_options.cpp \
   integral/cli/fit_options.h \

@@ -112,10 +112,9 @@ View view_of(const ReplayOptions& o)
     read_mm("lens-blur", o.lens_blur, 0, "a diameter from 0 to 1e6 mm", view.blur);
     if (o.lens_model)
         view.model = meaning_of("lens-model", *o.lens_model, replay_lens_model_choices);
-    constexpr int plain_samples = 3, pupil_samples = 8;
-    view.samples = o.samples ? in_range("samples", *o.samples, 1, most_samples)
-                   : view.pupil > 0 || view.blur > 0 || o.as_seen ? pupil_samples
-                                                                  : plain_samples;
+    view.samples = o.samples   ? in_range("samples", *o.samples, 1, most_samples)
+                   : o.as_seen ? scattered_samples
+                               : default_samples(view);
     if (o.eye)
         view.eye = parse_eye(*o.eye);
     read_size("size", o.size, largest_replay_side, view.width, view.height);

@@ -66,6 +66,8 @@ struct Comparison {
     /// By the metadata of the first picture that has some; empty where neither has, or where no
     /// lens has a channel that the figures are over.
     std::optional<WorstMicroImage> worst;
+    /// False: the sizes differ, so that only what eyes see is compared; the figures are NaN.
+    bool of_pixels = true;
     /// What eyes see of the frames, which limits are then for; empty unless asked for.
     std::shared_ptr<const SeenFigures> seen;
 };

@@ -27,7 +27,7 @@ const std::array<LimitKind, limit_count> limit_kinds = {{
 
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind)
 {
-    if (comparison.seen && kind != 4)
+    if (comparison.seen && kind != micro_image_limit)
         return figure_of(comparison.seen->overall, kind);
     if (std::isnan(comparison.rmse))
         return std::nullopt;
@@ -71,7 +71,7 @@ std::vector<std::string> missed_limits(const Limits& limits, const Comparison& c
     for (std::size_t kind = 0; kind < limit_count; ++kind) {
         const auto figure = figure_of(comparison, kind);
         if (figure && limits[kind] && !keeps(*figure, kind, *limits[kind]))
-            missed.push_back((kind == 4 ? "" : as_seen) + limit_kinds[kind].name +
+            missed.push_back((kind == micro_image_limit ? "" : as_seen) + limit_kinds[kind].name +
                              (" " + limit_text(kind, *figure, 6)) +
                              (limit_kinds[kind].is_most ? " is greater than " : " is less than ") +
                              limit_text(kind, *limits[kind], 6));

@@ -24,8 +24,8 @@ struct LimitKind {
 };
 
 inline constexpr std::size_t limit_count = 7;
-/// The place in limit_kinds of a limit for FLIP.
-inline constexpr std::size_t flip_limit = 6;
+/// The places in limit_kinds of the limits for the worst micro-image and for FLIP.
+inline constexpr std::size_t micro_image_limit = 4, flip_limit = 6;
 extern const std::array<LimitKind, limit_count> limit_kinds;
 
 /// The limit of each kind; empty where there is none.

@@ -57,6 +57,8 @@ Json figures_json(const Comparison& c)
             json["seen"]["parallax"] = {{"greatest_mm", parallax->greatest},
                                         {"place_mm", {parallax->place.x, parallax->place.y}},
                                         {"median_mm", parallax->median},
+                                        {"greatest_depth_mm", parallax->greatest_depth},
+                                        {"median_depth_mm", parallax->median_depth},
                                         {"details", parallax->details}};
     }
     return json;

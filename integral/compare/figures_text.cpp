@@ -39,6 +39,8 @@ std::string figures_text(const Comparison& c)
 {
     char text[400];
     std::string result;
+    if (!c.of_pixels)
+        return "pixels              not compared, as the sizes differ\n" + seen_text(*c.seen);
     if (std::isnan(c.rmse)) {
         result = "RMSE, PSNR, SSIM    none: no value is a finite number in both pictures\n";
     } else {

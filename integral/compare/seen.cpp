@@ -86,7 +86,12 @@ std::string seen_text(const SeenFigures& seen)
                 with_decimals(seen.parallax->greatest, 3) + " mm, at " +
                 place(seen.parallax->place) + " mm; median " +
                 with_decimals(seen.parallax->median, 3) + " mm of " +
-                counted(seen.parallax->details, "detail") + "\n";
+                counted(seen.parallax->details, "detail") +
+                "\n"
+                "depth               differs by up to " +
+                with_decimals(seen.parallax->greatest_depth, 2) + " mm; median " +
+                with_decimals(std::fabs(seen.parallax->median_depth), 2) + " mm " +
+                (seen.parallax->median_depth < 0 ? "nearer" : "farther back") + "\n";
     return text;
 }
 

@@ -14,13 +14,17 @@
 
 namespace integral {
 
-/// Parallax of a frame: how far a detail's place on the sheet moves from the first eye to the last.
-/// How much that differs between the frames, over the details that are found in all four views.
+/// Parallax of a frame: how far a detail's place on the sheet moves from the first to the last of
+/// the eyes on a way across the lenses. A detail z mm behind the sheet moves by B z/(D + z) for
+/// eyes B mm apart at the distance D, which gives its depth z. How much both differ between the
+/// frames, over the details that are found in the views of all eyes on the way.
 struct ParallaxDifference {
-    double greatest = 0; ///< mm on the sheet
-    Vec2 place;          ///< of the greatest: mm from the sheet's centre, y upwards
-    double median = 0;   ///< mm
-    int details = 0;     ///< that were found
+    double greatest = 0;       ///< mm on the sheet
+    Vec2 place;                ///< of the greatest: mm from the sheet's centre, y upwards
+    double median = 0;         ///< mm on the sheet
+    double greatest_depth = 0; ///< mm of depth, without sign
+    double median_depth = 0;   ///< mm by which the result's details lie farther back
+    int details = 0;           ///< that were found
 };
 
 /// The figures of one eye's views.

@@ -56,6 +56,17 @@ std::string markup_text(const std::string& text)
     return markup;
 }
 
+std::string json_within_html(const std::string& json)
+{
+    std::string text;
+    for (const char c : json)
+        if (c == '<')
+            text += "\\u003c";
+        else
+            text += c;
+    return text;
+}
+
 std::string base64(const std::string& bytes)
 {
     constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

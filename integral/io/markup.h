@@ -12,6 +12,10 @@ namespace integral {
 /// become U+FFFD.
 std::string markup_text(const std::string& text);
 
+/// JSON for use inside HTML: `<`, which occurs only in strings, is escaped, so that an HTML parser
+/// finds no markup.
+std::string json_within_html(const std::string& json);
+
 /// Bytes in base64 (RFC 4648), without line ends.
 std::string base64(const std::string& bytes);
 

@@ -2,6 +2,7 @@
 #include "integral/replay/compare_seen.h"
 
 #include "integral/base/constants.h"
+#include "integral/base/number_text.h"
 #include "integral/replay/arrange.h"
 
 #include <algorithm>
@@ -97,51 +98,82 @@ std::vector<float> lumas(const Image& view)
     return values;
 }
 
-/// Finds details of one view in another, which lie moved along one axis. A pixel of the views is at
-/// least a lens wide, as finer details are not seen.
+/// Follows details of one view through those of other eyes, in which they lie moved along one axis
+/// in proportion to the eye's way. A pixel of the views is at least a lens wide, as finer details
+/// are not seen.
 class DetailSearch {
 public:
     static constexpr int half = 4; ///< of a detail's side, pixels
 
-    /// `reach`: the greatest movement, pixels. `upwards`: details move along the columns.
-    DetailSearch(const Image& from, const Image& to, int reach, bool upwards)
+    /// A view from another eye, and the eye's way there as part of the whole way.
+    struct Step {
+        Image view;
+        double way;
+    };
+
+    /// `steps`: in the order of the way, whose end is 1. `reach`: the greatest movement in the
+    /// first step, pixels. `upwards`: details move along the columns.
+    DetailSearch(const Image& from, const std::vector<Step>& steps, int reach, bool upwards)
         : width_(from.width),
           height_(from.height),
           reach_(reach),
           upwards_(upwards),
-          from_(lumas(from)),
-          to_(lumas(to))
+          from_(lumas(from))
     {
+        for (const Step& step : steps)
+            to_.push_back({lumas(step.view), step.way});
     }
 
-    /// The movement in pixels of the detail about (x, y); empty where it has no texture along the
-    /// axis, lies at the edge, or is not found again.
+    /// The movement over the whole way, in pixels, of the detail about (x, y); empty where it has
+    /// no texture along the axis, lies at the edge, or is not found in each view.
     std::optional<double> movement(int x, int y) const
     {
-        std::vector<double> errors;
         double texture = 0;
         for (int j = -half; j < half; ++j)
             for (int i = -half; i < half; ++i)
                 texture += squared(from(x + i, y + j) - from(x + i + !upwards_, y + j + upwards_));
-        for (int shift = -reach_; shift <= reach_; ++shift) {
+        constexpr double least_texture = 4 * half * half * 0.01 * 0.01;
+        if (texture < least_texture)
+            return std::nullopt;
+        std::optional<double> found;
+        double way = 0;
+        for (const Target& target : to_) {
+            const int expected = found ? int(std::lround(*found * target.way / way)) : 0;
+            found = movement_to(target.lumas, x, y, expected, found ? 2 : reach_, texture);
+            if (!found)
+                return std::nullopt;
+            way = target.way;
+        }
+        return found;
+    }
+
+private:
+    struct Target {
+        std::vector<float> lumas;
+        double way;
+    };
+
+    /// The movement to one view, within `reach` of the expected one; empty if it is not found.
+    std::optional<double> movement_to(const std::vector<float>& to, int x, int y, int expected,
+                                      int reach, double texture) const
+    {
+        std::vector<double> errors;
+        for (int shift = expected - reach; shift <= expected + reach; ++shift) {
             double error = 0;
             const int dx = upwards_ ? 0 : shift, dy = upwards_ ? shift : 0;
             for (int j = -half; j < half; ++j)
                 for (int i = -half; i < half; ++i)
-                    error += squared(from(x + i, y + j) - to(x + i + dx, y + j + dy));
+                    error += squared(from(x + i, y + j) - value(to, x + i + dx, y + j + dy));
             errors.push_back(error);
         }
         const int best = int(std::min_element(errors.begin(), errors.end()) - errors.begin());
-        constexpr double least_texture = 4 * half * half * 0.01 * 0.01;
-        if (texture < least_texture || best == 0 || best == 2 * reach_ ||
-            errors[std::size_t(best)] > 0.5 * texture)
+        if (best == 0 || best == 2 * reach || errors[std::size_t(best)] > 0.5 * texture)
             return std::nullopt;
         const double before = errors[std::size_t(best - 1)], here = errors[std::size_t(best)],
                      after = errors[std::size_t(best + 1)], bend = before - 2 * here + after;
-        return best - reach_ + (bend > 0 ? 0.5 * (before - after) / bend : 0);
+        return expected + best - reach + (bend > 0 ? 0.5 * (before - after) / bend : 0);
     }
 
-private:
     static double squared(double v) { return v * v; }
     float value(const std::vector<float>& values, int x, int y) const
     {
@@ -149,11 +181,11 @@ private:
                       std::clamp(x, 0, width_ - 1)];
     }
     float from(int x, int y) const { return value(from_, x, y); }
-    float to(int x, int y) const { return value(to_, x, y); }
 
     int width_, height_, reach_;
     bool upwards_;
-    std::vector<float> from_, to_;
+    std::vector<float> from_;
+    std::vector<Target> to_;
 };
 
 /// A place of the sheet, mm, for a pixel of a view.
@@ -163,21 +195,68 @@ Vec2 sheet_place(const View& view, const Film& film, double x, double y)
     return {(x / view.width - 0.5) * size.x, (0.5 - y / view.height) * size.y};
 }
 
+double along(Eye eye, bool upwards) { return upwards ? eye.y : eye.x; }
+
+/// The eyes on the way across the lenses that is longest, in order: at one distance, at one height
+/// (for lenses that lie across, one above the other), of those nearest to the middle. Fewer than
+/// two if no two eyes lie so.
+std::vector<Eye> way_across(const std::vector<Eye>& eyes, bool upwards)
+{
+    std::vector<Eye> longest;
+    for (const Eye& first : eyes) {
+        std::vector<Eye> row;
+        for (const Eye& eye : eyes)
+            if (eye.distance == first.distance &&
+                std::fabs(along(eye, !upwards) - along(first, !upwards)) < 1e-6 &&
+                along(eye, upwards) >= along(first, upwards))
+                row.push_back(eye);
+        std::sort(row.begin(), row.end(),
+                  [&](Eye a, Eye b) { return along(a, upwards) < along(b, upwards); });
+        const auto length = [&](const std::vector<Eye>& way) {
+            return way.empty() ? 0 : along(way.back(), upwards) - along(way.front(), upwards);
+        };
+        const double longer = length(row) - length(longest);
+        if (longer > 1e-6 ||
+            (longer > -1e-6 && !longest.empty() &&
+             std::fabs(along(first, !upwards)) < std::fabs(along(longest.front(), !upwards))))
+            longest = row;
+    }
+    return longest;
+}
+
+double median_of(std::vector<double> values)
+{
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 /// How the movement of details from one eye's view to another's differs between the frames.
 std::optional<ParallaxDifference> parallax_difference(const Frame& reference, const Frame& result,
-                                                      Eye first, Eye last)
+                                                      const std::vector<Eye>& eyes)
 {
     const FrameMetadata& metadata = *reference.metadata;
-    const View from = view_of(first, metadata, metadata.sheet.pitch),
-               to = view_of(last, metadata, metadata.sheet.pitch), &view = from;
     const bool upwards = lenses_lie_across(metadata.sheet);
+    const std::vector<Eye> way = way_across(eyes, upwards);
+    if (way.size() < 2)
+        return std::nullopt;
+    const double pitch = metadata.sheet.pitch, start = along(way.front(), upwards),
+                 base = along(way.back(), upwards) - start, distance = way.front().distance;
+    const View view = view_of(way.front(), metadata, pitch);
     const int reach = std::max(4, (upwards ? view.height : view.width) / 16);
-    const DetailSearch in_reference(seen_of(reference, from), seen_of(reference, to), reach,
-                                    upwards),
-        in_result(seen_of(result, from), seen_of(result, to), reach, upwards);
-    const double mm = upwards ? size_of(metadata.film).y / view.height
+    const auto search = [&](const Frame& frame) {
+        std::vector<DetailSearch::Step> steps;
+        for (std::size_t k = 1; k < way.size(); ++k)
+            steps.push_back({seen_of(frame, view_of(way[k], metadata, pitch)),
+                             (along(way[k], upwards) - start) / base});
+        return DetailSearch(seen_of(frame, view), steps, reach, upwards);
+    };
+    const DetailSearch in_reference = search(reference), in_result = search(result);
+    const double mm = upwards ? -size_of(metadata.film).y / view.height // rows count downwards
                               : size_of(metadata.film).x / view.width;
-    std::vector<double> differences;
+    // A point z behind the sheet moves on it by base z/(distance + z).
+    const auto depth = [&](double moved) { return distance * moved / (base - moved); };
+    std::vector<double> differences, depths;
     ParallaxDifference found;
     constexpr int step = 2 * DetailSearch::half;
     for (int y = step / 2; y + step / 2 <= view.height; y += step)
@@ -185,17 +264,20 @@ std::optional<ParallaxDifference> parallax_difference(const Frame& reference, co
             const auto a = in_reference.movement(x, y), b = in_result.movement(x, y);
             if (!a || !b)
                 continue;
-            differences.push_back(mm * std::fabs(*a - *b));
+            differences.push_back(std::fabs(mm * (*a - *b)));
             if (differences.back() >= found.greatest) {
                 found.greatest = differences.back();
                 found.place = sheet_place(view, metadata.film, x, y);
             }
+            if (mm * *a < base && mm * *b < base) {
+                depths.push_back(depth(mm * *b) - depth(mm * *a));
+                found.greatest_depth = std::max(found.greatest_depth, std::fabs(depths.back()));
+            }
         }
-    if (differences.empty())
+    if (differences.empty() || depths.empty())
         return std::nullopt;
-    const auto middle = differences.begin() + std::ptrdiff_t(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
-    found.median = *middle;
+    found.median = median_of(differences);
+    found.median_depth = median_of(depths);
     found.details = int(differences.size());
     return found;
 }
@@ -261,9 +343,32 @@ SeenFigures compare_seen(const Frame& reference, const Frame& result, const Comp
             seen.result = std::move(b.image);
         }
     }
-    if (eyes.size() > 1 && eyes.front().distance == eyes.back().distance)
-        seen.parallax = parallax_difference(reference, compared, eyes.front(), eyes.back());
+    seen.parallax = parallax_difference(reference, compared, eyes);
     return seen;
+}
+
+std::string other_sheet(const FrameMetadata& a, const FrameMetadata& b)
+{
+    const Vec2 size_a = size_of(a.film), size_b = size_of(b.film);
+    const auto words = [](Vec2 size) {
+        return with_digits(size.x, 5) + "x" + with_digits(size.y, 5) + " mm";
+    };
+    if (std::fabs(size_a.x - size_b.x) <= std::max(a.film.pixel_pitch.x, b.film.pixel_pitch.x) &&
+        std::fabs(size_a.y - size_b.y) <= std::max(a.film.pixel_pitch.y, b.film.pixel_pitch.y))
+        return "";
+    return "its film is " + words(size_b) + " large, the other's " + words(size_a);
+}
+
+Comparison compare_only_seen(const Frame& reference, const Frame& result,
+                             const ComparisonRules& rules)
+{
+    Comparison comparison;
+    comparison.of_pixels = false;
+    comparison.rmse = comparison.psnr = comparison.ssim = comparison.largest_difference =
+        comparison.within_two = comparison.differing = std::numeric_limits<double>::quiet_NaN();
+    comparison.seen = std::make_shared<SeenFigures>(compare_seen(reference, result, rules));
+    comparison.encoding = comparison.seen->overall.encoding;
+    return comparison;
 }
 
 } // namespace integral

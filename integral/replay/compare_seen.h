@@ -13,6 +13,15 @@ namespace integral {
 /// std::invalid_argument as PixelWeights does, InputError where the mask cannot be read.
 SeenFigures compare_seen(const Frame& reference, const Frame& result, const ComparisonRules& rules);
 
+/// Compares what eyes see of frames of other sizes in pixels, which are not compared: the
+/// comparison has figures of `seen` alone. The rules have neither regions nor a mask. Throws as
+/// compare_seen does.
+Comparison compare_only_seen(const Frame& reference, const Frame& result,
+                             const ComparisonRules& rules);
+
+/// How the sizes of two films in mm differ, in words about `b`; empty if by no more than a pixel.
+std::string other_sheet(const FrameMetadata& a, const FrameMetadata& b);
+
 } // namespace integral
 
 #endif

@@ -39,7 +39,9 @@ build_lib_libintegral_a_SOURCES += \
 
 # The interactive page's own files, as C++ strings named like them: replay_page.html is replay_page_html.
 replay_page_files = \
+  integral/replay/comparison_page.js \
   integral/replay/comparison_part.html \
+  integral/replay/replay_drawing.js \
   integral/replay/replay_page.glsl \
   integral/replay/replay_page.html \
   integral/replay/replay_page.js

@@ -48,6 +48,13 @@ Eye centre_eye(const FrameMetadata& metadata);
 /// subpixels, from the spread of printed dots. Values that are not 0 are kept.
 void set_as_seen(View& view, const FrameMetadata& metadata);
 
+/// Samples across a pixel that a view needs by default: more with a pupil or blur.
+constexpr int plain_samples = 3, scattered_samples = 8;
+inline int default_samples(const View& view)
+{
+    return view.pupil > 0 || view.blur > 0 ? scattered_samples : plain_samples;
+}
+
 /// Sets the view's width and height to the aspect of its part of the sheet, with `longer` pixels on
 /// the longer side.
 void set_view_size(View& view, const Film& film, int longer);

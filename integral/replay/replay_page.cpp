@@ -2,8 +2,9 @@
 #include "integral/replay/replay_page.h"
 
 #include "build/generated/replay_page_text.h" // replay_page_html and its like
-#include "integral/compare/compare.h"
+#include "integral/base/number_text.h"
 #include "integral/compare/compare_geometry.h"
+#include "integral/compare/seen.h"
 #include "integral/io/codecs.h"
 #include "integral/io/markup.h"
 #include "integral/lightfield/names.h"
@@ -11,28 +12,20 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace integral {
 namespace {
 
-/// JSON for use inside HTML: `<`, which occurs only in strings, is escaped, so that an HTML parser
-/// finds no markup.
-std::string within_html(const std::string& json)
-{
-    std::string text;
-    for (const char c : json)
-        if (c == '<')
-            text += "\\u003c";
-        else
-            text += c;
-    return text;
-}
+using Json = nlohmann::ordered_json;
 
-std::string json_of(const View& start, Vec2 zone)
+/// What the page's script is given about the first view.
+Json start_of(const View& start, const FrameMetadata& metadata)
 {
-    return nlohmann::ordered_json{
+    const Vec2 zone = viewing_zone(metadata, metadata.aperture.distance);
+    return {
         {"eye", {start.eye.x, start.eye.y, start.eye.distance}},
         {"size", {start.width, start.height}},
         {"samples", start.samples},
@@ -42,26 +35,24 @@ std::string json_of(const View& start, Vec2 zone)
         {"blur", start.blur},
         {"model", name_of(start.model)},
         {"part", {start.part.middle.x, start.part.middle.y, start.part.width, start.part.height}},
-        {"zone", {zone.x, zone.y}}}
-        .dump();
+        {"zone", {zone.x, zone.y}}};
 }
 
-struct Blank {
-    std::string mark, text;
-};
+using Pieces = std::vector<std::pair<std::string, std::string>>;
 
-/// The template `page` with each mark replaced by its text. The marks must occur in the order of
-/// `blanks`.
-std::string filled_in(const std::string& page, const std::vector<Blank>& blanks)
+/// The template `page` with each mark "@NAME@" replaced by its piece. The marks must occur in the
+/// order of `pieces`.
+std::string filled_in(const std::string& page, const Pieces& pieces)
 {
     std::string text;
     std::size_t done = 0;
-    for (const Blank& blank : blanks) {
-        const auto at = page.find(blank.mark, done);
+    for (const auto& [name, piece] : pieces) {
+        const std::string mark = "@" + name + "@";
+        const auto at = page.find(mark, done);
         if (at == std::string::npos)
-            throw std::logic_error("replay_page.html has no " + blank.mark);
-        text += page.substr(done, at - done) + blank.text;
-        done = at + blank.mark.size();
+            throw std::logic_error("the page has no " + mark);
+        text += page.substr(done, at - done) + piece;
+        done = at + mark.size();
     }
     return text + page.substr(done);
 }
@@ -74,37 +65,159 @@ std::string page_picture(const Frame& frame)
     return base64(encode_png(picture));
 }
 
-/// The page; `comparison`: the HTML of a second frame, or none.
-std::string page_of(const Frame& frame, const View& start, const std::string& comparison)
+/// The page without the pieces of what it shows. `with_comparison`: with the script for two frames.
+std::string page_shell(bool with_comparison, const PageAdditions& additions)
 {
-    const FrameMetadata& metadata = *frame.metadata;
-    const Subpixels& subpixels = metadata.film.subpixels;
-    if (subpixels != Subpixels::none && subpixels != Subpixels::rgb && subpixels != Subpixels::bgr)
-        throw std::invalid_argument(std::string("--html shows panels of upright stripes, rgb or "
-                                                "bgr, and this frame's subpixels are ") +
-                                    name_of(subpixels.order) +
-                                    "; integral replay without --html shows it");
-    const Vec2 zone = viewing_zone(metadata, metadata.aperture.distance);
-    return filled_in(replay_page_html, {{"@FRAME@", page_picture(frame)},
-                                        {"@COMPARISON@", comparison},
-                                        {"@GEOMETRY@", within_html(to_json(metadata))},
-                                        {"@START@", within_html(json_of(start, zone))},
-                                        {"@SHADER@", replay_page_glsl},
-                                        {"@SCRIPT@", replay_page_js}});
+    const auto mark = [](const char* name) {
+        return std::pair<std::string, std::string>(name, std::string("@") + name + "@");
+    };
+    return filled_in(replay_page_html,
+                     {{"STYLE_NONCE", additions.nonce},
+                      {"HEAD", additions.head},
+                      mark("FRAME"),
+                      mark("COMPARISON"),
+                      mark("GEOMETRY"),
+                      mark("START"),
+                      {"SHADER", replay_page_glsl},
+                      {"SCRIPT_NONCE", additions.nonce},
+                      {"SCRIPT", std::string(replay_drawing_js) +
+                                     (with_comparison ? comparison_page_js : "") + replay_page_js},
+                      {"END", additions.end}});
+}
+
+Pieces pieces_of(const Frame& frame, const std::string& comparison, const Json& start)
+{
+    return {{"FRAME", page_picture(frame)},
+            {"COMPARISON", comparison},
+            {"GEOMETRY", json_within_html(to_json(*frame.metadata))},
+            {"START", json_within_html(start.dump())}};
+}
+
+/// A picture as a film without lenses: the page shows its pixels, which are 1 mm wide.
+Frame as_film(const Frame& picture)
+{
+    Frame frame{picture.image, std::nullopt};
+    FrameMetadata metadata;
+    metadata.film = {picture.image.width, picture.image.height, {1, 1}};
+    metadata.aperture = {350, 0, 0};
+    metadata.encoding = picture.image.encoding;
+    set_metadata(frame, metadata);
+    return frame;
+}
+
+/// The part that shows both films whole; empty where they have one size, give or take half a pixel.
+SheetPart part_of_both(const Film& a, const Film& b)
+{
+    const Vec2 size_a = size_of(a), size_b = size_of(b);
+    const bool as_large = std::fabs(size_a.x - size_b.x) <= 0.5 * a.pixel_pitch.x &&
+                          std::fabs(size_a.y - size_b.y) <= 0.5 * a.pixel_pitch.y;
+    if (as_large)
+        return {};
+    return {{0, 0}, std::max(size_a.x, size_b.x), std::max(size_a.y, size_b.y)};
 }
 
 } // namespace
 
-std::string replay_page(const Frame& frame, const View& start) { return page_of(frame, start, ""); }
-
-std::string comparison_page(const Frame& reference, const Frame& result, const View& start)
+std::string page_obstacle(const Frame& frame)
 {
-    require_same_size(reference.image, result.image);
-    const std::string other = geometry_difference(reference.metadata, result.metadata);
-    if (!other.empty())
-        throw std::invalid_argument("--html shows two frames of one geometry, and " + other);
-    return page_of(reference, start,
-                   filled_in(comparison_part_html, {{"@SECOND@", page_picture(result)}}));
+    if (!frame.metadata)
+        return "a picture has no geometry of a lens sheet";
+    if (frame.metadata->projection)
+        return "the page shows no frames for replay through a projection lens; integral replay "
+               "without --html does";
+    const Subpixels& subpixels = frame.metadata->film.subpixels;
+    if (subpixels != Subpixels::none && subpixels != Subpixels::rgb && subpixels != Subpixels::bgr)
+        return std::string("the page shows panels of upright stripes, rgb or bgr, and this "
+                           "frame's subpixels are ") +
+               name_of(subpixels.order) + "; integral replay without --html shows it";
+    return "";
+}
+
+std::string replay_page(const Frame& frame, const View& start)
+{
+    const std::string obstacle = page_obstacle(frame);
+    if (!obstacle.empty())
+        throw std::invalid_argument("--html: " + obstacle);
+    return filled_in(page_shell(false, {}), pieces_of(frame, "", start_of(start, *frame.metadata)));
+}
+
+ComparedPictures compared_pictures(const Frame& reference, const Frame& result,
+                                   const Comparison& comparison)
+{
+    ComparedPictures pictures{&reference, &result, "", std::nullopt, ""};
+    if (!comparison.seen)
+        return pictures;
+    const SeenFigures& seen = *comparison.seen;
+    const SeenByEye& worst = seen.eyes[seen.worst];
+    pictures.worst_eye = Eye{worst.eye.x, worst.eye.y, worst.eye.z};
+    pictures.worst_words = "Of " + counted(int(seen.eyes.size()), "eye") + " that at " +
+                           eye_text(worst.eye) + " mm sees the greatest difference, RMSE " +
+                           with_digits(worst.figures.rmse, 4) + ", most at " +
+                           with_decimals(seen.place.x, 1) + "," + with_decimals(seen.place.y, 1) +
+                           " mm of the sheet.";
+    return pictures;
+}
+
+std::string comparison_shell(const PageAdditions& additions) { return page_shell(true, additions); }
+
+Pieces comparison_pieces(const ComparedPictures& pictures, bool keys_for_pages)
+{
+    const Frame *first = pictures.reference ? pictures.reference : pictures.result,
+                *second = pictures.reference && pictures.result ? pictures.result : nullptr;
+    std::string obstacle = page_obstacle(*first);
+    if (obstacle.empty() && second)
+        obstacle = page_obstacle(*second);
+    std::optional<Frame> first_film, second_film;
+    if (!obstacle.empty()) {
+        first_film = as_film(*first);
+        first = &*first_film;
+        if (second) {
+            second_film = as_film(*second);
+            second = &*second_film;
+        }
+    }
+
+    View view;
+    view.eye = centre_eye(*first->metadata);
+    if (obstacle.empty())
+        set_as_seen(view, *first->metadata);
+    view.samples = default_samples(view);
+    if (second)
+        view.part = part_of_both(first->metadata->film, second->metadata->film);
+    Json start = start_of(view, *first->metadata);
+    start["keys_for_pages"] = keys_for_pages;
+    if (!pictures.title.empty())
+        start["title"] = pictures.title;
+    if (!obstacle.empty())
+        start["flat"] = "Without lenses, as " + obstacle + ".";
+    if (!second)
+        return pieces_of(*first, "", start);
+
+    View second_view = view;
+    if (obstacle.empty()) {
+        second_view.blur = 0;
+        set_as_seen(second_view, *second->metadata);
+        const std::string other = geometry_difference(first->metadata, second->metadata);
+        if (!other.empty())
+            start["note"] = "The result's geometry differs: " + other + ".";
+        if (pictures.worst_eye)
+            start["worst"] = {
+                {"eye",
+                 {pictures.worst_eye->x, pictures.worst_eye->y, pictures.worst_eye->distance}},
+                {"words", pictures.worst_words}};
+    }
+    start["second_blur"] = second_view.blur;
+    return pieces_of(*first,
+                     filled_in(comparison_part_html,
+                               {{"SECOND", page_picture(*second)},
+                                {"SECOND_GEOMETRY", json_within_html(to_json(*second->metadata))}}),
+                     start);
+}
+
+std::string comparison_page(const ComparedPictures& pictures, const PageAdditions& additions)
+{
+    return filled_in(comparison_shell(additions),
+                     comparison_pieces(pictures, additions.keys_for_pages));
 }
 
 } // namespace integral

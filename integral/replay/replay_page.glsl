@@ -29,6 +29,7 @@ uniform float past_focus;              // the film's distance behind the lenses'
 uniform sampler2D columns, rows;
 uniform vec2 view_pixel; // mm
 uniform int view_height;
+uniform ivec2 corner; // the view's lower left pixel on the canvas
 
 uniform vec2 eye;
 uniform float eye_distance;
@@ -182,7 +183,8 @@ float srgb_from_linear(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * po
 
 void main()
 {
-    ivec2 view = ivec2(int(gl_FragCoord.x), view_height - 1 - int(gl_FragCoord.y));
+    ivec2 view = ivec2(gl_FragCoord.xy) - corner;
+    view.y = view_height - 1 - view.y;
     uvec2 pupil_bits = random_bits(uvec2(0, view.x), uint(view.y)), spot_bits = random_bits(uvec2(1, view.x), uint(view.y));
     vec3 total = vec3(0);
     for (int j = 0; j < samples; ++j)

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The replay page: moves the eye and draws what it sees. Lengths in mm, in the sheet frame.
-"use strict";
-(() => {
-const element = (id) => document.getElementById(id);
-const geometry = JSON.parse(element("geometry").textContent), start = JSON.parse(element("start").textContent);
+// The replay page: moves the eye and shows what it sees. Lengths in mm, in the sheet frame.
+
+const element = (id) => document.getElementById(id), data = (id) => JSON.parse(element(id).textContent);
+const geometry = data("geometry"), start = data("start");
 const { sheet, film, aperture } = geometry;
-const canvas = element("view"), pictures = [ element("frame"), element("second") ].filter(Boolean);
-const film_size = [film.width * film.pixel_pitch_mm[0], film.height * film.pixel_pitch_mm[1]];
-const offset = sheet.offset_mm ?? [0, 0], slant = (sheet.slant_degrees ?? 0) * Math.PI / 180;
-const ior = start.model === "pinhole" ? 1 : sheet.ior;
+const canvas = element("view");
+const frames = [{ geometry, picture: element("frame") }];
+if (element("second"))
+  frames.push({ geometry: data("second-geometry"), picture: element("second") });
+for (const frame of frames)
+  frame.ior = start.model === "pinhole" ? 1 : frame.geometry.sheet.ior;
+const film_size = film_size_of(geometry);
+const offset = sheet.offset_mm ?? [0, 0], slant = slant_of(geometry);
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const farthest = 1e9; // greatest distance of the eye
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
@@ -43,67 +46,13 @@ function read_fragment() {
     samples: Math.round(number("samples", 1, 64, 0)),
     size: own_size ? size.map(Math.round) : start.size[0] > 0 ? start.size : null,
     contain: Boolean(own_size || own_part),
-    raw: said.has("raw"),
+    raw: Boolean(start.flat) || said.has("raw"),
     bare: said.has("bare"),
     tile: Math.round(number("tile", 1, 1e6, 1e6)),
   };
   focus_before_eye();
   document.body.classList.toggle("bare", state.bare);
-  show_split(number("split", 0, 1, 0.5));
-}
-
-// Of two frames, the part of the view's width that shows the first.
-let split_at = 0.5, blinking = 0;
-
-function show_split(part)
-{
-    split_at = part;
-    if (pictures.length < 2)
-        return;
-    element("split").value = part;
-    element("comparison").querySelector("output").textContent = part <= 0   ? "the result"
-                                                                : part >= 1 ? "the reference"
-                                                                            : "both";
-}
-
-function set_split(part)
-{
-    show_split(part);
-    request();
-}
-
-function toggle_blinking()
-{
-    const stop = blinking !== 0;
-    clearInterval(blinking);
-    blinking = stop ? 0 : setInterval(() => set_split(split_at > 0 ? 0 : 1), 500);
-    element("blink").setAttribute("aria-pressed", String(!stop));
-    set_split(stop ? 0.5 : 1);
-}
-
-function show_alone(part)
-{
-    if (blinking)
-        toggle_blinking();
-    set_split(part);
-}
-
-function on_comparison()
-{
-    if (pictures.length < 2)
-        return;
-    element("split").addEventListener("input", (event) => show_alone(Number(event.target.value)));
-    element("show-reference").addEventListener("click", () => show_alone(1));
-    element("show-result").addEventListener("click", () => show_alone(0));
-    element("blink").addEventListener("click", toggle_blinking);
-    document.addEventListener("keydown", (event) => {
-        if (event.ctrlKey || event.altKey || event.metaKey)
-            return;
-        if (event.key === "b")
-            toggle_blinking();
-        else if (event.key === "1" || event.key === "2")
-            show_alone(event.key === "1" ? 1 : 0);
-    });
+  comparison?.begin(said.get("show"), number("split", 0, 1, 0.5));
 }
 
 function focus_before_eye() {
@@ -129,16 +78,11 @@ function move_eye(x, y) {
   changed();
 }
 
-// Unit vectors across the lenses and along them: exact where the lenses lie across.
-const across = Math.abs(sheet.slant_degrees) === 90 ? [0, Math.sign(slant)] : [Math.cos(slant), Math.sin(slant)];
-const along = [-across[1], across[0]];
-
 // Drawing.
-const WHOLE = 0, PART = 1;
-const split = (v) => [Math.floor(v), v - Math.floor(v)];
 const quick = 4; // samples across a pixel while the eye moves, at most
-let gl, uniform, textures, films, ready = false, drawn = "", pending = 0, settling = 0,
-                                  moving = false;
+const gap = 8;   // between two views side by side
+let gl, drawing, ready = false, drawn = "", pending = 0, settling = 0, moving = false;
+let views = [1, 1]; // side by side, and above each other
 
 // The part that a view of `size` pixels shows of the sheet so that `part` is in it unstretched: a
 // larger one, beyond the sheet's edges too, where the shapes differ by more than 1% (fit_part.h).
@@ -151,169 +95,54 @@ function contained(part, size) {
   return wider > 1 ? [x, y, width, height * wider] : [x, y, width / wider, height];
 }
 
-// By columns or rows of a view of `part`, as replay_page.glsl says. `axis` 0: columns.
-function steps(part, axis, count) {
-  const row_spacing = sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1;
-  const texels = new Float32Array(8 * count);
-  for (let i = 0; i < count; ++i) {
-    const mm = part[axis] + (axis === 0 ? i / count - 0.5 : 0.5 - i / count) * part[2 + axis];
-    const u = split(across[axis] * (mm - offset[axis]) / sheet.pitch_mm);
-    const v = split(along[axis] * (mm - offset[axis]) / (sheet.pitch_mm * row_spacing));
-    const pitch = film.pixel_pitch_mm[axis], pixel = split(axis === 0 ? mm / pitch + film.width / 2 : film.height / 2 - mm / pitch);
-    texels.set([u[WHOLE], u[PART], v[WHOLE], v[PART]], 4 * i);
-    texels.set([pixel[WHOLE], pixel[PART], mm, 0], 4 * (count + i));
-  }
-  return texels;
-}
-
-function floats_texture(unit, format, layout, width, height, values) {
-  gl.activeTexture(gl.TEXTURE0 + unit);
-  gl.bindTexture(gl.TEXTURE_2D, textures[unit]);
-  gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, layout, gl.FLOAT, values);
-  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-    gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
-}
-
-function compiled(type, text) {
-  const shader = gl.createShader(type);
-  gl.shaderSource(shader, text);
-  gl.compileShader(shader);
-  return shader;
-}
-
-function set_program() {
-  const program = gl.createProgram();
-  // One triangle that covers the view.
-  gl.attachShader(program, compiled(gl.VERTEX_SHADER, `#version 300 es
-    void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }`));
-  const fragment = compiled(gl.FRAGMENT_SHADER, element("shader").textContent.trim());
-  gl.attachShader(program, fragment);
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS))
-    throw Error("The graphics driver refuses the program: " + (gl.getShaderInfoLog(fragment) || gl.getProgramInfoLog(program)));
-  gl.useProgram(program);
-  const known = {};
-  uniform = (name) => known[name] ??= gl.getUniformLocation(program, name);
-}
-
-// Uniforms that do not change: sheet and film.
-function set_geometry() {
-  const whole = (name, value) => gl.uniform1i(uniform(name), value);
-  ["film", "light", "columns", "rows"].forEach((name, unit) => whole(name, unit));
-  whole("arrangement", ["lenticular", "square", "hexagonal"].indexOf(sheet.arrangement));
-  whole("subpixels", ["none", "rgb", "bgr"].indexOf(film.subpixels ?? "none"));
-  gl.uniform2i(uniform("film_size"), film.width, film.height);
-  gl.uniform2fv(uniform("pixel_pitch"), film.pixel_pitch_mm);
-  gl.uniform1f(uniform("pitch"), sheet.pitch_mm);
-  gl.uniform1f(uniform("row_spacing"), sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1);
-  gl.uniform2fv(uniform("across"), across);
-  gl.uniform2fv(uniform("along"), along);
-  gl.uniform2f(uniform("centre_to_lens"), (across[0] * offset[0] + across[1] * offset[1]) / sheet.pitch_mm,
-               (across[0] * offset[1] - across[1] * offset[0]) / sheet.pitch_mm);
-  gl.uniform1f(uniform("thickness"), sheet.thickness_mm);
-  gl.uniform1f(uniform("n_squared"), ior * ior);
-  gl.uniform1f(uniform("m"), (ior - 1) * (ior + 1));
-  const linear = (v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
-  floats_texture(1, gl.R32F, gl.RED, 256, 1, Float32Array.from({ length: 256 }, (_, v) => linear(v / 255)));
-}
-
 // Says how much is loaded, 0 to 1, and lets the browser show it and answer to the reader.
 function loaded(part) {
   element("loading").textContent = `Loading the picture ... ${Math.round(100 * part)} %`;
   return new Promise((done) => setTimeout(done));
 }
 
-// The frame's file, out of the page's text, piece by piece.
-async function frame_file(picture)
-{
-    const text = picture.src, begin = text.indexOf(",") + 1, piece = 1 << 22; // a multiple of 4
-    const pieces = [];
-    for (let at = begin; at < text.length; at += piece) {
-        await loaded(0.5 * (at - begin) / (text.length - begin));
-        pieces.push(
-            Uint8Array.from(atob(text.slice(at, at + piece)), (letter) => letter.charCodeAt(0)));
-    }
-    return new Blob(pieces, {type : "image/png"});
-}
-
-// A frame's stored values, bit by bit, in tiles that the graphics processor can hold.
-async function set_film(picture, texture)
-{
-    const blob = await frame_file(picture);
-    const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), state.tile);
-    const width = Math.min(film.width, most), height = Math.min(film.height, most);
-    const columns = Math.ceil(film.width / width), rows = Math.ceil(film.height / height);
-    if (columns * rows > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS))
-        throw Error(`The frame of ${film.width} by ${
-            film.height} pixels is too large for this device's graphics.`);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
-    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, columns * rows);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-        gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
-    for (let tile = 0; tile < columns * rows; ++tile) {
-        const x = tile % columns * width, y = Math.floor(tile / columns) * height;
-        const w = Math.min(width, film.width - x), h = Math.min(height, film.height - y);
-        await loaded(0.5 + 0.5 * tile / (columns * rows));
-        const bitmap = await createImageBitmap(
-            blob, x, y, w, h, {premultiplyAlpha : "none", colorSpaceConversion : "none"});
-        gl.activeTexture(gl.TEXTURE0);
-        gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, tile, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE,
-                         bitmap);
-        bitmap.close();
-    }
-    gl.uniform2i(uniform("tile_size"), width, height);
-    if (gl.getError() === gl.OUT_OF_MEMORY)
-        throw Error("The frame does not fit into this device's graphics memory.");
-}
-
-// The view has the size in the fragment or in the page's data, or else fits the window.
+// Each view has the size in the fragment or in the page's data, or else fits the window. Two side by
+// side lie so that they are large.
 function fit() {
-  const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE), beside = comparison?.shown === "beside";
   let size = state.size, part = state.part;
+  views = beside ? [2, 1] : [1, 1];
   if (!size) {
     const [, , width, height] = part;
     const room = [canvas.parentElement.clientWidth, state.bare ? innerHeight : Math.max(200, 0.54 * innerHeight)];
-    const scale = Math.min(room[0] / width, room[1] / height) * dots;
+    const scale_of = ([across, down]) => Math.min((room[0] - gap * (across - 1)) / (across * width),
+                                                  (room[1] - gap * (down - 1)) / (down * height));
+    if (beside && scale_of([1, 2]) > scale_of(views))
+      views = [1, 2];
+    const scale = Math.max(scale_of(views), 0) * dots;
     size = [width * scale, height * scale];
   }
   size = size.map((v) => within(Math.round(v), 1, most));
   if (state.size && state.contain)
     part = contained(part, size);
-  if (String([size, part]) === drawn)
+  if (String([size, part, views]) === drawn)
     return;
-  drawn = String([size, part]);
-  [canvas.width, canvas.height] = size;
-  canvas.style.width = size[0] / dots + "px";
-  canvas.style.height = size[1] / dots + "px";
-  floats_texture(2, gl.RGBA32F, gl.RGBA, size[0], 2, steps(part, 0, size[0]));
-  floats_texture(3, gl.RGBA32F, gl.RGBA, size[1], 2, steps(part, 1, size[1]));
-  gl.viewport(0, 0, size[0], size[1]);
-  gl.uniform2f(uniform("view_pixel"), part[2] / size[0], part[3] / size[1]);
-  gl.uniform1i(uniform("view_height"), size[1]);
+  drawn = String([size, part, views]);
+  const whole = size.map((v, axis) => v * views[axis] + Math.round(gap * dots) * (views[axis] - 1));
+  [canvas.width, canvas.height] = whole;
+  canvas.style.width = whole[0] / dots + "px";
+  canvas.style.height = whole[1] / dots + "px";
+  drawing.set_view(size, part);
+}
+
+// What is drawn of a frame. Each frame has its own lenses' blur, unless the fragment gives one.
+function view_of(index) {
+  const blur = index > 0 && state.blur === start.blur ? start.second_blur : state.blur;
+  return { ...state, blur, samples: moving ? Math.min(quick, samples()) : samples() };
 }
 
 function draw() {
   pending = 0;
   fit();
-  const [x, y, distance] = state.eye;
-  gl.uniform2f(uniform("eye"), x, y);
-  gl.uniform1f(uniform("eye_distance"), distance);
-  gl.uniform1f(uniform("pupil_radius"), 0.5 * state.pupil);
-  gl.uniform1f(uniform("spot_radius"), 0.5 * state.blur);
-  gl.uniform1f(uniform("sideways"), state.focus / (distance + state.focus));
-  gl.uniform1f(uniform("past_focus"), state.gap / sheet.thickness_mm);
-  gl.uniform1i(uniform("samples"), moving ? Math.min(quick, samples()) : samples());
-  gl.uniform1i(uniform("raw"), state.raw ? 1 : 0);
-  const edge = films.length < 2 ? canvas.width : Math.round(split_at * canvas.width);
-  films.forEach((film_texture, k) => {
-      gl.activeTexture(gl.TEXTURE0);
-      gl.bindTexture(gl.TEXTURE_2D_ARRAY, film_texture);
-      gl.scissor(k === 0 ? 0 : edge, 0, k === 0 ? edge : canvas.width - edge, canvas.height);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
-  });
+  if (comparison)
+    comparison.draw(drawing, [view_of(0), view_of(1)], canvas);
+  else
+    drawing.draw(0, view_of(0));
   document.body.dataset.drawn = canvas.width + "x" + canvas.height;
 }
 
@@ -344,7 +173,7 @@ function side(v, before, after) {
 function show_state() {
   const [x, y, distance] = state.eye;
   const places = [side(x, " to the left", " to the right"), side(y, " below", " above")].filter(Boolean);
-  element("where").textContent = state.raw ? "The film, without its lens sheet"
+  element("where").textContent = start.flat ? start.flat : state.raw ? "The film, without its lens sheet"
     : `The eye is ${mm(distance)} in front of the sheet, ${places.length ? places.join(" and ") : "opposite its middle"}`;
   const slider = (id, value, text) => {
     const input = element(id);
@@ -399,9 +228,10 @@ function show_geometry() {
     element("words").lastChild.previousSibling.textContent = term;
     element("words").lastChild.textContent = text;
   }
-  if (geometry.render?.scene) {
-    element("title").textContent = geometry.render.scene;
-    document.title = geometry.render.scene + " – integral photograph";
+  const title = start.title ?? geometry.render?.scene;
+  if (title) {
+    element("title").textContent = title;
+    document.title = title + (start.flat ? "" : " – integral photograph");
   }
   element("help").textContent = (calm.matches ? "Drag" : "Point or drag")
     + " on the picture, or use the arrow keys (with Shift in small steps), to move the eye; "
@@ -421,10 +251,12 @@ function on_pointer() {
   let held = null; // last position of the finger
   const moved = (event) => {
     const box = canvas.getBoundingClientRect(), [width, height] = zone(state.eye[2]), [x, y] = state.eye;
-    const mm_across = reach * width / box.width, mm_down = reach * height / box.height;
+    const view_width = box.width / views[0], view_height = box.height / views[1];
+    const mm_across = reach * width / view_width, mm_down = reach * height / view_height;
     if (event.pointerType !== "touch") {
       if (event.buttons || !calm.matches)
-        move_eye(mm_across * (event.clientX - box.left - box.width / 2), mm_down * (box.height / 2 - (event.clientY - box.top)));
+        move_eye(mm_across * ((event.clientX - box.left) % view_width - view_width / 2),
+                 mm_down * (view_height / 2 - (event.clientY - box.top) % view_height));
     } else if (held) {
       move_eye(x + mm_across * (event.clientX - held.clientX), y - mm_down * (event.clientY - held.clientY));
       held = event;
@@ -442,7 +274,8 @@ function on_pointer() {
 }
 
 function on_key(event) {
-  if ((event.target !== document.body && event.target !== canvas) || event.ctrlKey || event.altKey || event.metaKey)
+  const for_eye = event.target === canvas || (event.target === document.body && !start.keys_for_pages);
+  if (!for_eye || start.flat || event.ctrlKey || event.altKey || event.metaKey)
     return;
   const [x, y, distance] = state.eye, part = event.shiftKey ? 0.01 : 0.05, [width, height] = zone(distance);
   const moves = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }, move = moves[event.key];
@@ -503,19 +336,16 @@ function on_controls() {
   document.addEventListener("keydown", on_key);
   window.addEventListener("hashchange", reset);
   window.addEventListener("resize", request);
-  on_pointer();
+  if (!start.flat)
+    on_pointer();
 }
 
 async function begin() {
   gl = context;
   drawn = "";
-  textures = Array.from({length : 5}, () => gl.createTexture());
-  films = pictures.map((_, k) => textures[k === 0 ? 0 : 4]); // units 1 to 3 hold tables
-  gl.enable(gl.SCISSOR_TEST);
-  set_program();
-  set_geometry();
-  for (const [k, picture] of pictures.entries())
-      await set_film(picture, films[k]);
+  drawing = new ReplayDrawing(gl, element("shader").textContent);
+  for (const frame of frames)
+    await drawing.add(frame, state.tile, loaded);
   ready = true;
   element("loading").hidden = true;
   draw();
@@ -529,10 +359,17 @@ function give_up(why) {
   trouble(why + " Below is the frame as it is on the film.");
 }
 
+// The eye goes to a place, as to the worst one.
+function visit(eye) {
+  state.eye = [...eye];
+  changed();
+}
+
+const comparison = frames.length > 1 ? new Comparison(start, request, visit) : null;
+document.body.classList.toggle("no-lenses", Boolean(start.flat));
 read_fragment();
 show_geometry();
 on_controls();
-on_comparison();
 show_state();
 const context = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
 const run = () => begin().catch((error) => give_up(error.message));
@@ -542,4 +379,3 @@ if (context)
   run();
 else
   give_up("This browser has no WebGL 2, which the replay needs.");
-})();

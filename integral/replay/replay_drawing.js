@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Draws what an eye sees of frames through their sheets, by replay_page.glsl, on a canvas. Lengths
+// in mm, in the sheet frame.
+
+const numbers_whole = 0, numbers_part = 1;
+const split_number = (v) => [Math.floor(v), v - Math.floor(v)];
+const film_size_of = ({ film }) => [film.width * film.pixel_pitch_mm[0], film.height * film.pixel_pitch_mm[1]];
+const slant_of = ({ sheet }) => (sheet.slant_degrees ?? 0) * Math.PI / 180;
+
+// Unit vectors across the lenses and along them: exact where the lenses lie across.
+function lens_axes(geometry) {
+  const slant = slant_of(geometry);
+  const across = Math.abs(geometry.sheet.slant_degrees) === 90 ? [0, Math.sign(slant)] : [Math.cos(slant), Math.sin(slant)];
+  return { across, along: [-across[1], across[0]] };
+}
+
+const row_spacing_of = ({ sheet }) => sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1;
+
+// By columns or rows of a view of `part`, as replay_page.glsl says. `axis` 0: columns.
+function view_steps(geometry, part, axis, count) {
+  const { sheet, film } = geometry, { across, along } = lens_axes(geometry), offset = sheet.offset_mm ?? [0, 0];
+  const texels = new Float32Array(8 * count);
+  for (let i = 0; i < count; ++i) {
+    const mm = part[axis] + (axis === 0 ? i / count - 0.5 : 0.5 - i / count) * part[2 + axis];
+    const u = split_number(across[axis] * (mm - offset[axis]) / sheet.pitch_mm);
+    const v = split_number(along[axis] * (mm - offset[axis]) / (sheet.pitch_mm * row_spacing_of(geometry)));
+    const pitch = film.pixel_pitch_mm[axis];
+    const pixel = split_number(axis === 0 ? mm / pitch + film.width / 2 : film.height / 2 - mm / pitch);
+    texels.set([u[numbers_whole], u[numbers_part], v[numbers_whole], v[numbers_part]], 4 * i);
+    texels.set([pixel[numbers_whole], pixel[numbers_part], mm, 0], 4 * (count + i));
+  }
+  return texels;
+}
+
+// One triangle that covers what is drawn.
+const covering_triangle = `#version 300 es
+  void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }`;
+
+// |first - second| of two pictures, times `gain`.
+const difference_shader = `#version 300 es
+  precision highp float;
+  uniform sampler2D first, second;
+  uniform ivec2 corner;
+  uniform float gain;
+  out vec4 shown;
+  void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy) - corner;
+    shown = vec4(gain * abs(texelFetch(first, at, 0).rgb - texelFetch(second, at, 0).rgb), 1);
+  }`;
+
+// Units of textures: film, light, columns, rows for the replay; two views for their difference.
+class ReplayDrawing {
+  // `gl`: a WebGL 2 context. `shader`: replay_page.glsl. Throws Error with a sentence where the
+  // graphics driver cannot.
+  constructor(gl, shader) {
+    this.gl = gl;
+    gl.enable(gl.SCISSOR_TEST);
+    this.replay = this.program(shader);
+    this.difference = this.program(difference_shader);
+    this.films = [];
+    const linear = (v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+    this.light = gl.createTexture();
+    this.floats(this.light, gl.R32F, gl.RED, 256, 1, Float32Array.from({ length: 256 }, (_, v) => linear(v / 255)));
+  }
+
+  // Loads a frame: { geometry, picture, ior }, with an <img> of a data URI. `tile`: the greatest
+  // side of a texture. `loaded` is called with the part that is loaded and returns a promise.
+  async add(frame, tile, loaded) {
+    const { gl } = this;
+    const film = { ...frame, texture: gl.createTexture(), columns: gl.createTexture(), rows: gl.createTexture() };
+    film.tile_size = await this.fill(film, tile, loaded);
+    this.films.push(film);
+  }
+
+  // The view's size in pixels, and the part of the sheet that it shows: [x, y, width, height].
+  set_view(size, part) {
+    const { gl } = this;
+    this.size = size;
+    this.part = part;
+    for (const film of this.films) {
+      this.floats(film.columns, gl.RGBA32F, gl.RGBA, size[0], 2, view_steps(film.geometry, part, 0, size[0]));
+      this.floats(film.rows, gl.RGBA32F, gl.RGBA, size[1], 2, view_steps(film.geometry, part, 1, size[1]));
+    }
+    for (const view of this.views ?? [])
+      gl.deleteTexture(view);
+    this.views = null;
+  }
+
+  // Draws columns `first` to `end` of a frame's view, whose lower left pixel is at `corner` of the
+  // canvas. `view`: eye, pupil, focus, gap, blur, samples, raw.
+  draw(index, view, first = 0, end = this.size[0], corner = [0, 0]) {
+    const { gl } = this, film = this.films[index];
+    gl.useProgram(this.replay.program);
+    this.set_geometry(film);
+    const [x, y, distance] = view.eye, [width, height] = this.size, part = this.part;
+    const number = (name, value) => gl.uniform1f(this.replay.at(name), value);
+    const whole = (name, value) => gl.uniform1i(this.replay.at(name), value);
+    gl.uniform2f(this.replay.at("view_pixel"), part[2] / width, part[3] / height);
+    gl.uniform2iv(this.replay.at("corner"), corner);
+    whole("view_height", height);
+    gl.uniform2f(this.replay.at("eye"), x, y);
+    number("eye_distance", distance);
+    number("pupil_radius", 0.5 * view.pupil);
+    number("spot_radius", 0.5 * view.blur);
+    number("sideways", view.focus / (distance + view.focus));
+    number("past_focus", view.gap / film.geometry.sheet.thickness_mm);
+    whole("samples", view.samples);
+    whole("raw", view.raw ? 1 : 0);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, film.texture);
+    [this.light, film.columns, film.rows].forEach((texture, k) => this.bind(1 + k, texture));
+    this.cover(corner, first, end);
+  }
+
+  // Draws |first - second| of two frames' views, times `gain`.
+  draw_difference(first, second, gain) {
+    const { gl } = this;
+    this.views ??= [0, 1].map(() => {
+      const texture = gl.createTexture();
+      this.bind(0, texture);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, ...this.size);
+      return texture;
+    });
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    [first, second].forEach((view, k) => {
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.views[k], 0);
+      this.draw(k, view);
+    });
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.deleteFramebuffer(frame);
+    gl.useProgram(this.difference.program);
+    this.views.forEach((texture, k) => {
+      this.bind(k, texture);
+      gl.uniform1i(this.difference.at(["first", "second"][k]), k);
+    });
+    gl.uniform1f(this.difference.at("gain"), gain);
+    gl.uniform2i(this.difference.at("corner"), 0, 0);
+    this.cover([0, 0], 0, this.size[0]);
+  }
+
+  // Fills the canvas with the page's ground.
+  clear(width, height) {
+    const { gl } = this;
+    gl.scissor(0, 0, width, height);
+    gl.clearColor(0.094, 0.098, 0.106, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+  }
+
+  cover(corner, first, end) {
+    const { gl } = this;
+    gl.viewport(...corner, ...this.size);
+    gl.scissor(corner[0] + first, corner[1], end - first, this.size[1]);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  bind(unit, texture) {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+  }
+
+  floats(texture, format, layout, width, height, values) {
+    const { gl } = this;
+    this.bind(1, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, layout, gl.FLOAT, values);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+  }
+
+  program(fragment_text) {
+    const { gl } = this, program = gl.createProgram();
+    const compiled = (type, text) => {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+      return shader;
+    };
+    compiled(gl.VERTEX_SHADER, covering_triangle);
+    const fragment = compiled(gl.FRAGMENT_SHADER, fragment_text.trim());
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+      throw Error("The graphics driver refuses the program: " + (gl.getShaderInfoLog(fragment) || gl.getProgramInfoLog(program)));
+    const known = {};
+    return { program, at: (name) => known[name] ??= gl.getUniformLocation(program, name) };
+  }
+
+  // Uniforms of a frame's sheet and film.
+  set_geometry({ geometry, ior, tile_size }) {
+    const { gl } = this, { at } = this.replay, { sheet, film } = geometry, { across, along } = lens_axes(geometry);
+    const offset = sheet.offset_mm ?? [0, 0], whole = (name, value) => gl.uniform1i(at(name), value);
+    ["film", "light", "columns", "rows"].forEach((name, unit) => whole(name, unit));
+    whole("arrangement", ["lenticular", "square", "hexagonal"].indexOf(sheet.arrangement));
+    whole("subpixels", ["none", "rgb", "bgr"].indexOf(film.subpixels ?? "none"));
+    gl.uniform2i(at("film_size"), film.width, film.height);
+    gl.uniform2iv(at("tile_size"), tile_size);
+    gl.uniform2fv(at("pixel_pitch"), film.pixel_pitch_mm);
+    gl.uniform1f(at("pitch"), sheet.pitch_mm);
+    gl.uniform1f(at("row_spacing"), row_spacing_of(geometry));
+    gl.uniform2fv(at("across"), across);
+    gl.uniform2fv(at("along"), along);
+    gl.uniform2f(at("centre_to_lens"), (across[0] * offset[0] + across[1] * offset[1]) / sheet.pitch_mm,
+                 (across[0] * offset[1] - across[1] * offset[0]) / sheet.pitch_mm);
+    gl.uniform1f(at("thickness"), sheet.thickness_mm);
+    gl.uniform1f(at("n_squared"), ior * ior);
+    gl.uniform1f(at("m"), (ior - 1) * (ior + 1));
+  }
+
+  // The frame's file, out of the page's text, piece by piece.
+  async file(picture, loaded) {
+    const text = picture.src, begin = text.indexOf(",") + 1, piece = 1 << 22; // a multiple of 4
+    const pieces = [];
+    for (let at = begin; at < text.length; at += piece) {
+      await loaded(0.5 * (at - begin) / (text.length - begin));
+      pieces.push(Uint8Array.from(atob(text.slice(at, at + piece)), (letter) => letter.charCodeAt(0)));
+    }
+    return new Blob(pieces, { type: "image/png" });
+  }
+
+  // A frame's stored values, bit by bit, in tiles that the graphics processor can hold. Returns the
+  // tiles' size.
+  async fill({ geometry, picture, texture }, tile, loaded) {
+    const { gl } = this, { film } = geometry, blob = await this.file(picture, loaded);
+    const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), tile);
+    const width = Math.min(film.width, most), height = Math.min(film.height, most);
+    const columns = Math.ceil(film.width / width), rows = Math.ceil(film.height / height);
+    if (columns * rows > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS))
+      throw Error(`The frame of ${film.width} by ${film.height} pixels is too large for this device's graphics.`);
+    const bind = () => {
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    };
+    bind();
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, columns * rows);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
+    for (let k = 0; k < columns * rows; ++k) {
+      const x = k % columns * width, y = Math.floor(k / columns) * height;
+      const w = Math.min(width, film.width - x), h = Math.min(height, film.height - y);
+      await loaded(0.5 + 0.5 * k / (columns * rows));
+      const bitmap = await createImageBitmap(blob, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
+      bind();
+      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+      bitmap.close();
+    }
+    if (gl.getError() === gl.OUT_OF_MEMORY)
+      throw Error("The frame does not fit into this device's graphics memory.");
+    return [width, height];
+  }
+}
