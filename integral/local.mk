@@ -22,6 +22,7 @@ include $(srcdir)/integral/wireframe/local.mk
 include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/resolution/local.mk
 include $(srcdir)/integral/multiview/local.mk
+include $(srcdir)/integral/studio/local.mk
 include $(srcdir)/integral/cli/local.mk
 
 # Man pages and completion for bash say what its commands declare.

@@ -121,6 +121,7 @@ unit_sources = \
   tests/unit/output_relief_chart.cpp \
   tests/unit/output_pitch_wizard.cpp \
   tests/unit/output_screens.cpp \
+  tests/unit/replay_comparators.cpp \
   tests/unit/replay_compare.cpp \
   tests/unit/replay_draft.cpp \
   tests/unit/replay_eyes.cpp \

@@ -58,6 +58,7 @@ int run(const CompareOptions& o)
                   {"junit", o.junit},
                   {"accept", o.accept},
                   {"create", o.create},
+                  {"approve", o.approve},
                   {"summary", o.summary},
                   {"threads", o.threads.given}},
                  "goes with --suite FOLDER");

@@ -77,6 +77,13 @@ void declare(options::options_description& all, CompareOptions& o)
         "accept", fills(o.accept, "NAME...")->multitoken()->composing(),
         "compare nothing: make these results the references, and remove the reference of a result "
         "that is gone; each is named by its name within the folder, or by its path");
+    add(group, "approve", o.approve,
+        "show each picture that did not pass on a page in the browser, served to this machine "
+        "alone: "
+        "accept (a) does at once what --accept does, reject (r) leaves the reference as it is");
+    add(group, "port", o.port, "PORT", "the port of --approve's page (default: a free one)");
+    add(group, "no-browser", o.no_browser,
+        "--approve: print the page's address and do not open a browser");
     add(group, "create", o.create,
         "make results without a reference references first, and say so: for a first run");
     add(group, "summary", o.summary, "FILE.md",

@@ -20,7 +20,8 @@ struct CompareOptions : CommonOptions {
     // With --suite:
     std::optional<std::string> suite, references, tolerances, junit, summary;
     std::optional<Words> accept;
-    bool create = false;
+    bool create = false, approve = false, no_browser = false;
+    std::optional<int> port;
     ThreadOptions threads;
 };
 

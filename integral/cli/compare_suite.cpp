@@ -9,6 +9,8 @@
 #include "integral/compare/suite_run.h"
 #include "integral/compare/suite_summary.h"
 #include "integral/replay/compare_seen.h"
+#include "integral/replay/suite_comparators.h"
+#include "integral/studio/approval_page.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -49,6 +51,18 @@ void check_suite_options(const CompareOptions& o)
         o.accept && other)
         throw UsageError(std::string("--accept and --") + other +
                          " do not go together: references are replaced, nothing is compared");
+    if (const char* other = first_given({{"accept", bool(o.accept)},
+                                         {"output", o.output},
+                                         {"junit", o.junit},
+                                         {"summary", o.summary},
+                                         {"create", o.create},
+                                         {"json", o.json}});
+        o.approve && other)
+        throw UsageError(std::string("--approve and --") + other +
+                         " do not go together: its page shows the outcome, and references are "
+                         "replaced there");
+    if (!o.approve)
+        refuse_given({{"port", o.port}, {"no-browser", o.no_browser}}, "goes with --approve");
     if ((output == "-") + (o.junit == "-") + (o.summary == "-") > 1)
         throw UsageError("only one of -o, --junit and --summary goes to standard output");
 }
@@ -88,6 +102,36 @@ int report(const Suite& suite, const CompareOptions& o)
     return suite.passed() ? exit_done : exit_check_failed;
 }
 
+/// Serves the page on which pictures are accepted. Returns an ExitStatus: done if all were.
+int approve(const Suite& suite, const CompareOptions& o)
+{
+    for (const std::string& fault : suite.unused)
+        say("compare", suite.tolerances + ": " + fault);
+    Approval approval(suite,
+                      [](const std::string& name, const std::string& reference, const char* now) {
+                          std::printf("accepted %s: %s %s\n", name.c_str(), reference.c_str(), now);
+                          std::fflush(stdout);
+                      });
+    if (approval.counts().undecided == 0) {
+        std::printf("%s: nothing to accept\n", suite_summary(suite).c_str());
+        return suite.passed() ? exit_done : exit_check_failed;
+    }
+    Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
+                  [&](const ServerRequest& request) { return approval.answer(request); });
+    std::printf("%s; the page: %s\n", suite_summary(suite).c_str(), server.address().c_str());
+    std::fflush(stdout);
+    if (!o.no_browser)
+        open_in_browser(server.address());
+    server.run([&] { return approval.has_ended(); });
+    const ApprovalCounts counts = approval.counts();
+    std::printf("%s\n", approval_summary(counts).c_str());
+    std::fflush(stdout);
+    if (!approval.has_ended())
+        throw Interrupted();
+    return counts.rejected + counts.undecided == 0 && suite.unused.empty() ? exit_done
+                                                                           : exit_check_failed;
+}
+
 } // namespace
 
 int run_suite(const CompareOptions& o)
@@ -99,7 +143,7 @@ int run_suite(const CompareOptions& o)
     read_number("gain", o.gain, pictures.gain);
     pictures.thumbnails = o.summary && o.summary != "-";
     const SuiteFolders folders = suite_folders(*o.suite, o.references,
-                                               o.accept || o.create);
+                                               o.accept || o.create || o.approve);
     if (o.accept) {
         accept(*o.accept, folders, "accepted", false);
         return exit_done;
@@ -121,6 +165,10 @@ int run_suite(const CompareOptions& o)
     if (!compare_suite(suite, pictures, compare_seen, threads, progress_bar("comparing")))
         throw Interrupted();
     note_renames(suite);
+    if (o.approve)
+        return approve(suite, o);
+    if (pictures.wanted)
+        add_comparators(suite);
     return report(suite, o);
 }
 

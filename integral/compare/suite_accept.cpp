@@ -53,8 +53,7 @@ void accept_results(const std::vector<std::string>& given, const SuiteFolders& f
             continue;
         }
         names.back() = name;
-        if (!fs::is_directory(folders.references, error) ||
-            !pictures_in(folders.references, folders.results).count(name))
+        if (!references_in(folders).count(name))
             throw InputError(folders.result(name) +
                              ": there is no such picture to accept; give its name within " +
                              folders.results + ", or its path");
@@ -84,10 +83,7 @@ void accept_results(const std::vector<std::string>& given, const SuiteFolders& f
 std::vector<std::string> results_without_reference(const SuiteFolders& folders)
 {
     const auto results = pictures_in(folders.results, folders.references);
-    std::error_code error;
-    const auto references = fs::is_directory(folders.references, error)
-                                ? pictures_in(folders.references, folders.results)
-                                : std::set<std::string>();
+    const auto references = references_in(folders);
     std::vector<std::string> names;
     std::set_difference(results.begin(), results.end(), references.begin(), references.end(),
                         std::back_inserter(names));

@@ -43,7 +43,7 @@ struct SuitePair {
     ComparisonRules rules;
     std::optional<Comparison> figures; ///< empty unless both were read and have the same size
     std::string pictures;              ///< HTML that shows both, if a report is wanted
-
+    std::string comparator;            ///< HTML that opens their comparison; empty: none
     std::optional<Image> thumbnail; ///< of a failed pair: reference, result, difference
 
     bool missing() const { return state >= PairState::no_reference; }

@@ -184,15 +184,16 @@ std::string suite_page(const Suite& suite, const std::string& folder)
     body += fault_lines(unused) + table(suite, pairs);
     const auto section = [&](const SuitePair& pair) {
         return "<section id=\"" + anchor_of(suite, pair) + "\">\n<h2>" + markup_text(pair.name) +
-               "</h2>\n" + fault_lines(pair.faults) + links(suite, pair, folder) + pair.pictures +
-               "</section>\n";
+               "</h2>\n" + fault_lines(pair.faults) + links(suite, pair, folder) + pair.comparator +
+               pair.pictures + "</section>\n";
     };
     std::string passed;
     for (const SuitePair* pair : pairs)
         (pair->passed() ? passed : body) += section(*pair);
-    body += passed;
+    body += passed + suite.comparator;
     return html_page("integral compare: " + suite_summary(suite),
-                     std::string(suite_pictures_style) + style, body);
+                     std::string(suite_pictures_style) + style + suite.comparator_style, body,
+                     {suite.comparator_script, ""});
 }
 
 std::string suite_json(const Suite& suite)

@@ -12,6 +12,8 @@ struct Suite {
     std::string tolerances;          ///< the file of tolerances; empty if there is none
     std::vector<SuitePair> pairs;    ///< by name
     std::vector<std::string> unused; ///< tolerances that match no file: "line 3: ..."
+    /// What the pairs' comparators need in the report: HTML, CSS and a script; empty without them.
+    std::string comparator, comparator_style, comparator_script;
     bool passed() const;
 };
 

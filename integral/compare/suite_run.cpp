@@ -82,6 +82,14 @@ std::set<std::string> pictures_in(const std::string& folder, const std::string& 
     return names;
 }
 
+std::set<std::string> references_in(const SuiteFolders& folders)
+{
+    std::error_code error;
+    return fs::is_directory(folders.references, error)
+               ? pictures_in(folders.references, folders.results)
+               : std::set<std::string>();
+}
+
 SuiteTolerances read_tolerances(const SuiteFolders& folders, const std::optional<std::string>& file)
 {
     SuiteTolerances read;
@@ -105,7 +113,7 @@ Suite suite_of(const SuiteFolders& folders, const SuiteTolerances& limits)
     suite.folders = folders;
     suite.tolerances = limits.file;
     const auto results = pictures_in(folders.results, folders.references),
-               references = pictures_in(folders.references, folders.results);
+               references = references_in(folders);
     std::set<std::string> names = results;
     names.insert(references.begin(), references.end());
     if (names.empty())

@@ -23,6 +23,9 @@ SuiteFolders suite_folders(const std::string& results, const std::optional<std::
 /// files and folders are left out, and so is the folder `other`. Throws InputError.
 std::set<std::string> pictures_in(const std::string& folder, const std::string& other);
 
+/// The references, as pictures_in; none where their folder is still to be made.
+std::set<std::string> references_in(const SuiteFolders& folders);
+
 struct SuiteTolerances {
     Tolerances tolerances;
     std::string file; ///< where they stand; empty: nowhere, there are none

@@ -124,16 +124,22 @@ std::string link_to(const std::string& path)
     return link;
 }
 
-std::string html_page(const std::string& title, const std::string& style, const std::string& body)
+std::string html_page(const std::string& title, const std::string& style, const std::string& body,
+                      const PageScript& script)
 {
+    const bool runs = !script.text.empty();
+    const std::string nonce = script.nonce.empty() ? "" : " nonce=\"" + script.nonce + "\"";
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
-           "'self' data:; style-src 'unsafe-inline'\">\n"
+           "'self' data:" +
+           std::string(runs ? " blob:; script-src 'unsafe-inline'" : "") +
+           "; style-src 'unsafe-inline'\">\n"
            "<title>" +
-           markup_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" +
-           page_style + style + "</style>\n</head>\n<body>\n<main>\n" + body +
-           "</main>\n</body>\n</html>\n";
+           markup_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style" + nonce +
+           ">" + page_style + style + "</style>\n</head>\n<body>\n<main>\n" + body + "</main>\n" +
+           (runs ? "<script" + nonce + ">\n" + script.text + "</script>\n" : "") +
+           "</body>\n</html>\n";
 }
 
 } // namespace integral

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Makes HTML report pages of tables and small pictures. Each page is one file without scripts and
-// without links to other hosts; only moving pictures may be files beside it. Escape plain text with
-// markup_text (integral/io/markup.h).
+// Makes HTML report pages of tables and small pictures. Each page is one file without links to
+// other hosts, and without scripts unless one is given; only moving pictures may be files beside
+// it. Escape plain text with markup_text (integral/io/markup.h).
 #ifndef INTEGRAL_IO_HTML_PAGE_H
 #define INTEGRAL_IO_HTML_PAGE_H
 
@@ -30,12 +30,19 @@ std::string picture_element(const Image& picture, int longest, const std::string
 /// A path relative to the page, percent-encoded for the href of an <a>.
 std::string link_to(const std::string& path);
 
+/// A script at the end of a page.
+struct PageScript {
+    std::string text;  ///< empty: the page has none, and its policy forbids any
+    std::string nonce; ///< of style and script, where a server's policy asks for one
+};
+
 /// A whole page. `title` is plain text, `body` is HTML, and `style` is CSS that follows the page's
 /// own. The page's own CSS formats text and tables and defines the colours --ground, --panel,
 /// --line, --text, --quiet, --good, --bad and --mark for the reader's light or dark preference. In
 /// narrow windows the rows of a table of class "cards" are shown as cards, with each <td
 /// data-label="..."> on its own line after its label.
-std::string html_page(const std::string& title, const std::string& style, const std::string& body);
+std::string html_page(const std::string& title, const std::string& style, const std::string& body,
+                      const PageScript& script = {});
 
 } // namespace integral
 

@@ -31,6 +31,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/replay_series.h \
   integral/replay/rgbd.cpp \
   integral/replay/rgbd.h \
+  integral/replay/suite_comparators.cpp \
+  integral/replay/suite_comparators.h \
   integral/replay/view_files.cpp \
   integral/replay/view_files.h \
   integral/replay/view_lenses.cpp \
@@ -44,7 +46,8 @@ replay_page_files = \
   integral/replay/replay_drawing.js \
   integral/replay/replay_page.glsl \
   integral/replay/replay_page.html \
-  integral/replay/replay_page.js
+  integral/replay/replay_page.js \
+  integral/replay/report_comparator.js
 
 EXTRA_DIST += $(replay_page_files)
 CLEANFILES += build/generated/replay_page_text.h
@@ -56,3 +59,5 @@ build/generated/replay_page_text.h: $(replay_page_files)
 	  done; } > $@.tmp && mv $@.tmp $@
 integral/replay/replay_page.$(OBJEXT): build/generated/replay_page_text.h
 integral/replay/build_sanitized_libintegral_a-replay_page.$(OBJEXT): build/generated/replay_page_text.h
+integral/replay/suite_comparators.$(OBJEXT): build/generated/replay_page_text.h
+integral/replay/build_sanitized_libintegral_a-suite_comparators.$(OBJEXT): build/generated/replay_page_text.h

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A suite's pictures that did not pass are looked at in a browser, and each is accepted or
+// rejected.
+#ifndef INTEGRAL_STUDIO_APPROVAL_H
+#define INTEGRAL_STUDIO_APPROVAL_H
+
+#include "integral/compare/suite_accept.h"
+#include "integral/compare/suite_report.h"
+#include "integral/studio/server.h"
+
+#include <atomic>
+#include <mutex>
+#include <vector>
+
+namespace integral {
+
+enum class Decision { none, accepted, rejected };
+
+/// One picture that did not pass.
+struct ApprovalItem {
+    const SuitePair* pair = nullptr;
+    Decision decision = Decision::none;
+    std::string stamp; ///< of its files when they were last shown (file_stamp)
+};
+
+struct ApprovalCounts {
+    int accepted = 0, rejected = 0, undecided = 0;
+};
+
+ApprovalCounts counts_of(const std::vector<ApprovalItem>& items);
+
+/// Answers for a Server: "/" lists the pictures, "/picture/K" shows one (K from 1) with the
+/// comparison's page, and posting to "/picture/K/accept", "/picture/K/reject" or "/finish" does
+/// that. No file is named by a path. Accepting does what accept_results does, at once; it is
+/// refused where a file has changed since it was shown.
+class Approval {
+public:
+    /// `suite` has been compared, and must live on. `accepted` is called as accept_results does.
+    Approval(const Suite& suite, Accepted accepted);
+
+    /// May be called by several threads at once.
+    std::optional<ServerAnswer> answer(const ServerRequest& request);
+
+    bool has_ended() const { return ended_; }
+    ApprovalCounts counts() const;
+
+private:
+    ServerAnswer show(std::size_t index, const ServerRequest& request);
+    ServerAnswer decide(std::size_t index, bool accept, const ServerRequest& request);
+
+    const Suite& suite_;
+    Accepted accepted_;
+    mutable std::mutex mutex_; ///< of items_, and of what accepting changes
+    std::vector<ApprovalItem> items_;
+    std::atomic<bool> ended_ = false;
+};
+
+} // namespace integral
+
+#endif
