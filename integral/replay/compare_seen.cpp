@@ -71,6 +71,25 @@ Image seen_of(const Frame& frame, View view)
     return *replay(frame, view);
 }
 
+/// Whether eyes see the same of two frames: their samples and geometry are equal.
+bool same_to_eyes(const Frame& a, const Frame& b)
+{
+    const auto geometry = [](FrameMetadata metadata) {
+        metadata.render.reset();
+        return to_json(metadata);
+    };
+    return same_form(a.image, b.image) && a.image.samples == b.image.samples &&
+           geometry(*a.metadata) == geometry(*b.metadata);
+}
+
+/// The width of a view's pixel on the sheet, mm: a 60th of a degree, but no less than the film's
+/// pixels, which are all that there is to see.
+double view_pitch(Eye eye, const Film& film)
+{
+    return std::max(eye.distance * std::tan(radians_per_degree / 60),
+                    std::min(film.pixel_pitch.x, film.pixel_pitch.y));
+}
+
 /// Takes the worse of each figure.
 void take_worse(Comparison& overall, const Comparison& c)
 {
@@ -321,11 +340,12 @@ SeenFigures compare_seen(const Frame& reference, const Frame& result, const Comp
     seen.overall.ssim = seen.overall.within_two = 1;
     seen.overall.channel_tolerance = rules.channel_tolerance;
     double most = -1;
+    const bool same = same_to_eyes(reference, compared);
     const std::vector<Eye> eyes = eyes_of(*rules.seen, metadata);
     for (std::size_t k = 0; k < eyes.size(); ++k) {
-        const double finest = eyes[k].distance * std::tan(radians_per_degree / 60);
-        const View view = view_of(eyes[k], metadata, finest);
-        Frame a{seen_of(reference, view), std::nullopt}, b{seen_of(compared, view), std::nullopt};
+        const View view = view_of(eyes[k], metadata, view_pitch(eyes[k], metadata.film));
+        Frame a{seen_of(reference, view), std::nullopt};
+        Frame b = same ? a : Frame{seen_of(compared, view), std::nullopt};
         if (!rules.ppd)
             view_rules.ppd = std::clamp(radians_per_degree * eyes[k].distance * view.width /
                                             size_of(metadata.film).x,

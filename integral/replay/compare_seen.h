@@ -9,8 +9,9 @@ namespace integral {
 
 /// Replays both frames, each by its own geometry, from the rules' eyes (default: nine eyes over the
 /// reference's viewing zone), with pupil and blur as a person sees a print, and compares the views.
-/// A pixel of the views is a 60th of a degree, within 600 pixels a side. Both have metadata. Throws
-/// std::invalid_argument as PixelWeights does, InputError where the mask cannot be read.
+/// A pixel of the views is a 60th of a degree, but no less than a pixel of the reference's film,
+/// within 600 pixels a side. Both have metadata. Throws std::invalid_argument as PixelWeights does,
+/// InputError where the mask cannot be read.
 SeenFigures compare_seen(const Frame& reference, const Frame& result, const ComparisonRules& rules);
 
 /// Compares what eyes see of frames of other sizes in pixels, which are not compared: the
