@@ -8,8 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <set>
 
@@ -24,11 +22,9 @@ std::set<std::string> repeatable_jobs(const PlannedBatch& batch)
     const bool all = std::getenv("SOURCE_DATE_EPOCH") != nullptr;
     std::set<std::string> names;
     for (std::size_t job = 0; job < batch.manifest.jobs.size(); ++job) {
-        std::string value = value_of_option(batch.frame_of(int(job)).words, "integral_metadata",
-                                            "");
-        std::transform(value.begin(), value.end(), value.begin(),
-                       [](unsigned char letter) { return char(std::tolower(letter)); });
-        if (all || value == "repeatable")
+        const std::string value = value_of_option(batch.frame_of(int(job)).words,
+                                                  "integral_metadata", "");
+        if (all || in_small_letters(value) == "repeatable")
             names.insert(batch.manifest.jobs[job].name);
     }
     return names;

@@ -8,6 +8,7 @@
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_strips.h"
 #include "integral/batch/cluster_queue.h"
+#include "integral/io/markup.h"
 
 #include <algorithm>
 #include <chrono>

@@ -8,19 +8,19 @@
 #include <initializer_list>
 
 namespace integral {
-namespace {
-
-using Kind = RendererOption::Kind;
-
-constexpr char blanks[] = " \t\n\v\f\r";
-constexpr char value_ends[] = " \t\n\v\f\r;#\"'", name_ends[] = " \t\n\v\f\r;#\"'[]=";
-
 std::string in_small_letters(std::string text)
 {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     return text;
 }
+
+namespace {
+
+using Kind = RendererOption::Kind;
+
+constexpr char blanks[] = " \t\n\v\f\r";
+constexpr char value_ends[] = " \t\n\v\f\r;#\"'", name_ends[] = " \t\n\v\f\r;#\"'[]=";
 
 bool is_quote(char c) { return c == '"' || c == '\''; }
 

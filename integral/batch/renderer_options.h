@@ -26,6 +26,9 @@ struct RendererOption {
 /// one option.
 std::vector<RendererOption> renderer_options_in(const std::string& word);
 
+/// A text in small letters, as keywords are compared.
+std::string in_small_letters(std::string text);
+
 /// A file's name for the command line: in quotation marks of a kind that it does not have.
 std::string quoted(const std::string& name);
 

@@ -2,6 +2,7 @@
 #include "integral/batch/slurm.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/io/markup.h"
 
 #include <cerrno>
 #include <cstdlib>
@@ -179,14 +180,6 @@ std::string redirection(const std::string& folder)
 }
 
 } // namespace
-
-std::string for_shell(const std::string& text)
-{
-    std::string safe = "'";
-    for (const char c : text)
-        safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return safe + "'";
-}
 
 std::string slurm_submit(const SlurmRequest& request)
 {

@@ -22,9 +22,6 @@ struct SlurmRequest {
     std::string commands;           ///< for /bin/sh
 };
 
-/// A text as one word for a shell.
-std::string for_shell(const std::string& text);
-
 /// Submits an array and returns its number. Throws InputError with sbatch's reason.
 std::string slurm_submit(const SlurmRequest& request);
 

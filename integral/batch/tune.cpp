@@ -8,6 +8,7 @@
 #include "integral/batch/slurm.h"
 #include "integral/batch/strips.h"
 #include "integral/io/image_file.h"
+#include "integral/io/markup.h"
 #include "integral/lightfield/pass_rows.h"
 
 #include <algorithm>

@@ -25,7 +25,7 @@ struct CompareOptions : CommonOptions {
     ThreadOptions threads;
 };
 
-/// The options of the command, without those of every command.
+/// What a line of `integral compare` can state.
 void declare(options::options_description& all, CompareOptions& o);
 
 /// The limits that the line gives. Throws UsageError.

@@ -37,15 +37,6 @@ std::string unused_fault(const Suite& suite, const std::string& fault)
     return suite.tolerances + ": " + fault;
 }
 
-/// A paragraph for each fault.
-std::string fault_lines(const std::vector<std::string>& faults)
-{
-    std::string html;
-    for (const std::string& fault : faults)
-        html += "<p class=\"fault\">" + markup_text(fault) + "</p>\n";
-    return html;
-}
-
 /// The pairs in the page's order: those that failed first.
 std::vector<const SuitePair*> failed_first(const Suite& suite)
 {
@@ -169,6 +160,14 @@ std::string suite_summary(const Suite& suite)
     if (!suite.unused.empty())
         text += ", " + counted(int(suite.unused.size()), "tolerance") + " for no file";
     return text;
+}
+
+std::string fault_lines(const std::vector<std::string>& faults)
+{
+    std::string html;
+    for (const std::string& fault : faults)
+        html += "<p class=\"fault\">" + markup_text(fault) + "</p>\n";
+    return html;
 }
 
 std::string suite_page(const Suite& suite, const std::string& folder)

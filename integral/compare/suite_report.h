@@ -12,7 +12,7 @@ struct Suite {
     std::string tolerances;          ///< the file of tolerances; empty if there is none
     std::vector<SuitePair> pairs;    ///< by name
     std::vector<std::string> unused; ///< tolerances that match no file: "line 3: ..."
-    /// What the pairs' comparators need in the report: HTML, CSS and a script; empty without them.
+    /// HTML, CSS and a script that the pairs' comparators share in the report; empty without any.
     std::string comparator, comparator_style, comparator_script;
     bool passed() const;
 };
@@ -20,6 +20,9 @@ struct Suite {
 /// "12 compared, 2 failed, 1 missing": the number of pairs of two files, of those among them that
 /// failed, and of files without a counterpart.
 std::string suite_summary(const Suite& suite);
+
+/// HTML: a paragraph for each fault.
+std::string fault_lines(const std::vector<std::string>& faults);
 
 /// One HTML page: a table, failed pairs first, then the pairs' pictures. `folder` is where the page
 /// will lie, for its links to the files; empty: it has no links.

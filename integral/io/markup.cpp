@@ -67,6 +67,14 @@ std::string json_within_html(const std::string& json)
     return text;
 }
 
+std::string for_shell(const std::string& text)
+{
+    std::string safe = "'";
+    for (const char c : text)
+        safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return safe + "'";
+}
+
 std::string base64(const std::string& bytes)
 {
     constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

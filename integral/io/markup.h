@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Escapes text and encodes bytes for HTML, XML and SVG.
+// Escapes text for HTML, XML, SVG and shells, and encodes bytes.
 #ifndef INTEGRAL_IO_MARKUP_H
 #define INTEGRAL_IO_MARKUP_H
 
@@ -15,6 +15,9 @@ std::string markup_text(const std::string& text);
 /// JSON for use inside HTML: `<`, which occurs only in strings, is escaped, so that an HTML parser
 /// finds no markup.
 std::string json_within_html(const std::string& json);
+
+/// A text as one word for a shell.
+std::string for_shell(const std::string& text);
 
 /// Bytes in base64 (RFC 4648), without line ends.
 std::string base64(const std::string& bytes);

@@ -45,6 +45,12 @@ double shape_of(const Film& film)
     return film.width * film.pixel_pitch.x / (film.height * film.pixel_pitch.y);
 }
 
+Film pixels_on(const Film& film, const FittedPicture& picture, int width, int height)
+{
+    const Vec2 size = size_of(film);
+    return {width, height, {picture.size.x * size.x / width, picture.size.y * size.y / height}};
+}
+
 std::string fit_text(const FittedPicture& picture, const std::string& target,
                      const std::string& bars)
 {

@@ -43,6 +43,9 @@ FittedPicture fitted(double shape, double target, Fit fit);
 /// Width divided by height of a film.
 double shape_of(const Film& film);
 
+/// The pixels of a picture that lies so on a film, as a film of their own.
+Film pixels_on(const Film& film, const FittedPicture& picture, int width, int height);
+
 /// What was done, in a sentence that goes on after the picture's name: "its shape (width/height) is
 /// 1.5, and the panel's 0.75: ...". `target` is the owner of the target's shape: "the panel";
 /// `bars` what Fit::contain has beside the picture.

@@ -16,7 +16,7 @@
 
 namespace integral {
 
-/// What is made of which pictures.
+/// The pictures of a flip, and how they share the zone.
 struct PictureFlip {
     std::vector<std::string> pictures; ///< flat ones, and frames of one sheet and film
     std::string output;
@@ -30,7 +30,7 @@ struct PictureFlip {
     Fit fit = Fit::contain;
     std::optional<int> bits; ///< 8, 16 or 32; nothing: the most that a picture has
     int threads = 0;         ///< 0: one per core
-    /// Is told, in a line each, what the user should know.
+    /// Takes notices for the user, a line each.
     std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 

@@ -49,20 +49,16 @@ public:
         frame_.image = make_image<float>(part.film.width, part.film.height, 3, part.encoding);
         FrameOfShares(labels, order, part, shares, axis).draw(0, frame_.image, threads, {});
         set_metadata(frame_, part);
+        const bool is_wide = part.film.width > part.film.height;
+        view_.width = std::min(part.film.width, is_wide ? 200 : 4);
+        view_.height = std::min(part.film.height, is_wide ? 4 : 200);
+        set_as_seen(view_, part);
     }
 
     Colour seen_from(Eye eye) const
     {
-        View view;
+        View view = view_;
         view.eye = eye;
-        const Film& film = frame_.metadata->film;
-        view.width = std::min(film.width, most_samples);
-        view.height = std::min(film.height, most_samples);
-        if (film.width > film.height)
-            view.height = std::min(view.height, 4);
-        else
-            view.width = std::min(view.width, 4);
-        set_as_seen(view, *frame_.metadata);
         const Image picture = *replay(frame_, view, threads_);
         Colour sum{0, 0, 0, 0};
         for (int y = 0; y < picture.height; ++y)
@@ -74,8 +70,8 @@ public:
     }
 
 private:
-    static constexpr int most_samples = 200;
     Frame frame_;
+    View view_; ///< but for its eye
     int threads_;
 };
 

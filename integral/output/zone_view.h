@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What eyes across the viewing zone see of pictures that share it: where each is seen alone, and
-// how much of others it has then.
+// Computes where eyes in the viewing zone see one of several pictures alone, and the share of the
+// other pictures in its light.
 #ifndef INTEGRAL_OUTPUT_ZONE_VIEW_H
 #define INTEGRAL_OUTPUT_ZONE_VIEW_H
 
@@ -26,7 +26,7 @@ struct ShareView {
     std::optional<ZonePart> alone; ///< where at most 3% of the light is others'
 };
 
-/// What an eye at the viewing distance sees.
+/// The shares of the pictures in the light that an eye at the viewing distance gets.
 struct EyeShares {
     double place = 0;           ///< mm from the zone's middle
     std::optional<int> picture; ///< that should be seen alone; nothing: a transition

@@ -3,6 +3,7 @@
 
 #include "integral/base/constants.h"
 #include "integral/base/number_text.h"
+#include "integral/compare/compare_geometry.h"
 #include "integral/replay/arrange.h"
 
 #include <algorithm>
@@ -74,12 +75,8 @@ Image seen_of(const Frame& frame, View view)
 /// Whether eyes see the same of two frames: their samples and geometry are equal.
 bool same_to_eyes(const Frame& a, const Frame& b)
 {
-    const auto geometry = [](FrameMetadata metadata) {
-        metadata.render.reset();
-        return to_json(metadata);
-    };
     return same_form(a.image, b.image) && a.image.samples == b.image.samples &&
-           geometry(*a.metadata) == geometry(*b.metadata);
+           geometry_difference(a.metadata, b.metadata).empty();
 }
 
 /// The width of a view's pixel on the sheet, mm: a 60th of a degree, but no less than the film's

@@ -92,16 +92,12 @@ struct FrameOfShares::State {
           shares(given_shares),
           axis(given_axis)
     {
-        const Vec2 size = size_of(film);
         for (const SharedPicture& picture : pictures) {
             const Image& image = picture.image;
             if (picture.is_frame && (image.width != film.width || image.height != film.height))
                 throw std::invalid_argument("a frame has another size than the film");
             light.emplace_back(image);
-            windows.push_back({image.width,
-                               image.height,
-                               {picture.fit.size.x * size.x / image.width,
-                                picture.fit.size.y * size.y / image.height}});
+            windows.push_back(pixels_on(film, picture.fit, image.width, image.height));
         }
     }
 
@@ -159,16 +155,8 @@ FrameOfShares::~FrameOfShares() = default;
 bool FrameOfShares::draw(int first, Image& band, int threads, const Progress& progress) const
 {
     const State& s = *state_;
-    const auto row = [&](int y) {
-        for (int x = 0; x < s.film.width; ++x)
-            store_linear(band, x, y, each_channel(s.film.subpixels, [&](int channel) {
-                             return s.at(film_from_pixel(s.film,
-                                                         subpixel_centre(s.film.subpixels, x,
-                                                                         first + y, channel)),
-                                         x, first + y);
-                         }));
-    };
-    return for_each_row(band.height, threads, row, progress);
+    return draw_film(s.film, first, band, threads, progress,
+                     [&](Vec2 film_point, int x, int y) { return s.at(film_point, x, y); });
 }
 
 } // namespace integral

@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_REPLAY_INTERPOLATE_H
 #define INTEGRAL_REPLAY_INTERPOLATE_H
 
+#include "integral/base/parallel.h"
 #include "integral/lightfield/image.h"
 #include "integral/optics/film.h"
 
@@ -40,6 +41,23 @@ template <class At> Colour each_channel(const Subpixels& subpixels, At at)
         return at(1);
     const Colour red = at(0), green = at(1), blue = at(2);
     return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
+}
+
+/// Draws rows of a film from `first` on, as many as the band is high: at(film_point, x, y) gives the
+/// light of a pixel, or of one of its subpixels. `threads` and `progress` as in for_each_row.
+template <class At>
+bool draw_film(const Film& film, int first, Image& band, int threads, const Progress& progress,
+               At at)
+{
+    const auto row = [&](int y) {
+        for (int x = 0; x < film.width; ++x)
+            store_linear(band, x, y, each_channel(film.subpixels, [&](int channel) {
+                             const Vec2 pixel = subpixel_centre(film.subpixels, x, first + y,
+                                                                channel);
+                             return at(film_from_pixel(film, pixel), x, first + y);
+                         }));
+    };
+    return for_each_row(band.height, threads, row, progress);
 }
 
 /// The colour that the film's subpixels of a channel show at a point in pixel coordinates:

@@ -24,11 +24,7 @@ struct FrameOfPerspectives::State {
         for (const Image& view : views)
             if (!same_form(view, views[0]))
                 throw std::invalid_argument("its views differ in size or form");
-        const Vec2 size = size_of(film);
-        window = {
-            views[0].width,
-            views[0].height,
-            {picture.size.x * size.x / views[0].width, picture.size.y * size.y / views[0].height}};
+        window = pixels_on(film, picture, views[0].width, views[0].height);
         for (const Image& view : views)
             light.emplace_back(view);
     }
@@ -71,14 +67,8 @@ FrameOfPerspectives::~FrameOfPerspectives() = default;
 bool FrameOfPerspectives::draw(int first, Image& band, int threads, const Progress& progress) const
 {
     const State& s = *state_;
-    const auto row = [&](int y) {
-        for (int x = 0; x < s.film.width; ++x)
-            store_linear(band, x, y, each_channel(s.film.subpixels, [&](int channel) {
-                             return s.seen_by(film_from_pixel(
-                                 s.film, subpixel_centre(s.film.subpixels, x, first + y, channel)));
-                         }));
-    };
-    return for_each_row(band.height, threads, row, progress);
+    return draw_film(s.film, first, band, threads, progress,
+                     [&](Vec2 film_point, int, int) { return s.seen_by(film_point); });
 }
 
 std::optional<Image> frame_from_perspective_views(const std::vector<Image>& views,

@@ -35,15 +35,6 @@ std::string data_element(const std::string& id, const std::string& json)
            "</script>\n";
 }
 
-/// A word of a shell's line.
-std::string quoted(const std::string& word)
-{
-    std::string text = "'";
-    for (const char c : word)
-        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 /// The pieces of a pair's comparison as JSON; empty where one of the files cannot be read.
 std::string pieces_of(const SuitePair& pair, const SuiteFolders& folders)
 {
@@ -80,8 +71,8 @@ void add_comparators(Suite& suite, std::size_t limit)
         if (is_full) {
             pair.comparator = "<p class=\"quiet\">To compare both as an eye sees them: "
                               "<code>integral compare " +
-                              markup_text(quoted(suite.folders.reference(pair.name)) + " " +
-                                          quoted(suite.folders.result(pair.name))) +
+                              markup_text(for_shell(suite.folders.reference(pair.name)) + " " +
+                                          for_shell(suite.folders.result(pair.name))) +
                               " --html page.html</code> (this report holds at most " +
                               std::to_string(limit >> 20) + " MB of such pictures)</p>\n";
             continue;

@@ -71,14 +71,6 @@ std::string post_button(const std::string& to, const char* key, const std::strin
            key + "\">" + text + "</button></form>";
 }
 
-std::string fault_lines(const std::vector<std::string>& faults)
-{
-    std::string html;
-    for (const std::string& fault : faults)
-        html += "<p class=\"fault\">" + markup_text(fault) + "</p>\n";
-    return html;
-}
-
 /// What accepting does to the reference.
 std::string accept_words(const SuitePair& pair)
 {
@@ -168,8 +160,6 @@ std::string approval_picture(const SuiteFolders& folders, const ApprovalItem& it
     const SuitePair& pair = *item.pair;
     const auto reference = read_if_there(pair.has_reference, folders.reference(pair.name)),
                result = read_if_there(pair.has_result, folders.result(pair.name));
-    const std::string head = "<style nonce=\"" + request.nonce + "\">" + bar_style + "</style>\n" +
-                             bar(item, index, count, request);
     if (!reference && !result)
         return html_page(pair.name, std::string(list_style) + bar_style,
                          bar(item, index, count, request) + "<h1>" + markup_text(pair.name) +
@@ -182,7 +172,8 @@ std::string approval_picture(const SuiteFolders& folders, const ApprovalItem& it
     pictures.result = result ? &*result : nullptr;
     pictures.title = pair.name;
     PageAdditions additions;
-    additions.head = head;
+    additions.head = "<style nonce=\"" + request.nonce + "\">" + bar_style + "</style>\n" +
+                     bar(item, index, count, request);
     additions.end = "<script nonce=\"" + request.nonce + "\">" + key_script + "</script>\n";
     additions.nonce = request.nonce;
     additions.keys_for_pages = true;
